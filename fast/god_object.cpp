@@ -21,4 +21,16 @@ std::unique_ptr<TickSession> GodObject::open() const {
   return std::make_unique<MeshSession>(mesh_, stiffness_, shading_, contact_);
 }
 
+mesh::Tick GodObject::tick(const mesh::GodObject& state, const std::array<float, 3>& position) const noexcept {
+  const mesh::Contact contact = contact_in(*mesh_, contact_);
+  Arrival at = arrival_of(*mesh_, state, contact);
+  mesh::Tick tick;
+  if (in_domain(position)) {
+    Stage stage{};
+    advance(*mesh_, at, quantised(position), stiffness_, shading_, FilteredStages{&stage}, tick, contact);
+  }
+  tick.after = object_of(*mesh_, at);
+  return tick;
+}
+
 }  // namespace forceshade::fast

@@ -223,10 +223,13 @@ typedef struct forceshade_batch {
   ptrdiff_t force_component;
   forceshade_status* statuses;        /* one for each, or NULL */
   ptrdiff_t status_stride;            /* from a status to the next one; 1 without gaps */
+  size_t threads;                     /* that share the work of forceshade_forces() and forceshade_advance(): at most 256, and
+                                       * one for each 1024 positions; 0 and 1: the calling one alone. Starting the others takes
+                                       * memory, and some 20 us each */
 } forceshade_batch;
 
-/* Bit for bit what forceshade_force() gives for each, with the widest instructions of the processor. invalid, where it is not
- * NULL, gets the number of positions that are FORCESHADE_INVALID. */
+/* Bit for bit what forceshade_force() gives for each, with the widest instructions of the processor, on however many threads.
+ * invalid, where it is not NULL, gets the number of positions that are FORCESHADE_INVALID. */
 FORCESHADE_API forceshade_result forceshade_forces(forceshade_subject subject, const forceshade_batch* batch, size_t* invalid);
 
 /* ---- Sessions: one path of the hand ---- */
@@ -270,6 +273,14 @@ FORCESHADE_API forceshade_result forceshade_session_state(forceshade_session ses
 
 /* Goes on from a state of the same subject. A state that is none of this mesh counts as FORCESHADE_NOWHERE. */
 FORCESHADE_API forceshade_result forceshade_session_resume(forceshade_session session, const forceshade_state* state);
+
+/* One tick of each of many paths, as of the hands in a learning loop: path i is at states[i], its next position is that of the
+ * batch, and states[i] is then what the tick left. A state that is 0 begins a path, and one that is none of this mesh counts as
+ * such. Bit for bit what a session of its own gives for each path, on however many threads. Of a law or a height map, which
+ * remember nothing, the states stay as they are. states: batch->count of them; states[0].size has to be set, and is that of
+ * each. */
+FORCESHADE_API forceshade_result forceshade_advance(forceshade_subject subject, forceshade_state* states,
+                                                    const forceshade_batch* batch, size_t* invalid);
 
 /* ---- Scenes: one path of the hand through objects that move ---- */
 

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "bindings/c/parts.h"
+
 namespace forceshade::c {
 namespace {
 
@@ -14,7 +16,7 @@ bool is_aligned(const void* pointer) noexcept {
 
 forceshade_result check(const forceshade_batch* batch) noexcept {
   if (batch == nullptr) return fail(FORCESHADE_NULL_POINTER, "batch is NULL");
-  if (batch->size < sizeof(forceshade_batch))
+  if (batch->size != kWithoutThreads && batch->size < sizeof(forceshade_batch))
     return fail(FORCESHADE_BAD_SIZE, "batch->size: expected sizeof(forceshade_batch)");
   if (batch->count == 0) return FORCESHADE_OK;
   if (batch->positions == nullptr || batch->forces == nullptr)

@@ -11,11 +11,17 @@
 
 namespace forceshade::c {
 
+// OK, or what is wrong with the arithmetic of this thread, which has been said.
+inline forceshade_result check_arithmetic() {
+  const char* const fault = fast::arithmetic_fault();
+  if (fault == nullptr) return FORCESHADE_OK;
+  return fail(FORCESHADE_BAD_ARITHMETIC, std::string("found ") + fault + "; expected rounding to nearest, with subnormals");
+}
+
 // OK, with the handle of what make() gives, or what is wrong, which has been said.
 template <class T, class Make>
 forceshade_result open(Table<T>& table, const Make& make, std::uint64_t& handle) {
-  if (const char* fault = fast::arithmetic_fault())
-    return fail(FORCESHADE_BAD_ARITHMETIC, std::string("found ") + fault + "; expected rounding to nearest, with subnormals");
+  if (const forceshade_result wrong = check_arithmetic(); wrong != FORCESHADE_OK) return wrong;
   const std::uint64_t added = table.add(make());
   if (added == 0) return fail(FORCESHADE_NO_MEMORY, T::kTooMany);
   handle = added;

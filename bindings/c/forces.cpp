@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Forces of the C interface, of subjects that remember nothing.
 
+#include "bindings/c/forces.h"
+
 #include "bindings/c/batch.h"
-#include "bindings/c/statuses.h"
 #include "bindings/c/subject.h"
 
 namespace forceshade::c {
@@ -40,15 +41,7 @@ forceshade_result forceshade_forces(forceshade_subject subject, const forceshade
   if (its == nullptr) return bad_subject();
   if (!its->renderer.batch) return needs_a_session();
   if (const forceshade_result wrong = check(batch); wrong != FORCESHADE_OK) return wrong;
-  const fast::InstructionSet set = fast::best_instruction_set();
-  const std::size_t outside = for_each_block(*batch, [&](auto positions, auto forces, auto statuses) noexcept {
-    const std::size_t found = its->renderer.batch(positions, forces, set).invalid;
-    if (const auto* law = std::get_if<fast::Law>(&its->field))
-      add_statuses(*law, positions, forces, statuses);
-    else if (const auto* map = std::get_if<fast::HeightMapField>(&its->field))
-      add_statuses(*map, positions, forces, statuses);
-    return found;
-  });
+  const std::size_t outside = forces_of(*its, *batch);
   if (invalid != nullptr) *invalid = outside;
   return FORCESHADE_OK;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sessions of the C interface: one path each, for one thread at a time.
 
-#include <algorithm>
 #include <memory>
-#include <string>
 
 #include "bindings/c/batch.h"
 #include "bindings/c/entered.h"
+#include "bindings/c/paths.h"
 #include "bindings/c/session.h"
+#include "bindings/c/states.h"
 #include "bindings/c/subject.h"
 
 namespace forceshade::c {
@@ -21,11 +21,6 @@ forceshade_result check(const forceshade_state* state) noexcept {
   if (state->size < sizeof(forceshade_state))
     return fail(FORCESHADE_BAD_SIZE, "state->size: expected sizeof(forceshade_state)");
   return FORCESHADE_OK;
-}
-
-// Whether a state can be one of any mesh; the session looks whether it is one of its own.
-bool is_state(const forceshade_state& state) noexcept {
-  return state.place <= FORCESHADE_IN_TRIANGLE && state.side <= 1;
 }
 
 }  // namespace
@@ -90,13 +85,7 @@ forceshade_result forceshade_session_state(forceshade_session session, forceshad
   if (const forceshade_result wrong = check(state); wrong != FORCESHADE_OK) return wrong;
   const Entered entered(sessions.table, session.handle);
   if (!entered) return entered.result;
-  const mesh::GodObject& its = entered->state();
-  state->place = static_cast<std::uint8_t>(its.place);
-  state->side = static_cast<std::uint8_t>(its.side);
-  state->slipping = its.is_slipping ? 1 : 0;
-  std::copy(its.position.begin(), its.position.end(), state->position);
-  std::copy(its.index.begin(), its.index.end(), state->index);
-  std::copy(its.parameter.begin(), its.parameter.end(), state->parameter);
+  put(entered->state(), *state);
   return FORCESHADE_OK;
 }
 
@@ -107,12 +96,26 @@ forceshade_result forceshade_session_resume(forceshade_session session, const fo
   if (!is_state(*state)) return fail(FORCESHADE_BAD_VALUE, "state->place or state->side: expected one that a session gives");
   if (!entered->remembers() && state->place != FORCESHADE_NOWHERE)
     return fail(FORCESHADE_WRONG_KIND, "the state is that of a god-object; a law or a height map remembers nothing");
-  mesh::GodObject its{.place = static_cast<mesh::Place>(state->place),
-                      .side = static_cast<mesh::Side>(state->side),
-                      .is_slipping = state->slipping == 1};
-  std::copy_n(state->position, 3, its.position.begin());
-  std::copy_n(state->index, 2, its.index.begin());
-  std::copy_n(state->parameter, 2, its.parameter.begin());
-  entered->resume(its);
+  entered->resume(god_object_of(*state));
   return FORCESHADE_OK;
+}
+
+forceshade_result forceshade_advance(forceshade_subject subject, forceshade_state* states, const forceshade_batch* batch,
+                                     size_t* invalid) {
+  return guarded([&]() -> forceshade_result {
+    const Subject* const its = subject_of(subject);
+    if (its == nullptr) return bad_subject();
+    if (const forceshade_result wrong = check(batch); wrong != FORCESHADE_OK) return wrong;
+    if (const forceshade_result wrong = check_arithmetic(); wrong != FORCESHADE_OK) return wrong;
+    std::size_t outside = 0;
+    if (batch->count > 0) {
+      if (const forceshade_result wrong = check(states); wrong != FORCESHADE_OK) return wrong;
+      const std::size_t size = states->size;  // of each, in a program that was built with a newer header, too
+      outside = advance(*its, *batch, [&](std::size_t i) -> forceshade_state& {
+        return *reinterpret_cast<forceshade_state*>(reinterpret_cast<char*>(states) + i * size);
+      });
+    }
+    if (invalid != nullptr) *invalid = outside;
+    return FORCESHADE_OK;
+  });
 }

@@ -19,7 +19,7 @@ bool is_aligned(const py::array& array) {
 
 }  // namespace
 
-Batches::Batches(const Floats& positions, Floats& forces, Bytes* statuses) {
+Batches::Batches(const Floats& positions, Floats& forces, Bytes* statuses, std::size_t threads) {
   const py::ssize_t axes = positions.ndim();
   expect(axes >= 1 && positions.shape(axes - 1) == 3, "positions (..., 3)");
   expect(forces.ndim() == axes, "forces of the shape of the positions");
@@ -58,7 +58,8 @@ Batches::Batches(const Floats& positions, Floats& forces, Bytes* statuses) {
             inner.force,
             forces.strides(axes - 1),
             statuses != nullptr ? statuses->mutable_data() : nullptr,
-            inner.status};
+            inner.status,
+            threads};
 }
 
 }  // namespace forceshade::python

@@ -22,8 +22,9 @@ using Bytes = py::array_t<std::uint8_t>;
 // Positions (..., 3), forces of the same shape and statuses (...), as one batch after the other.
 class Batches {
  public:
-  // The arrays outlive this. Throws py::value_error where the shapes do not fit together: the package has looked before.
-  Batches(const Floats& positions, Floats& forces, Bytes* statuses);
+  // The arrays outlive this. threads: of each batch. Throws py::value_error where the shapes do not fit together: the package
+  // has looked before.
+  Batches(const Floats& positions, Floats& forces, Bytes* statuses, std::size_t threads = 1);
 
   // call(batch) for each; needs no GIL.
   template <class Call>

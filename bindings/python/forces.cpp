@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Forces of laws and height maps: of one position, and of arrays.
 
+#include "bindings/c/forces.h"
+
 #include <memory>
 
-#include "bindings/c/statuses.h"
 #include "bindings/python/arrays.h"
 #include "bindings/python/errors.h"
 #include "bindings/python/subject.h"
@@ -42,23 +43,14 @@ PyMethodDef force_method{
     "For many positions, forces() takes an array. A position that is not a number, or beyond 10 000 mm, gives no force.\n"};
 
 // Returns how many positions were invalid.
-std::size_t forces_of_many(const Subject& subject, const Floats& positions, Floats& forces, std::optional<Bytes> statuses) {
+std::size_t forces_of_many(const Subject& subject, const Floats& positions, Floats& forces, std::optional<Bytes> statuses,
+                           std::size_t threads) {
   if (!subject.renderer.batch) throw Error(kNeedsSession);
   expect_arithmetic();
-  const Batches batches(positions, forces, statuses ? &*statuses : nullptr);
+  const Batches batches(positions, forces, statuses ? &*statuses : nullptr, threads);
   const py::gil_scoped_release released;
-  const fast::InstructionSet set = fast::best_instruction_set();
   std::size_t invalid = 0;
-  batches.for_each([&](const forceshade_batch& batch) {
-    invalid += c::for_each_block(batch, [&](auto at, auto to, auto said) noexcept {
-      const std::size_t found = subject.renderer.batch(at, to, set).invalid;
-      if (const auto* law = std::get_if<fast::Law>(&subject.field))
-        c::add_statuses(*law, at, to, said);
-      else if (const auto* map = std::get_if<fast::HeightMapField>(&subject.field))
-        c::add_statuses(*map, at, to, said);
-      return found;
-    });
-  });
+  batches.for_each([&](const forceshade_batch& batch) { invalid += c::forces_of(subject, batch); });
   return invalid;
 }
 
@@ -71,7 +63,8 @@ void expect_arithmetic() {
 
 void add_forces(py::module_&, py::class_<Subject, std::shared_ptr<Subject>>& subject) {
   add_method(subject, force_method);
-  subject.def("_forces", &forces_of_many, py::arg().noconvert(), py::arg().noconvert(), py::arg().noconvert() = py::none());
+  subject.def("_forces", &forces_of_many, py::arg().noconvert(), py::arg().noconvert(), py::arg().noconvert() = py::none(),
+              py::arg() = 1);
 }
 
 }  // namespace forceshade::python

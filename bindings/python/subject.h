@@ -46,6 +46,7 @@ PyObject* tuple_of(const float* force) noexcept;
 // What each file adds to the module.
 void add_subjects(pybind11::module_& module);
 void add_forces(pybind11::module_& module, pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);
+void add_paths(pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);
 void add_sessions(pybind11::module_& module);
 void add_scenes(pybind11::module_& module);
 void add_exact(pybind11::module_& module);

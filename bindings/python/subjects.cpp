@@ -206,6 +206,7 @@ void add_subjects(py::module_& module) {
   subject.def_property_readonly("_words", [](const Subject& its) { return parameters_in_words(its.identity); });
   subject.def_property_readonly("_parameters", [](const Subject& its) { return parameters_of(its.identity); });
   add_forces(module, subject);
+  add_paths(subject);
 }
 
 }  // namespace forceshade::python

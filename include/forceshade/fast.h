@@ -200,6 +200,11 @@ class GodObject {
   // At the beginning of a path. Allocates.
   std::unique_ptr<TickSession> open() const;
 
+  // One tick from a state, as a session that goes on from it gives it, for who keeps the states of many paths. position: mm. Where
+  // the god-object is free it takes longer than a session, which keeps how far it is from the mesh. Without allocation, lock or
+  // exception, and from several threads at once.
+  mesh::Tick tick(const mesh::GodObject& state, const std::array<float, 3>& position) const noexcept;
+
  private:
   GodObject(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading, mesh::Contact contact) noexcept
       : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading), contact_(contact) {}

@@ -42,7 +42,8 @@ inline forceshade_batch batch_of(std::span<const float> at, std::span<float> for
           .force_stride = 12,
           .force_component = 4,
           .statuses = statuses.data(),
-          .status_stride = 1};
+          .status_stride = 1,
+          .threads = 1};
 }
 
 }  // namespace forceshade::tests

@@ -105,6 +105,10 @@ class CMisuse : public testing::Test {
     return with<forceshade_batch>(batch, change,
                                   [this](forceshade_batch& its) { return forceshade_session_steps(of_mesh, &its, nullptr); });
   }
+  auto advance(const std::function<void(forceshade_batch&)>& change) {
+    return with<forceshade_batch>(
+        batch, change, [this](forceshade_batch& its) { return forceshade_advance(tetrahedron, states.data(), &its, nullptr); });
+  }
   auto resume(forceshade_session session, const std::function<void(forceshade_state&)>& change) const {
     return with<forceshade_state>(sized<forceshade_state>(), change,
                                   [session](forceshade_state& its) { return forceshade_session_resume(session, &its); });
@@ -117,6 +121,7 @@ class CMisuse : public testing::Test {
     static const forceshade_batch none = sized<forceshade_batch>();
     return {[=] { return forceshade_force(subject, at.data(), force.data(), nullptr); },
             [=] { return forceshade_forces(subject, &none, nullptr); },
+            [=] { return forceshade_advance(subject, nullptr, &none, nullptr); },
             [=] { return forceshade_session_open(subject, &session); },
             [=] { return forceshade_subject_text(subject, FORCESHADE_KIND, text.data(), text.size(), nullptr); },
             [=] { return forceshade_certificate_covers("absent.json", subject); },
@@ -139,6 +144,8 @@ class CMisuse : public testing::Test {
   forceshade_mesh mesh = sized<forceshade_mesh>();
   std::array<float, 6> at{1, 2, 3, 4, 5, 6}, to{};
   std::array<forceshade_status, 2> statuses{};
+  std::array<forceshade_state, 2> states{sized<forceshade_state>(), sized<forceshade_state>()};
+  forceshade_state small{};
   forceshade_batch batch = forceshade::tests::batch_of(at, to, statuses);
   forceshade_subject bump{}, tetrahedron{}, freed{};
   forceshade_session of_bump{}, of_mesh{}, closed{};
@@ -252,6 +259,11 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"resume size", resume(of_mesh, [](auto& its) { its.size = 4; }), size, "sizeof(forceshade_state)"},
       {"resume place", resume(of_mesh, [](auto& its) { its.place = 5; }), value, "place"},
       {"resume side", resume(of_mesh, [](auto& its) { its.side = 2; }), value, "side"},
+      {"advance batch null", [&] { return forceshade_advance(tetrahedron, states.data(), nullptr, nullptr); }, null,
+       "batch is NULL"},
+      {"advance states null", [&] { return forceshade_advance(tetrahedron, nullptr, &batch, nullptr); }, null, "NULL"},
+      {"advance states size", [&] { return forceshade_advance(tetrahedron, &small, &batch, nullptr); }, size,
+       "sizeof(forceshade_state)"},
       {"resume a law", resume(of_bump, [](auto& its) { its.place = FORCESHADE_IN_TRIANGLE; }), kind, "remembers nothing"},
   };
   const std::vector<std::pair<std::string, std::function<void(forceshade_batch&)>>> batches{
@@ -270,6 +282,7 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
   for (const auto& [what, change] : batches) {
     misuses.push_back({"batch " + what, forces(change), size, what.starts_with("force") ? "" : "expected"});
     misuses.push_back({"steps batch " + what, steps(change), size, ""});
+    misuses.push_back({"advance batch " + what, advance(change), size, ""});
   }
   misuses.push_back({"batch positions null", forces([](auto& its) { its.positions = nullptr; }), null, "NULL"});
   misuses.push_back({"batch forces null", forces([](auto& its) { its.forces = nullptr; }), null, "NULL"});

@@ -15,7 +15,8 @@ Frame and units: x points right, y into the page, z up. Lengths are in mm, force
 Numbers: what goes in is binary32 (numpy.float32) and is never rounded unasked. An array of another type is refused, unless
 rounding="nearest" is given; Python's numbers and lists are taken where binary32 holds each of them.
 
-Threads: subjects do not change and may be shared. A session is for one thread at a time. Arrays are worked on without the GIL.
+Threads: subjects do not change and may be shared. A session is for one thread at a time. Arrays are worked on without the GIL,
+and by several threads where forces() or advance() is given threads=.
 
 Errors: ValueError, TypeError, OSError, or forceshade.Error; each says what was expected and what was got.
 
@@ -39,7 +40,7 @@ from ._forceshade import version as _version
 from ._recordings import Recording, read_recording
 from ._scenes import Pose, Scene
 from ._sessions import Place, Session, State
-from ._subject import ANSWER, Identity, Status, Subject
+from ._subject import ANSWER, STATE, Identity, Status, Subject
 from ._subjects import HeightMap, Law, Mesh, laws, read_subject
 
 __version__: str = _version
@@ -47,6 +48,7 @@ __version__: str = _version
 
 __all__ = [
     "ANSWER",
+    "STATE",
     "Certificate",
     "Error",
     "Conformance",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any, Literal, Optional
 
 import numpy as np
@@ -95,7 +96,7 @@ def _shares(a: npt.NDArray[Any], b: npt.NDArray[Any]) -> bool:
         return True
 
 
-def _expect_writable(array: object, name: str, dtype: type, shape: tuple[int, ...]) -> None:
+def _expect_writable(array: object, name: str, dtype: npt.DTypeLike, shape: tuple[int, ...]) -> None:
     if not isinstance(array, np.ndarray):
         raise TypeError(f"{name}: expected a NumPy array, got {type(array).__name__}")
     if array.dtype != dtype or not array.dtype.isnative:
@@ -110,6 +111,15 @@ def _expect_writable(array: object, name: str, dtype: type, shape: tuple[int, ..
         raise ValueError(f"{name} has several elements in one place; expected one for each")
 
 
+def count_of_threads(threads: object) -> int:
+    if isinstance(threads, bool) or not hasattr(threads, "__index__"):
+        raise TypeError(f"threads: expected a number of them, got {threads!r}")
+    count = operator.index(threads)
+    if count < 1:
+        raise ValueError(f"threads: expected 1 or more, got {count}")
+    return min(count, 256)
+
+
 def output(out: object, positions: Floats) -> Floats:
     """Where the forces go: `out`, which has been looked at, or a new array."""
     if out is None:
@@ -119,6 +129,17 @@ def output(out: object, positions: Floats) -> Floats:
     if _shares(out, positions) and not _is_at_the_same_place(out, positions):
         raise ValueError("out and positions overlap; expected the very same array, or memory of its own")
     return out
+
+
+def states(its: object, dtype: np.dtype[np.void], positions: Floats, *written: npt.NDArray[Any] | None) -> npt.NDArray[np.void]:
+    """The states of as many paths as there are positions, which are written, too."""
+    _expect_writable(its, "states", dtype, positions.shape[:-1])
+    assert isinstance(its, np.ndarray)
+    if not its.flags.c_contiguous:
+        raise ValueError("states have gaps between them; expected an array that lies without gaps, as numpy.zeros() makes it")
+    if any(other is not None and _shares(its, other) for other in (positions, *written)):
+        raise ValueError("states overlap the positions, out or status; expected memory of their own")
+    return its
 
 
 def statuses(status: object, positions: Floats, forces: Floats) -> Bytes | None:

@@ -30,6 +30,16 @@ class Subject:
         positions: npt.NDArray[np.float32],
         forces: npt.NDArray[np.float32],
         statuses: Optional[npt.NDArray[np.uint8]] = None,
+        threads: int = 1,
+        /,
+    ) -> int: ...
+    def _advance(
+        self,
+        states: npt.NDArray[np.void],
+        positions: npt.NDArray[np.float32],
+        forces: npt.NDArray[np.float32],
+        statuses: Optional[npt.NDArray[np.uint8]] = None,
+        threads: int = 1,
         /,
     ) -> int: ...
 

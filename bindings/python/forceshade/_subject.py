@@ -34,6 +34,19 @@ class Status(enum.IntEnum):
 ANSWER = np.dtype([("force", np.float32, (3,)), ("status", np.uint8)], align=True)
 """The type of what answers() gives: `force` in N, and `status`, a number of Status."""
 
+STATE = np.dtype(
+    [
+        ("place", np.uint8),
+        ("side", np.uint8),
+        ("slipping", np.uint8),
+        ("position", np.float32, (3,)),
+        ("index", np.uint32, (2,)),
+        ("parameter", np.uint32, (2,)),
+    ],
+    align=True,
+)
+"""The type of the states of advance(): what State has, as numbers. One that is 0 begins a path."""
+
 
 class Identity(NamedTuple):
     """What a subject is, as certificates and recordings have it."""
@@ -105,6 +118,7 @@ class Subject(_forceshade.Subject):
         out: Floats | None = None,
         status: npt.NDArray[np.uint8] | None = None,
         rounding: Rounding = None,
+        threads: int = 1,
     ) -> Floats:
         """The forces (N) at positions (mm), each the binary32 number nearest to the exact one.
 
@@ -112,6 +126,7 @@ class Subject(_forceshade.Subject):
         holds every number. rounding="nearest" rounds numbers of other types first.
         out: a float32 array of the same shape, into which the forces go; it may be `positions` itself.
         status: a uint8 array of the shape of the positions without the last axis, into which a number of Status goes for each.
+        threads: that share the work, where there are many positions: at most one for each 1024. The forces are the same bits.
 
         Returns out, or a new array. Raises TypeError for a wrong type, ValueError for a wrong shape or a number that binary32
         does not hold, and Error for a mesh, whose forces depend on the path.
@@ -124,7 +139,43 @@ class Subject(_forceshade.Subject):
         """
         at = _arrays.as_positions(positions, rounding)
         to = _arrays.output(out, at)
-        self._forces(at, to, _arrays.statuses(status, at, to))
+        self._forces(at, to, _arrays.statuses(status, at, to), _arrays.count_of_threads(threads))
+        return to
+
+    def advance(
+        self,
+        states: npt.NDArray[np.void],
+        positions: npt.ArrayLike,
+        *,
+        out: Floats | None = None,
+        status: npt.NDArray[np.uint8] | None = None,
+        rounding: Rounding = None,
+        threads: int = 1,
+    ) -> Floats:
+        """One tick of each of many paths, as of the hands in a learning loop: the forces (N) at the next positions (mm).
+
+        states: an array of type STATE of the shape of the positions without the last axis, without gaps: where each path is,
+        and afterwards what the tick left. numpy.zeros(n, forceshade.STATE) begins n paths; writing 0 into some begins these
+        again; a copy keeps them. A state that is none of this mesh counts as that of a beginning. Of a law or a height map,
+        which remember nothing, they stay as they are.
+        The other arguments, and what is raised, are those of forces().
+
+        Each path has the forces that a Session of its own gives, bit for bit.
+
+        >>> import numpy, forceshade
+        >>> floor = forceshade.Mesh([[-9, -9, 0], [9, -9, 0], [9, 9, 0]], [[0, 1, 2]], stiffness=0.5)
+        >>> states = numpy.zeros(2, forceshade.STATE)
+        >>> above = floor.advance(states, [[3, 0, 1], [4, 1, 2]])
+        >>> floor.advance(states, [[3, 0, -2], [4, 1, 1]])
+        array([[0., 0., 1.],
+               [0., 0., 0.]], dtype=float32)
+        >>> [forceshade.Place(place).name for place in states["place"]]
+        ['IN_TRIANGLE', 'IN_THE_OPEN']
+        """
+        at = _arrays.as_positions(positions, rounding)
+        to = _arrays.output(out, at)
+        said = _arrays.statuses(status, at, to)
+        self._advance(_arrays.states(states, STATE, at, to, said), at, to, said, _arrays.count_of_threads(threads))
         return to
 
     def answers(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a session remembers, as a struct of numbers: that of the C interface, and others with members of the same names.
+
+#include <algorithm>
+#include <cstdint>
+
+#include "forceshade/mesh.h"
+
+namespace forceshade::c {
+
+// Whether a state can be one of any mesh; the session looks whether it is one of its own.
+template <class State>
+bool is_state(const State& state) noexcept {
+  return state.place < mesh::kPlaceNames.size() && state.side <= 1;
+}
+
+// A state that can be one of no mesh is that of a beginning.
+template <class State>
+mesh::GodObject god_object_of(const State& state) noexcept {
+  if (!is_state(state)) return {};
+  mesh::GodObject its{.place = static_cast<mesh::Place>(state.place),
+                      .side = static_cast<mesh::Side>(state.side),
+                      .is_slipping = state.slipping == 1};
+  std::copy_n(state.position, 3, its.position.begin());
+  std::copy_n(state.index, 2, its.index.begin());
+  std::copy_n(state.parameter, 2, its.parameter.begin());
+  return its;
+}
+
+template <class State>
+void put(const mesh::GodObject& its, State& state) noexcept {
+  state.place = static_cast<std::uint8_t>(its.place);
+  state.side = static_cast<std::uint8_t>(its.side);
+  state.slipping = its.is_slipping ? 1 : 0;
+  std::copy(its.position.begin(), its.position.end(), state.position);
+  std::copy(its.index.begin(), its.index.end(), state.index);
+  std::copy(its.parameter.begin(), its.parameter.end(), state.parameter);
+}
+
+}  // namespace forceshade::c
