@@ -6,6 +6,7 @@
 // are coordinates of their corners, and every test is widened by more than its roundings.
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -79,6 +80,14 @@ class BoxTree {
   static constexpr std::size_t kStack = kMostLevels * kWidth;
   static_assert(Search::kStack >= kStack + kWidth);
 
+  // Four numbers in one register, and four masks, of 0 or all bits.
+  using Floats = float __attribute__((vector_size(16)));
+  using Masks = std::int32_t __attribute__((vector_size(16)));
+  static Floats four(const float* first) noexcept {
+    Floats all;
+    __builtin_memcpy(&all, first, sizeof all);
+    return all;
+  }
   std::vector<Node, LargePages<Node>> nodes_;       // level by level, from the leaves on
   std::array<std::uint32_t, kMostLevels> first_{};  // node of each level
   std::uint32_t levels_ = 0, faces_ = 0;
@@ -89,10 +98,13 @@ void BoxTree::along(const Vector3<double>& from, const Vector3<double>& to, cons
   if (levels_ == 0) return;
   constexpr double kMargin = 0x1p-34;  // mm; the roundings below stay under 2^-38
   const std::array<double, 3> a{from.x, from.y, from.z}, b{to.x, to.y, to.z};
-  std::array<double, 3> low, high, middle, half;
+  // The segment's box. Rounded to binary32, it still meets each box that it met, for their sides are binary32 numbers, and
+  // rounding changes the order of no two numbers.
+  std::array<float, 3> low, high;
+  std::array<double, 3> middle, half;
   for (std::size_t i = 0; i < 3; ++i) {
-    low[i] = (a[i] < b[i] ? a[i] : b[i]) - kMargin;
-    high[i] = (a[i] < b[i] ? b[i] : a[i]) + kMargin;
+    low[i] = static_cast<float>((a[i] < b[i] ? a[i] : b[i]) - kMargin);
+    high[i] = static_cast<float>((a[i] < b[i] ? b[i] : a[i]) + kMargin);
     middle[i] = 0.5 * (a[i] + b[i]);
     half[i] = __builtin_fabs(0.5 * (b[i] - a[i]));
   }
@@ -105,18 +117,16 @@ void BoxTree::along(const Vector3<double>& from, const Vector3<double>& to, cons
   while (count > 0) {
     const Entry entry = stack[--count];
     const Node& node = nodes_[first_[entry.level] + entry.node];
-    std::array<bool, kWidth> meets;
-    for (std::size_t c = 0; c < kWidth; ++c) {
-      bool inside = true;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const bool begins = static_cast<double>(node.low[i][c]) <= high[i],
-                   ends = static_cast<double>(node.high[i][c]) >= low[i];
-        inside = inside & begins & ends;  // without branches
-      }
-      meets[c] = inside;
+    std::uint32_t meets = 0;  // a bit for each child whose box the segment's box meets
+    for (std::size_t first = 0; first < kWidth; first += 4) {
+      Masks bits = {1, 2, 4, 8};
+      for (std::size_t i = 0; i < 3; ++i)
+        bits &= (four(&node.low[i][first]) <= high[i]) & (four(&node.high[i][first]) >= low[i]);
+      meets |= static_cast<std::uint32_t>(bits[0] | bits[1] | bits[2] | bits[3]) << first;
     }
-    for (std::uint32_t c = kWidth; c-- > 0;) {
-      if (!meets[c]) continue;
+    while (meets != 0) {
+      const auto c = static_cast<std::uint32_t>(std::bit_width(meets) - 1);
+      meets ^= 1U << c;
       if (is_long) {
         // The line passes a box by if the box lies on one side of a plane through the line and along an axis.
         bool passes = false;
