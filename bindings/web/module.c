@@ -56,7 +56,7 @@ EXPORTED forceshade_result web_subject_text(const forceshade_subject* subject, i
 
 /* Without gaps: three floats for each position and force, a byte for each status. */
 static forceshade_batch batch_of(size_t count, const float* positions, float* forces, forceshade_status* statuses) {
-  return (forceshade_batch){sizeof(forceshade_batch), count, positions, 12, 4, forces, 12, 4, statuses, 1};
+  return (forceshade_batch){sizeof(forceshade_batch), count, positions, 12, 4, forces, 12, 4, statuses, 1, 1};
 }
 
 EXPORTED forceshade_result web_forces(const forceshade_subject* subject, size_t count, const float* positions, float* forces,

@@ -23,7 +23,7 @@ int main(void) {
     positions[3 * i + 2] = 4 * random[1] - 2;
   }
   const forceshade_law parameters = {sizeof parameters, 15.24f, 25.4f, 0.5f};
-  const forceshade_batch batch = {sizeof batch, kCount, positions, 12, 4, forces, 12, 4, NULL, 0};
+  const forceshade_batch batch = {sizeof batch, kCount, positions, 12, 4, forces, 12, 4, NULL, 0, 1};
   for (size_t i = 0; i < sizeof laws / sizeof *laws; ++i) {
     forceshade_subject law;
     if (forceshade_law_new(laws[i], &parameters, &law) != FORCESHADE_OK) return 1;
