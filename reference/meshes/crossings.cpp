@@ -2,8 +2,7 @@
 #include "reference/meshes/crossings.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <ranges>
 #include <utility>
 
 namespace forceshade::reference::meshes {
@@ -53,41 +52,26 @@ std::optional<Crossing> with_triangle(const Surface& surface, std::size_t index,
   return Crossing{std::move(s), {{Place::triangle, index}, {std::move(beta), std::move(gamma)}}};
 }
 
-// A conversion drops digits: the neighbours enclose the number.
-double below(const Integer& value) {
-  return std::nextafter(value.convert_to<double>(), -std::numeric_limits<double>::infinity());
+std::vector<Box> vertex_boxes(const Surface& surface) {
+  return {surface.vertices().begin(), surface.vertices().end()};
 }
-double above(const Integer& value) {
-  return std::nextafter(value.convert_to<double>(), std::numeric_limits<double>::infinity());
+std::vector<Box> edge_boxes(const Surface& surface) {
+  std::vector<Box> boxes;
+  for (const auto& [a, b] : surface.edges() | std::views::transform(&Edge::vertices))
+    boxes.push_back(Box(surface.vertices()[a]).join(Box(surface.vertices()[b])));
+  return boxes;
+}
+std::vector<Box> triangle_boxes(const Surface& surface) {
+  std::vector<Box> boxes;
+  for (const auto& [a, b, c] : surface.triangles() | std::views::transform(&Triangle::vertices))
+    boxes.push_back(Box(surface.vertices()[a]).join(Box(surface.vertices()[b])).join(Box(surface.vertices()[c])));
+  return boxes;
 }
 
 }  // namespace
 
-Crossings::Box::Box(const Vector& point)
-    : low{below(point[0]), below(point[1]), below(point[2])}, high{above(point[0]), above(point[1]), above(point[2])} {}
-
-Crossings::Box Crossings::Box::join(const Box& other) const {
-  Box both = *this;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    both.low[axis] = std::min(low[axis], other.low[axis]);
-    both.high[axis] = std::max(high[axis], other.high[axis]);
-  }
-  return both;
-}
-
-bool Crossings::Box::is_apart(const Box& other) const {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (high[axis] < other.low[axis] || other.high[axis] < low[axis]) return true;
-  return false;
-}
-
-Crossings::Crossings(const Surface& surface) : surface_(surface) {
-  for (const Vector& vertex : surface.vertices()) vertices_.emplace_back(vertex);
-  for (const Edge& edge : surface.edges()) edges_.push_back(vertices_[edge.vertices[0]].join(vertices_[edge.vertices[1]]));
-  for (const Triangle& triangle : surface.triangles())
-    triangles_.push_back(
-        vertices_[triangle.vertices[0]].join(vertices_[triangle.vertices[1]]).join(vertices_[triangle.vertices[2]]));
-}
+Crossings::Crossings(const Surface& surface)
+    : surface_(surface), vertices_(vertex_boxes(surface)), edges_(edge_boxes(surface)), triangles_(triangle_boxes(surface)) {}
 
 std::strong_ordering operator<=>(const Crossing& a, const Crossing& b) {
   if (const auto order = a.s <=> b.s; order != 0) return order;
@@ -96,54 +80,48 @@ std::strong_ordering operator<=>(const Crossing& a, const Crossing& b) {
 }
 
 std::vector<Crossing> Crossings::between(const Vector& g, const Vector& p) const {
-  return between(g, p, 1, Box(g).join(Box(p)));
+  return between(g, p, 1, Reach(g, p));
 }
 
 bool Crossings::is_alone(const Vector& over, const Integer& scale, const Vector& e, const std::array<Vector, 2>& ends) const {
-  const Box box = Box(ends[0]).join(Box(ends[1])).join(Box(e));
+  const Reach reach(Box(ends[0]).join(Box(ends[1])).join(Box(e)));
   const Vector end = scale * e;
-  return features_at(over, scale, box).size() == 1 && (over == end || between(over, end, scale, box).empty());
+  return features_at(over, scale, reach).size() == 1 && (over == end || between(over, end, scale, reach).empty());
 }
 
-std::vector<Crossing> Crossings::between(const Vector& g, const Vector& p, const Integer& scale, const Box& box) const {
+std::vector<Crossing> Crossings::between(const Vector& g, const Vector& p, const Integer& scale, const Reach& reach) const {
   const Vector u = p - g;
   std::vector<Crossing> found;
   const auto keep = [&](std::optional<Crossing> crossing) {
     if (crossing) found.push_back(std::move(*crossing));
   };
-  for (std::size_t i = 0; i < triangles_.size(); ++i)
-    if (!triangles_[i].is_apart(box)) keep(with_triangle(surface_, i, g, u, scale));
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (edges_[i].is_apart(box)) continue;
+  for (const std::size_t i : triangles_.met_by(reach)) keep(with_triangle(surface_, i, g, u, scale));
+  for (const std::size_t i : edges_.met_by(reach)) {
     const Edge& edge = surface_.edges()[i];
     keep(with_edge(scale * edge.along, scale * surface_.vertices()[edge.vertices[0]], i, g, u));
   }
-  for (std::size_t i = 0; i < vertices_.size(); ++i)
-    if (!surface_.fan(i).triangles.empty() && !vertices_[i].is_apart(box))
-      keep(with_vertex(scale * surface_.vertices()[i], i, g, u));
+  for (const std::size_t i : vertices_.met_by(reach))
+    if (!surface_.fan(i).triangles.empty()) keep(with_vertex(scale * surface_.vertices()[i], i, g, u));
   std::ranges::sort(found);
   return found;
 }
 
 std::vector<Feature> Crossings::features_at(const Vector& p) const {
-  return features_at(p, 1, Box(p));
+  return features_at(p, 1, Reach(Box(p)));
 }
 
-std::vector<Feature> Crossings::features_at(const Vector& over, const Integer& scale, const Box& box) const {
+std::vector<Feature> Crossings::features_at(const Vector& over, const Integer& scale, const Reach& reach) const {
   std::vector<Feature> found;
-  const auto from = [&](std::uint32_t v) { return over - scale * surface_.vertices()[v]; };
-  for (std::uint32_t i = 0; i < vertices_.size(); ++i)
-    if (!surface_.fan(i).triangles.empty() && !vertices_[i].is_apart(box) && is_zero(from(i)))
-      found.push_back({Place::vertex, i});
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    if (edges_[i].is_apart(box)) continue;
+  const auto from = [&](std::size_t v) { return over - scale * surface_.vertices()[v]; };
+  for (const std::size_t i : vertices_.met_by(reach))
+    if (!surface_.fan(i).triangles.empty() && is_zero(from(i))) found.push_back({Place::vertex, i});
+  for (const std::size_t i : edges_.met_by(reach)) {
     const Edge& edge = surface_.edges()[i];
     const Vector w = from(edge.vertices[0]);
     const Fraction t{dot(w, edge.along), scale * edge.length_squared};
     if (is_zero(cross(w, edge.along)) && is_between(t)) found.push_back({Place::edge, i});
   }
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    if (triangles_[i].is_apart(box)) continue;
+  for (const std::size_t i : triangles_.met_by(reach)) {
     const Triangle& triangle = surface_.triangles()[i];
     bool is_inside = dot(triangle.normal, from(triangle.vertices[0])).is_zero();
     for (std::size_t side = 0; side < 3 && is_inside; ++side)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "reference/meshes/boxes.h"
 #include "reference/meshes/points.h"
 
 namespace forceshade::reference::meshes {
@@ -18,7 +19,7 @@ struct Crossing {
   friend bool operator==(const Crossing& a, const Crossing& b) { return (a <=> b) == 0; }
 };
 
-// Tries every feature of the surface, but for those whose box is apart from the flight's.
+// Tries every feature of the surface, but for those whose box is apart from the flight.
 class Crossings {
  public:
   explicit Crossings(const Surface& surface);
@@ -37,20 +38,12 @@ class Crossings {
   std::optional<SurfacePoint> at(const Vector& p) const;
 
  private:
-  // Binary64 numbers of the units of Vector; vertices are exact in them.
-  struct Box {
-    std::array<double, 3> low, high;
-    explicit Box(const Vector& point);
-    Box join(const Box& other) const;
-    bool is_apart(const Box& other) const;
-  };
-
   // All three are of the surface times scale.
-  std::vector<Crossing> between(const Vector& g, const Vector& p, const Integer& scale, const Box& box) const;
-  std::vector<Feature> features_at(const Vector& over, const Integer& scale, const Box& box) const;
+  std::vector<Crossing> between(const Vector& g, const Vector& p, const Integer& scale, const Reach& reach) const;
+  std::vector<Feature> features_at(const Vector& over, const Integer& scale, const Reach& reach) const;
 
   const Surface& surface_;
-  std::vector<Box> vertices_, edges_, triangles_;
+  BoxTree vertices_, edges_, triangles_;
 };
 
 }  // namespace forceshade::reference::meshes
