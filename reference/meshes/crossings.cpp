@@ -43,9 +43,10 @@ std::optional<Crossing> with_triangle(const Surface& surface, std::size_t index,
   if (descent.is_zero()) return std::nullopt;
   const auto& [a, b, c] = triangle.vertices;
   const auto corner = [&](std::uint32_t v) { return scale * surface.vertices()[v] - g; };
-  const Vector A = corner(a), B = corner(b), C = corner(c);
+  const Vector A = corner(a);
   Fraction s = fraction(dot(triangle.normal, A), descent);
   if (!is_between(s)) return std::nullopt;
+  const Vector B = corner(b), C = corner(c);
   Fraction alpha = fraction(dot(u, cross(B, C)), descent), beta = fraction(dot(u, cross(C, A)), descent),
            gamma = fraction(dot(u, cross(A, B)), descent);
   if (alpha <= kStart || beta <= kStart || gamma <= kStart) return std::nullopt;

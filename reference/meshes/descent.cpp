@@ -101,6 +101,10 @@ class Tick {
         return is_free();
       }
       const auto* rested = std::get_if<Rested>(&end);
+      if (rested != nullptr && !has_sheets_) {
+        ++moves_;
+        return rests_at_foot(*rested);
+      }
       Reached next{grid_point_of(end), side_at(end)};
       if (rested == nullptr) {
         const Vector rest = p_ - surface_.position(next.at);
@@ -145,16 +149,19 @@ class Tick {
     return Freed{};
   }
 
-  // Rule 2a.
+  // Rule 2a, where u·v > 0: there the pull is not 0, and nothing but friction holds it.
   bool sticks(const Feature& along, const Vector& u) const {
     const mesh::Material its = materials_.of(along);
-    return is_within(load_on(surface_, along, u), is_slipping_ ? its.dynamic_friction : its.static_friction);
+    const float mu = is_slipping_ ? its.dynamic_friction : its.static_friction;
+    return mu > 0 && is_within(load_on(surface_, along, u), mu);
   }
 
   // Rules 2 and 2b.
   End slide(const Vector& g, const Feature& along, Side side) const {
-    const Integer of_way = share(load_on(surface_, along, p_ - g), materials_.of(along).dynamic_friction);
-    const SurfacePoint x = part_of_way(foot(surface_, along, g), foot(surface_, along, p_), of_way);
+    const float mu = materials_.of(along).dynamic_friction;
+    const Integer of_way = mu > 0 ? share(load_on(surface_, along, p_ - g), mu) : Integer(kGrid);
+    SurfacePoint x = foot(surface_, along, p_);
+    if (of_way != kGrid) x = part_of_way(foot(surface_, along, g), x, of_way);
     if (is_inside(x)) return of_way == kGrid ? End(Rested{along, side}) : Stopped{x, side};
     return along.place == Place::edge ? slide_to_end(g, along.index, side) : slide_to_side(g, along.index, side);
   }

@@ -10,18 +10,14 @@ namespace {
 
 using mesh::Place;
 
-// Whether u's projection is strictly inside the half-plane or the sector that the triangle is at the point.
+// Whether u's projection is strictly inside the half-plane or the sector that the triangle is at a point of its border.
 bool projection_is_inside(const Triangle& triangle, const Feature& feature, const Vector& u) {
   if (feature.place == Place::edge) {
     const auto side = std::ranges::find(triangle.edges, feature.index) - triangle.edges.begin();
     return dot(triangle.inward[static_cast<std::size_t>(side)], u) > 0;
   }
-  if (feature.place == Place::vertex) {
-    const auto corner =
-        static_cast<std::size_t>(std::ranges::find(triangle.vertices, feature.index) - triangle.vertices.begin());
-    return dot(triangle.inward[corner], u) > 0 && dot(triangle.inward[(corner + 2) % 3], u) > 0;
-  }
-  return !is_zero(cross(triangle.normal, u));
+  const auto corner = static_cast<std::size_t>(std::ranges::find(triangle.vertices, feature.index) - triangle.vertices.begin());
+  return dot(triangle.inward[corner], u) > 0 && dot(triangle.inward[(corner + 2) % 3], u) > 0;
 }
 
 // Keeps the candidate with the largest u·v, of equal ones the first. Candidates are compared by the square of u·v with its
@@ -59,9 +55,16 @@ DirectionKind side_of_edge(const Surface& surface, const Edge& edge, const Vecto
   return is_front ? DirectionKind::front : DirectionKind::back;
 }
 
+// v is along u's projection, where that is not 0, and there is no other way.
+Directions directions_in(const Triangle& triangle, const Feature& feature, const Vector& u) {
+  if (dot(triangle.normal, u).is_zero()) return {DirectionKind::on, feature, true, false};
+  return {side_of_triangle(triangle, u), feature, !is_zero(cross(triangle.normal, u)), false};
+}
+
 }  // namespace
 
 Directions directions(const Surface& surface, const Feature& feature, const Vector& u) {
+  if (feature.place == Place::triangle) return directions_in(surface.triangles()[feature.index], feature, u);
   Largest largest;
   const Integer u_squared = dot(u, u);
   // Edges first, each list in order: of equal candidates the first one counts.
@@ -79,9 +82,7 @@ Directions directions(const Surface& surface, const Feature& feature, const Vect
     const Integer height = dot(triangle.normal, u);
     largest.offer({Place::triangle, i}, {u_squared * triangle.normal_squared - height * height, triangle.normal_squared});
   }
-  if (!largest.best())  // inside a triangle, at a right angle to it
-    return {side_of_triangle(surface.triangles()[feature.index], u), feature, false, false};
-  const auto& [along, signed_square] = *largest.best();
+  const auto& [along, signed_square] = largest.best().value();
   const auto way = [&, along = along, square = signed_square] {
     if (square == Fraction{u_squared, 1}) return DirectionKind::on;
     if (surface.is_at_rim(feature)) return DirectionKind::open;

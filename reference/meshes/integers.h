@@ -7,6 +7,7 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <compare>
 #include <cstddef>
+#include <utility>
 
 namespace forceshade::reference::meshes {
 
@@ -34,11 +35,26 @@ inline Vector operator-(const Vector& a) {
 inline Vector operator*(const Integer& factor, const Vector& a) {
   return {factor * a[0], factor * a[1], factor * a[2]};
 }
+
+// Products are added in place: a number more for each would take longer than the multiplication.
+inline void add_product(Integer& sum, const Integer& a, const Integer& b) {
+  mpz_addmul(sum.backend().data(), a.backend().data(), b.backend().data());
+}
+inline void subtract_product(Integer& sum, const Integer& a, const Integer& b) {
+  mpz_submul(sum.backend().data(), a.backend().data(), b.backend().data());
+}
 inline Integer dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  Integer sum = a[0] * b[0];
+  add_product(sum, a[1], b[1]);
+  add_product(sum, a[2], b[2]);
+  return sum;
 }
 inline Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  Vector product{a[1] * b[2], a[2] * b[0], a[0] * b[1]};
+  subtract_product(product[0], a[2], b[1]);
+  subtract_product(product[1], a[0], b[2]);
+  subtract_product(product[2], a[1], b[0]);
+  return product;
 }
 inline bool is_zero(const Vector& a) {
   return a[0].is_zero() && a[1].is_zero() && a[2].is_zero();
@@ -50,6 +66,7 @@ struct Fraction {
   Integer under = 1;
 
   friend std::strong_ordering operator<=>(const Fraction& a, const Fraction& b) {
+    if (a.under == b.under) return a.over.compare(b.over) <=> 0;
     return (a.over * b.under).compare(b.over * a.under) <=> 0;
   }
   friend bool operator==(const Fraction& a, const Fraction& b) { return (a <=> b) == 0; }
@@ -60,15 +77,22 @@ inline Fraction fraction(const Integer& over, const Integer& under) {
   return under < 0 ? Fraction{-over, -under} : Fraction{over, under};
 }
 
-// The largest integer that is not above it.
+// The largest integer that is not above it, and whether it is that integer.
+struct Floor {
+  Integer whole;
+  bool is_exact;
+};
+inline Floor floor_of(const Fraction& value) {
+  Integer whole, rest;
+  mpz_fdiv_qr(whole.backend().data(), rest.backend().data(), value.over.backend().data(), value.under.backend().data());
+  return {std::move(whole), rest.is_zero()};
+}
 inline Integer floor(const Fraction& value) {
-  Integer whole = value.over / value.under;  // towards 0
-  if (whole * value.under > value.over) --whole;
-  return whole;
+  return floor_of(value).whole;
 }
 
 inline bool is_whole(const Fraction& value) {
-  return Integer(value.over % value.under).is_zero();
+  return floor_of(value).is_exact;
 }
 
 }  // namespace forceshade::reference::meshes

@@ -27,6 +27,7 @@ std::uint32_t ceiling_number(const Fraction& value) {
 }
 
 Fraction sum(const Fraction& a, const Fraction& b) {
+  if (a.under == b.under) return {a.over + b.over, a.under};
   return {a.over * b.under + b.over * a.under, a.under * b.under};
 }
 
@@ -43,23 +44,28 @@ using Corner = std::array<std::uint32_t, 2>;  // k, l
 // The corners of the part of the triangle's grid that the point with these parameters is in, in the order in which ties are
 // decided: the point itself, the ends of a segment, or the corners of a triangle.
 std::vector<Corner> grid_around(const Fraction& k, const Fraction& l) {
-  const std::uint32_t K = floor_number(k), L = floor_number(l);
-  const Fraction both = sum(k, l);
-  if (is_whole(k) && is_whole(l)) return {{K, L}};
-  if (is_whole(k)) return {{K, L}, {K, L + 1}};
-  if (is_whole(l)) return {{K, L}, {K + 1, L}};
-  const std::uint32_t diagonal = floor_number(both);
-  if (is_whole(both)) return {{K, diagonal - K}, {K + 1, diagonal - K - 1}};
+  const auto [whole_k, k_is_whole] = floor_of(k);
+  const auto [whole_l, l_is_whole] = floor_of(l);
+  const std::uint32_t K = grid_number(whole_k), L = grid_number(whole_l);
+  if (k_is_whole && l_is_whole) return {{K, L}};
+  if (k_is_whole) return {{K, L}, {K, L + 1}};
+  if (l_is_whole) return {{K, L}, {K + 1, L}};
+  const auto [whole_both, both_is_whole] = floor_of(sum(k, l));
+  const std::uint32_t diagonal = grid_number(whole_both);
+  if (both_is_whole) return {{K, diagonal - K}, {K + 1, diagonal - K - 1}};
   if (diagonal == K + L) return {{K, L}, {K, L + 1}, {K + 1, L}};
   return {{K, L + 1}, {K + 1, L}, {K + 1, L + 1}};
 }
 
 // The first of those that are nearest to p.
 GridPoint nearest(const Surface& surface, const std::vector<GridPoint>& points, const Vector& p) {
-  return *std::ranges::min_element(points, {}, [&](const GridPoint& point) {
+  if (points.size() == 1) return points.front();
+  std::vector<Integer> distances;
+  for (const GridPoint& point : points) {
     const Vector off = surface.position(point) - p;
-    return dot(off, off);
-  });
+    distances.push_back(dot(off, off));
+  }
+  return points[static_cast<std::size_t>(std::ranges::min_element(distances) - distances.begin())];
 }
 
 }  // namespace
@@ -76,9 +82,10 @@ SurfacePoint foot(const Surface& surface, const Feature& feature, const Vector& 
   }
   const Triangle& triangle = surface.triangles()[feature.index];
   const Vector w = p - surface.vertices()[triangle.vertices[0]];
+  // The weight of a corner is w's height over the opposite side, in parts of the corner's own, which is |n|² here, too.
   return {feature,
-          {Fraction{dot(cross(triangle.sides[2], w), triangle.normal), triangle.normal_squared},
-           Fraction{dot(cross(triangle.sides[0], w), triangle.normal), triangle.normal_squared}}};
+          {Fraction{dot(triangle.inward[2], w), triangle.normal_squared},
+           Fraction{dot(triangle.inward[0], w), triangle.normal_squared}}};
 }
 
 bool is_inside(const SurfacePoint& point) {

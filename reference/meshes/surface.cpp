@@ -22,6 +22,16 @@ Fold fold_of(const Integer& height) {
   return height > 0 ? Fold::narrow : height < 0 ? Fold::wide : Fold::flat;
 }
 
+// Sides are multiples of 2^24 units, so that the division is exact.
+Vector grid_step(const Vector& side) {
+  return {side[0] / kGrid, side[1] / kGrid, side[2] / kGrid};
+}
+
+Vector moved(Vector at, std::uint32_t count, const Vector& step) {
+  for (std::size_t axis = 0; axis < 3; ++axis) mpz_addmul_ui(at[axis].backend().data(), step[axis].backend().data(), count);
+  return at;
+}
+
 std::uint32_t other_corner(const Triangle& triangle, const Ends& edge) {
   return *std::ranges::find_if(triangle.vertices, [&](std::uint32_t v) { return v != edge[0] && v != edge[1]; });
 }
@@ -40,20 +50,22 @@ Surface::Surface(const mesh::TriangleMesh& mesh) : fans_(mesh.vertices.size()) {
   for (const mesh::Vertex& vertex : mesh.vertices) vertices_.push_back(exact_point(vertex));
   std::map<Ends, std::vector<std::size_t>> triangles_at;
   for (const mesh::Triangle& v : mesh.triangles) {
-    Triangle triangle{v, {}, {}, {}, {}, {}};
+    Triangle triangle{v, {}, {}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t from = v[i], to = v[(i + 1) % 3];
       triangle.sides[i] = vertices_[to] - vertices_[from];
       triangles_at[sorted(from, to)].push_back(triangles_.size());
       fans_[from].triangles.push_back(triangles_.size());
     }
+    triangle.steps = {grid_step(triangle.sides[0]), grid_step(-triangle.sides[2])};
     triangle.normal = cross(triangle.sides[0], -triangle.sides[2]);
     triangle.normal_squared = dot(triangle.normal, triangle.normal);
     for (std::size_t i = 0; i < 3; ++i) triangle.inward[i] = cross(triangle.normal, triangle.sides[i]);
     triangles_.push_back(std::move(triangle));
   }
   for (auto& [ends, triangles] : triangles_at) {
-    Edge edge{ends, std::move(triangles), vertices_[ends[1]] - vertices_[ends[0]], {}, Fold::flat};
+    Edge edge{ends, std::move(triangles), vertices_[ends[1]] - vertices_[ends[0]], {}, {}, Fold::flat};
+    edge.step = grid_step(edge.along);
     edge.length_squared = dot(edge.along, edge.along);
     if (edge.triangles.size() == 2) {
       const std::uint32_t d = other_corner(triangles_[edge.triangles[1]], ends);
@@ -83,16 +95,12 @@ std::vector<std::size_t> Surface::triangles_at(const Feature& feature) const {
 }
 
 Vector Surface::position(const GridPoint& point) const {
-  // The sides are multiples of 2^24 units, so that the division is exact.
-  const auto part = [](std::uint32_t count, const Vector& side) {
-    return Vector{count * side[0] / kGrid, count * side[1] / kGrid, count * side[2] / kGrid};
-  };
   const auto [place, index] = point.feature;
   if (place == mesh::Place::vertex) return vertices_[index];
-  if (place == mesh::Place::edge) return vertices_[edges_[index].vertices[0]] + part(point.parameter[0], edges_[index].along);
+  if (place == mesh::Place::edge) return moved(vertices_[edges_[index].vertices[0]], point.parameter[0], edges_[index].step);
   const Triangle& triangle = triangles_[index];
-  return vertices_[triangle.vertices[0]] + part(point.parameter[0], triangle.sides[0]) -
-         part(point.parameter[1], triangle.sides[2]);
+  return moved(moved(vertices_[triangle.vertices[0]], point.parameter[0], triangle.steps[0]), point.parameter[1],
+               triangle.steps[1]);
 }
 
 std::size_t Surface::edge_between(std::uint32_t a, std::uint32_t b) const {

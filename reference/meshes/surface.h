@@ -39,6 +39,7 @@ struct Triangle {
   mesh::Triangle vertices;
   std::array<std::size_t, 3> edges;  // 0: from corner 0 to 1; 1: from 1 to 2; 2: from 2 to 0
   std::array<Vector, 3> sides;       // along the edges, in this sense
+  std::array<Vector, 2> steps;       // 2^-24 of the sides from corner 0: to 1 and to 2
   Vector normal;                     // (b - a) x (c - a)
   Integer normal_squared;
   std::array<Vector, 3> inward;  // in the plane, at a right angle to each side, into the triangle: normal x side
@@ -51,6 +52,7 @@ struct Edge {
   std::array<std::uint32_t, 2> vertices;  // the lower index first
   std::vector<std::size_t> triangles;     // one or two, in order
   Vector along;                           // from the first vertex to the second
+  Vector step;                            // 2^-24 of it
   Integer length_squared;
   Fold fold;
 };
