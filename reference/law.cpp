@@ -21,12 +21,12 @@ struct Point {
   explicit Point(const Eigen::Vector3f& position) : x(quantised(position.x())), z(quantised(position.z())) {}
 };
 
-// Throws Undecided where 64 bits do not decide.
-Law::Estimate filtered(LawId id, const BumpGeometry<Ball64>& geometry, const Point& point) {
+// Throws Undecided where 64 bits do not decide. facet: is set where they decide it at least.
+Law::Estimate filtered(LawId id, const BumpGeometry<Ball64>& geometry, const Point& point, std::optional<Facet>& facet) {
   return with_law(id, [&](auto law) {
     const Ball64 x(point.x), z(point.z);
-    const Facet facet = law.template facet<Ball64>(geometry, x, z);
-    return Law::Estimate{facet, law.template force<Ball64>(facet, geometry, x, z)};
+    facet = law.template facet<Ball64>(geometry, x, z);
+    return Law::Estimate{*facet, law.template force<Ball64>(*facet, geometry, x, z)};
   });
 }
 
@@ -37,12 +37,15 @@ FlatTop flat_top_of(LawId id) {
 }
 
 // The exact facet and force at one point. Not for more than one thread at a time; holds CORE numbers, so it is made and
-// destroyed under the lock.
+// destroyed under the lock. They take the longest, and are made where nothing else decides.
 class SlowForce {
  public:
-  SlowForce(LawId id, const Parameters& p, const Point& point)
-      : id_(id), parameters_(p), point_(point), top_(flat_top_of(id)), geometry_(exact_geometry(p, top_)) {
-    facet_ = with_law(id, [&](auto law) { return law.template facet<Exact>(geometry_, Exact(point.x), Exact(point.z)); });
+  // facet: where a proved enclosure has decided it.
+  SlowForce(LawId id, const Parameters& p, const Point& point, std::optional<Facet> facet = std::nullopt)
+      : id_(id), parameters_(p), point_(point), top_(flat_top_of(id)) {
+    facet_ =
+        facet ? *facet
+              : with_law(id, [&](auto law) { return law.template facet<Exact>(geometry(), Exact(point.x), Exact(point.z)); });
   }
 
   Facet facet() const { return facet_; }
@@ -50,22 +53,27 @@ class SlowForce {
   // At the precision in force.
   Force<Enclosure> enclose() const {
     return with_law(id_, [&](auto law) {
-      return law.template force<Enclosure>(facet_, enclosing_geometry(parameters_, top_), Enclosure(point_.x),
+      return law.template force<Enclosure>(facet_, recent_geometry(parameters_, top_), Enclosure(point_.x),
                                            Enclosure(point_.z));
     });
   }
 
   Force<Exact> exact() const {
     return with_law(id_,
-                    [&](auto law) { return law.template force<Exact>(facet_, geometry_, Exact(point_.x), Exact(point_.z)); });
+                    [&](auto law) { return law.template force<Exact>(facet_, geometry(), Exact(point_.x), Exact(point_.z)); });
   }
 
  private:
+  const BumpGeometry<Exact>& geometry() const {
+    if (!geometry_) geometry_ = exact_geometry(parameters_, top_);
+    return *geometry_;
+  }
+
   LawId id_;
   Parameters parameters_;
   Point point_;
   FlatTop top_;
-  BumpGeometry<Exact> geometry_;
+  mutable std::optional<BumpGeometry<Exact>> geometry_;
   Facet facet_;
 };
 
@@ -82,27 +90,36 @@ struct Component {
   Method method;
 };
 
-// Widens until the enclosure decides; what 768 bits leave open is settled by the sign of (exact value - tie).
-Component round_component(const SlowForce& force, Enclosure Force<Enclosure>::*enclosed, Exact Force<Exact>::*exact) {
-  for (const unsigned bits : {192U, 768U}) {
-    set_precision(bits);
-    if (const auto value = agreed_binary32(force.enclose().*enclosed)) return {*value, Method::enclosure};
-  }
-  const Enclosure value = force.enclose().*enclosed;
-  const float below = mpfr_get_flt(lower(value).backend().data(), MPFR_RNDD);
-  const float above = mpfr_get_flt(upper(value).backend().data(), MPFR_RNDU);
+// By the sign of (exact value - tie), between the binary32 around an enclosure that does not decide.
+Component round_exactly(const Enclosure& enclosed, const Exact& exact) {
+  const float below = mpfr_get_flt(lower(enclosed).backend().data(), MPFR_RNDD);
+  const float above = mpfr_get_flt(upper(enclosed).backend().data(), MPFR_RNDU);
   const double tie = 0.5 * (static_cast<double>(below) + static_cast<double>(above));
-  const int sign = (force.exact().*exact - Exact(tie)).sign();
-  return {rounded_between(below, above, sign), Method::exact};
+  return {rounded_between(below, above, (exact - Exact(tie)).sign()), Method::exact};
 }
 
-Rounded round_slowly(LawId id, const Parameters& p, const Point& point) {
+// Widens until the enclosures decide both components; what 768 bits leave open the exact numbers do. facet: where 64 bits have
+// decided it.
+Rounded round_slowly(LawId id, const Parameters& p, const Point& point, std::optional<Facet> facet) {
   const std::lock_guard lock(exact_arithmetic);
-  const SlowForce force(id, p, point);
+  const SlowForce force(id, p, point, facet);
   if (force.facet() == Facet::none) return {{0, 0, 0}, Status::free, Method::exact};
-  const Component x = round_component(force, &Force<Enclosure>::x, &Force<Exact>::x);
-  const Component z = round_component(force, &Force<Enclosure>::z, &Force<Exact>::z);
-  return {{x.value, 0, z.value}, Status::contact, std::max(x.method, z.method), 0};
+  std::optional<Component> x, z;
+  std::optional<Force<Enclosure>> enclosed;
+  for (const unsigned bits : {192U, 768U}) {
+    set_precision(bits);
+    enclosed.emplace(force.enclose());
+    const auto decide = [](std::optional<Component>& component, const Enclosure& value) {
+      if (component) return;
+      if (const auto agreed = agreed_binary32(value)) component = {*agreed, Method::enclosure};
+    };
+    decide(x, enclosed->x);
+    decide(z, enclosed->z);
+    if (x && z) break;
+  }
+  if (!x) x = round_exactly(enclosed->x, force.exact().x);
+  if (!z) z = round_exactly(enclosed->z, force.exact().z);
+  return {{x->value, 0, z->value}, Status::contact, std::max(x->method, z->method), 0};
 }
 
 std::optional<ParameterError> first_error(LawId id, const Parameters& p) {
@@ -152,14 +169,15 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
 Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
   if (!in_domain(position)) return {{0, 0, 0}, Status::invalid, Method::filter};
   const Point point(position);
+  std::optional<Facet> facet;
   try {
-    const Estimate quick = filtered(id_, *geometry_, point);
+    const Estimate quick = filtered(id_, *geometry_, point, facet);
     if (quick.facet == Facet::none) return {};
     const float x = quick.force.x.round(), z = quick.force.z.round();
     return {
         {x, 0, z}, Status::contact, Method::filter, std::min(ulps_from_tie(quick.force.x, x), ulps_from_tie(quick.force.z, z))};
   } catch (const Undecided&) {
-    return round_slowly(id_, parameters_, point);
+    return round_slowly(id_, parameters_, point, facet);
   }
 }
 
@@ -211,12 +229,13 @@ int Law::compare(const Eigen::Vector3f& position, std::size_t axis, const std::s
 
 Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
   const Point point(position);
+  std::optional<Facet> facet;
   try {
-    return filtered(id_, *geometry_, point);
+    return filtered(id_, *geometry_, point, facet);
   } catch (const Undecided&) {
     const std::lock_guard lock(exact_arithmetic);
     set_precision(256);
-    const SlowForce slow(id_, parameters_, point);
+    const SlowForce slow(id_, parameters_, point, facet);
     const Force<Enclosure> force = slow.enclose();
     return {slow.facet(), {filter_of(force.x), filter_of(force.z), filter_of(force.magnitude)}};
   }

@@ -5,6 +5,9 @@
 #include <CGAL/CORE_BigInt.h>
 #include <CGAL/CORE_arithmetic_kernel.h>
 
+#include <algorithm>
+#include <list>
+#include <tuple>
 #include <vector>
 
 #include "reference/laws/slow_geometry.h"
@@ -71,6 +74,21 @@ BumpGeometry<Enclosure> enclosing_geometry(const Parameters& p, FlatTop top) {
   g.w_prime = 2 * (half * cosine - g.d * sine);
   g.h_prime = half * sine + g.d * cosine - g.d;
   return g;
+}
+
+// It is guarded by exact_arithmetic, which the callers hold.
+const BumpGeometry<Enclosure>& recent_geometry(const Parameters& p, FlatTop top) {
+  struct Kept {
+    std::tuple<float, float, float, FlatTop, unsigned> of;  // with the precision
+    BumpGeometry<Enclosure> geometry;
+  };
+  constexpr std::size_t kMost = 8;
+  static std::list<Kept> kept;  // the oldest first
+  const std::tuple of(p.radius, p.width, p.stiffness, top, Enclosure::default_precision());
+  const auto found = std::ranges::find(kept, of, &Kept::of);
+  if (found != kept.end()) return found->geometry;
+  if (kept.size() == kMost) kept.pop_front();
+  return kept.emplace_back(of, enclosing_geometry(p, top)).geometry;
 }
 
 BumpGeometry<Exact> exact_geometry(const Parameters& p, FlatTop top) {

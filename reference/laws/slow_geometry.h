@@ -12,6 +12,8 @@ enum class FlatTop { needed, not_needed };
 
 // The geometry from the printed formulas, θ = (2/3) arcsin(w/2R), at the precision last set by set_precision().
 BumpGeometry<Enclosure> enclosing_geometry(const Parameters& parameters, FlatTop top = FlatTop::needed);
+// The same, kept for the few parameters and precisions that were asked for last: points come law by law.
+const BumpGeometry<Enclosure>& recent_geometry(const Parameters& parameters, FlatTop top);
 Enclosure enclosing_theta(const Parameters& parameters);
 
 // The geometry from t = sin(α/3): the root of 4t³ - 3t + w/2R in (0, ½], isolated by CGAL's algebraic kernel.
