@@ -5,8 +5,11 @@
 
 #include <array>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "reference/enclosure.h"
+#include "reference/estimates.h"
 #include "reference/numbers/tie.h"
 
 namespace forceshade::reference {
@@ -121,6 +124,45 @@ TEST(reference, is_free_or_invalid_with_nothing_to_enclose) {
   EXPECT_EQ(enclosure(law, {0, 0, 1}, 10).status, Status::free);
   EXPECT_EQ(enclosure(law, {0, 0, -20000}, 10).status, Status::invalid);
   EXPECT_EQ(law.decimal({0, 0, 1}, 10).status, Status::free);
+}
+
+// The height of the law's surface, mm, for 2|x| <= w.
+long double surface_at(const Law& law, long double x) {
+  const BumpGeometry<Ball64>& g = law.geometry();
+  const long double R = g.R.mid(), w = g.w.mid(), ax = std::fabs(x);
+  switch (law.id()) {
+    case LawId::bump_2p: return g.h.mid() * (1 - 2 * ax / w);
+    case LawId::bump_3p:
+      return 2 * ax <= g.w_prime.mid() ? g.h_prime.mid() : g.h_prime.mid() * (w - 2 * ax) / (w - g.w_prime.mid());
+    default: return std::sqrt((R - x) * (R + x)) - g.d.mid();
+  }
+}
+
+// Beside the surface 64 bits round some forces not. What is kept of other laws, parameters and precisions must not enter.
+TEST(reference, what_64_bits_do_not_round_is_the_force_that_they_enclose_whichever_laws_come_before) {
+  std::vector<Law> laws;
+  for (const LawId id : {LawId::bump_2p, LawId::bump_3p, LawId::cylinder})
+    for (const Parameters& p : {Parameters{15.24F, 25.4F, 0.5F}, {15.24F, 25.4F, 0.7F}, {15.24F, 20, 0.5F}, {20, 25.4F, 0.5F}})
+      laws.push_back(build(id, p));
+  std::mt19937_64 random(1);
+  std::array<int, 3> methods{};
+  for (int i = 0; i < 30000; ++i) {
+    const double share = static_cast<double>(random() >> 11) * 0x1p-54;
+    for (const Law& law : laws) {
+      const auto x = static_cast<float>(static_cast<double>(law.parameters().width) * share);
+      auto z = static_cast<float>(surface_at(law, static_cast<long double>(x)));
+      for (std::uint64_t step = random() % 3 + 1; step > 0; --step) z = std::nextafter(z, -1000.0F);
+      const Rounded rounded = law.round_to_binary32({x, 0, z});
+      ++methods[static_cast<std::size_t>(rounded.method)];
+      if (rounded.method == Method::filter) continue;
+      const Law::Estimate estimate = law.estimate({x, 0, z});
+      for (const auto& [value, force] : {std::pair{rounded.force.x(), estimate.force.x}, {rounded.force.z(), estimate.force.z}})
+        ASSERT_LE(std::fabs(static_cast<long double>(value) - force.mid()), 0x1p-23L * std::fabs(force.mid())) << x << ' ' << z;
+    }
+  }
+  std::printf("  %d rounded by 64 bits, %d by wider enclosures, %d by exact numbers\n", methods[0], methods[1], methods[2]);
+  EXPECT_GT(methods[0], 0);
+  EXPECT_GT(methods[1], 0);
 }
 
 }  // namespace
