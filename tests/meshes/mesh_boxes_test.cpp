@@ -94,7 +94,7 @@ TEST(mesh_boxes, a_tree_finds_each_box_that_is_not_apart_in_order) {
     std::vector<Box> boxes;
     for (std::size_t count = random() % 100; boxes.size() < count;) {
       const Vector at = vector(random, 24);
-      boxes.push_back(Box(at).join(Box(at + Vector{Integer(1) << 88, Integer(1) << (random() % 91), 0})));
+      boxes.push_back(Box(at).join(Box(at + Vector{Integer(1) << 90, Integer(1) << (random() % 91), Integer(1) << 90})));
     }
     const Reach reach = i % 2 == 0 ? Reach(vector(random, 91), vector(random, 91)) : Reach(Box(vector(random, 24)));
     std::vector<std::size_t> expected;
