@@ -2,7 +2,7 @@
 (* The theorems that docs/proofs.md claims, and what each assumes. scripts/proofs reads what this file prints. *)
 From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
-From Forceshade Require Import CylinderConstants DoubleDoubleNear TwoPolygonsConstants.
+From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -33,7 +33,12 @@ Print Assumptions bump_cylinder_first_stage_answers_right_for_all.
 Print Assumptions sum_of_is_near.
 Print Assumptions product_of_is_near.
 Print Assumptions quotient_of_is_near.
+Print Assumptions holds_multiply.
+Print Assumptions holds_divide.
+Print Assumptions holds_root.
 Print Assumptions linear_2p_is_right.
+Print Assumptions constants_2p_are_right.
+Print Assumptions bump_2p_first_stage_answers_right_for_all.
 Print Assumptions bump_2p_shaded_first_stage_answers_right_for_all.
 Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.

@@ -224,13 +224,15 @@ Proof.
 Qed.
 
 (* A root of a double-double whose error is far below it. *)
-Lemma root_of_is : forall a h l e, is64 (hi a) h -> is64 (lo a) l -> is64 (error a) e -> bpow radix2 (-40) <= h <= bpow radix2 40 ->
-  Rabs l <= 101 / 100 * unit53 * h -> 0 <= e <= / 1000000 * h ->
-  exists y z f, is64 (hi (root_of a)) y /\ is64 (lo (root_of a)) z /\ is64 (error (root_of a)) f /\ 0 <= f <= / 1000 * y /\
-    Rabs (y - sqrt h) <= / 1000000000000 * sqrt h /\ Rabs z <= 101 / 100 * unit53 * y /\
+Lemma root_of_is : forall a h l e share, is64 (hi a) h -> is64 (lo a) l -> is64 (error a) e ->
+  bpow radix2 (-40) <= h <= bpow radix2 40 ->
+  Rabs l <= 101 / 100 * unit53 * h -> 0 <= e <= share * h -> 0 <= share <= / 10 ->
+  exists y z f, is64 (hi (root_of a)) y /\ is64 (lo (root_of a)) z /\ is64 (error (root_of a)) f /\
+    0 <= f <= (3 * share + / 1000000) * y /\
+    Rabs (y - sqrt h) <= / 1000000000000 * sqrt h /\ Rabs z <= unit53 * y /\
     Rabs (sqrt (h + l) - (y + z)) <= 9 * (unit53 * unit53) * y.
 Proof.
-  intros [ha la ea] h l e H L E Hh Hl He. cbn [hi lo error] in *. unfold root_of. cbn [hi lo error].
+  intros [ha la ea] h l e share H L E Hh Hl He Hshare. cbn [hi lo error] in *. unfold root_of. cbn [hi lo error].
   pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny. pose proof (bpow_gt_0 radix2 (-40)) as P40.
   rewrite (equal_is _ _ _ _ H zero_is), (Req_bool_false h 0) by lra. cbn [andb].
   pose proof (constant_is (2 ^ 50 - 1) (-50) ltac:(lia) ltac:(lia)) as Ik. fold almost_one in Ik. set (k := IZR _ * _) in Ik.
@@ -243,25 +245,29 @@ Proof.
   { rewrite Rabs_pos_eq by lra. apply Rle_trans with (bpow radix2 40); [lra|apply bpow_le; lia]. }
   pose proof (times_is _ _ _ _ H Ik Bhk) as Ihk.
   assert (Hless : e < nearest64 (h * k)).
-  { pose proof (product_is_close (h * k)) as Chk. rewrite (Rabs_pos_eq (h * k)) in Chk by lra. apply Rabs_le_inv in Chk.
+  { assert (share * h <= / 10 * h) by (apply Rmult_le_compat_r; lra). pose proof (product_is_close (h * k)) as Chk.
+    rewrite (Rabs_pos_eq (h * k)) in Chk by lra. apply Rabs_le_inv in Chk.
     assert (unit53 * (h * k) <= / 1000000000000 * (h * k)) by (apply Rmult_le_compat_r; lra). lra. }
   rewrite (less_is _ _ _ _ E Ihk), Rlt_bool_true by assumption. cbn [negb]. cbv zeta. unfold rounded. cbn [hi lo error].
-  destruct (root_of_both _ _ h l H L Hh Hl) as (y & z & R1 & R2 & _ & R4 & R5 & R6).
+  destruct (root_of_both _ _ h l H L Hh Hl) as (y & z & R1 & R2 & R3 & R4 & _ & R6).
   pose proof (Rabs_le_inv _ _ R4) as R4'. set (s := sqrt h) in *. assert (Hs2 : s * s = h) by (apply sqrt_sqrt; lra).
   assert (Hs : / 1048576 <= s <= 1048576).
   { assert (S : size (-20) 20 s) by (apply size_root; [now apply size_of|lra]). destruct S as [S1 S2].
     rewrite Rabs_pos_eq in S1, S2 by apply sqrt_pos. split; [exact S1|exact S2]. }
-  assert (Hey : 0 <= e / y <= / 900000 * y).
-  { assert (Hy : 0 < y) by lra. assert (0 <= y * y) by apply Rle_0_sqr.
-    split; apply Rmult_le_reg_r with y; try assumption; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; [lra|].
-    rewrite Rmult_1_r. apply Rle_trans with (/ 1000000 * (s * s)); [lra|].
-    apply Rle_trans with (/ 1000000 * (11 / 10 * (y * y))); [|lra].
-    apply Rmult_le_compat_l; [lra|]. apply Rle_trans with (101 / 100 * y * (101 / 100 * y)); [apply Rmult_le_compat; lra|].
-    lra. }
+  assert (R5 : Rabs z <= unit53 * y).
+  { pose proof (rounding_tail (y + z)) as T. rewrite <- R3 in T. replace (y + z - y) with z in T by ring. apply T. lra. }
+  assert (Hy2 : 0 <= share * y) by (apply Rmult_le_pos; lra).
+  assert (Hey : 0 <= e / y <= 101 / 100 * share * y).
+  { assert (Hy : 0 < y) by lra. split; apply Rmult_le_reg_r with y; try assumption; replace (e / y * y) with e by (field; lra); [lra|].
+    apply Rle_trans with (share * (s * s)); [rewrite Hs2; lra|].
+    replace (101 / 100 * share * y * y) with (share * (101 / 100 * y * y)) by ring.
+    apply Rmult_le_compat_l; [lra|]. apply Rle_trans with (1004 / 1000 * y * (1004 / 1000 * y)); [apply Rmult_le_compat; lra|].
+    assert (0 <= y * y) by apply Rle_0_sqr. lra. }
+  assert (Hsy : share * y <= / 10 * y) by (apply Rmult_le_compat_r; lra).
   pose proof (over_is _ _ _ _ E R1 ltac:(lra) ltac:(apply not_large; rewrite Rabs_pos_eq; lra)) as Iq.
-  assert (Hq : 0 <= nearest64 (e / y) <= / 100000 * y).
-  { pose proof (rounded_up _ _ Hey) as Q. assert (/ 900000 * y * (1 + unit53) <= / 900000 * y * 2) by (apply Rmult_le_compat_l; lra).
-    lra. }
+  assert (Hq : 0 <= nearest64 (e / y) <= 102 / 100 * share * y + / 100000000 * y).
+  { pose proof (rounded_up _ _ Hey) as Q.
+    assert (unit53 * (101 / 100 * share * y) <= / 1000 * (101 / 100 * share * y)) by (apply Rmult_le_compat_r; lra). lra. }
   destruct (error_of_is _ _ _ _ _ R1 Iq Hq ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)) as (f & F1 & F2 & _).
   rewrite (Rabs_pos_eq y) in F2 by lra. exists y, z, f. split; [exact R1|]. split; [exact R2|]. split; [exact F1|].
   split; [unfold share101 in F2; lra|]. now split.
@@ -271,7 +277,7 @@ Qed.
 
 Theorem computed_depth_is : forall R w K, parameters R w K -> let d := axis_depth (value32 R) (value32 w) in
   exists h l e, is64 (hi (computed_depth R w)) h /\ is64 (lo (computed_depth R w)) l /\
-    is64 (error (computed_depth R w)) e /\ 0 <= e <= / 1000 * h /\ Rabs l <= 101 / 100 * unit53 * h /\
+    is64 (error (computed_depth R w)) e /\ 0 <= e <= / 100000 * h /\ Rabs l <= 101 / 100 * unit53 * h /\
     Rabs (d - (h + l)) <= 9 * (unit53 * unit53) * h /\ 0 <= h <= 100002 / 10 /\ (h = 0 \/ bpow radix2 (-21) <= h).
 Proof.
   intros R w K Hp d. pose proof (half_width_is _ _ _ Hp) as Ic. pose proof (half_chord_is_binary64 _ _ _ Hp) as F. cbv zeta in F.
@@ -314,16 +320,17 @@ Proof.
     assert (Ch2 : Rabs (h - M * P) <= 1001 / 1000 * unit53 * (M * P)) by (unfold unit53 in *; lra). pose proof Ch2 as Ch3.
     apply Rabs_le_inv in Ch3.
     assert (Hh : / 300000000000 <= h <= 100000001) by (unfold unit53 in *; lra).
-    destruct (root_of_is square h (M * P - h) g C1 C2 C3) as (y & z & f' & R1 & R2 & R3 & R3' & R4 & R5 & R6).
+    destruct (root_of_is square h (M * P - h) g (/ 1000000) C1 C2 C3) as (y & z & f' & R1 & R2 & R3 & R3' & R4 & R5 & R6).
     { change (bpow radix2 (-40)) with (/ 1099511627776). change (bpow radix2 40) with 1099511627776. lra. }
     { rewrite Rabs_minus_sym. apply Rle_trans with (1 := Ch2). unfold unit53 in *. lra. }
-    { unfold unit53 in *. lra. }
+    { unfold unit53 in *. lra. } { lra. }
     replace (h + (M * P - h)) with (M * P) in R6 by ring. rewrite <- ED in R6. apply Rabs_le_inv in R4.
     assert (Hs1 : / 1000000 <= sqrt h).
     { replace (/ 1000000) with (sqrt (/ 1000000 * / 1000000)) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
     assert (Hs2 : sqrt h <= 100001 / 10).
     { replace (100001 / 10) with (sqrt (100001 / 10 * (100001 / 10))) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
-    exists y, z, f'. split; [assumption|]. split; [assumption|]. split; [assumption|]. split; [lra|]. split; [assumption|].
+    exists y, z, f'. split; [assumption|]. split; [assumption|]. split; [assumption|]. split; [lra|]. split.
+    { apply Rle_trans with (1 := R5). apply Rmult_le_compat_r; lra. }
     split; [assumption|]. split; [lra|].
     right. change (bpow radix2 (-21)) with (/ 2097152). lra.
 Qed.

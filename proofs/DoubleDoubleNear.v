@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* How far double-double's sums, products and quotients of positive numbers are off, where one of the two numbers is a binary64. *)
+(* How far double-double's sums, products and quotients of positive numbers are off; a sum where one of the two is a binary64. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits Relative Sterbenz.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap DoubleDouble.
@@ -98,15 +98,16 @@ Proof.
   replace (3 * (unit53 * unit53) * s) with (3 * (unit53 * us)) by (unfold us; ring). apply Rabs_le. lra.
 Qed.
 
-(* (h + l) c *)
-Lemma product_of_is_near : forall a a_lo b b_lo h l c, is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo 0 ->
-  / 1000000000 <= h <= 1000000 -> / 1000000 <= c <= 1000000 -> Rabs l <= 101 / 100 * unit53 * h ->
-  two_near (product_of a a_lo b b_lo) ((h + l) * c) (5 * (unit53 * unit53) * (h * c)).
+(* (h + l) (c + k) *)
+Lemma product_of_is_near : forall a a_lo b b_lo h l c k, is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
+  / 1000000000 <= h <= 1000000 -> / 1000000000 <= c <= 1000000 ->
+  Rabs l <= 101 / 100 * unit53 * h -> Rabs k <= 101 / 100 * unit53 * c ->
+  two_near (product_of a a_lo b b_lo) ((h + l) * (c + k)) (7 * (unit53 * unit53) * (h * c)).
 Proof.
-  intros a a_lo b b_lo h l c Ha Hl Hb Hbl Hh Hc Bl. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
+  intros a a_lo b b_lo h l c k Ha Hl Hb Hk Hh Hc Bl Bk. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
   pose proof (format_of _ _ Ha) as Gh. pose proof (format_of _ _ Hb) as Gc.
-  assert (Hlow : / 1000000000000000 <= h * c).
-  { replace (/ 1000000000000000) with (/ 1000000000 * / 1000000) by field. apply Rmult_le_compat; lra. }
+  assert (Hlow : / 1000000000000000000 <= h * c).
+  { replace (/ 1000000000000000000) with (/ 1000000000 * / 1000000000) by field. apply Rmult_le_compat; lra. }
   assert (Hhigh : h * c <= 1000000000000) by (replace 1000000000000 with (1000000 * 1000000) by ring; apply Rmult_le_compat; lra).
   set (m := h * c) in *. set (um := unit53 * m).
   assert (Hum : 0 <= um <= / 1000000000000 * m) by (unfold um; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
@@ -120,6 +121,17 @@ Proof.
     { right. rewrite Rabs_pos_eq by lra. apply Rle_trans with (bpow radix2 (-60)); [apply bpow_le; lia|simpl; lra]. }
     replace (m - p) with (nearest64 (m - p)) by (specialize (E Hs); lra). apply generic_format_round; auto with typeclass_instances. }
   assert (C1' : Rabs (m - p) <= 1001 / 1000 * um) by (rewrite Rabs_minus_sym; lra). pose proof (Rabs_le_inv _ _ C1') as C1''.
+  (* the products with low parts *)
+  assert (Blc : Rabs (l * c) <= 101 / 100 * um).
+  { rewrite Rabs_mult, (Rabs_pos_eq c) by lra.
+    apply Rle_trans with (101 / 100 * unit53 * h * c); [apply Rmult_le_compat_r; lra|unfold um, m; lra]. }
+  assert (Bhk : Rabs (h * k) <= 101 / 100 * um).
+  { rewrite Rabs_mult, (Rabs_pos_eq h) by lra.
+    apply Rle_trans with (h * (101 / 100 * unit53 * c)); [apply Rmult_le_compat_l; lra|unfold um, m; lra]. }
+  assert (Blk : Rabs (l * k) <= 103 / 100 * (unit53 * um)).
+  { rewrite Rabs_mult. apply Rle_trans with (101 / 100 * unit53 * h * (101 / 100 * unit53 * c)).
+    - apply Rmult_le_compat; try assumption; apply Rabs_pos.
+    - unfold um, m in *. lra. }
   unfold product_of. cbv zeta.
   assert (I1 : is64 (times a b) p) by (apply times_is; try assumption; apply big_enough; fold m; rewrite Rabs_pos_eq; lra).
   set (t1 := times a b) in *.
@@ -127,43 +139,47 @@ Proof.
   assert (I3 : is64 (fused a b t2) (m - p)).
   { apply (fused_exact _ _ _ h c (- p)); try assumption; [unfold m; ring|apply big_enough; lra]. }
   set (t3 := fused a b t2) in *.
-  assert (I4 : is64 (times a_lo b_lo) 0) by (apply times_exact with l 0; try assumption;
-    [ring|apply generic_format_0|apply zero_is_not_too_large]).
-  set (t4 := times a_lo b_lo) in *.
-  assert (Blc : Rabs (l * c + 0) <= 101 / 100 * um).
-  { rewrite Rplus_0_r, Rabs_mult, (Rabs_pos_eq c) by lra.
-    apply Rle_trans with (101 / 100 * unit53 * h * c); [apply Rmult_le_compat_r; lra|].
-    unfold um, m. lra. }
+  pose proof (times_is _ _ _ _ Hl Hk ltac:(apply big_enough; lra)) as I4. set (t4 := times a_lo b_lo) in *.
+  pose proof (product_is_close (l * k)) as C4. set (v4 := nearest64 (l * k)) in *.
+  assert (C4' : Rabs (v4 - l * k) <= / 100 * (unit53 * um)).
+  { assert (unit53 * Rabs (l * k) <= / 1000000000000 * (103 / 100 * (unit53 * um))).
+    { apply Rmult_le_compat; try apply Rabs_pos; lra. }
+    lra. }
+  absolute_values. assert (B5 : Rabs (l * c + v4) <= 102 / 100 * um) by (apply Rabs_le; lra).
   pose proof (fused_is _ _ _ _ _ _ Hl Hb I4 ltac:(apply big_enough; lra)) as I5. set (t5 := fused a_lo b t4) in *.
-  pose proof (product_is_close (l * c + 0)) as C5. set (v := nearest64 (l * c + 0)) in *.
-  assert (C5' : Rabs (v - (l * c + 0)) <= 102 / 100 * (unit53 * um)).
-  { assert (unit53 * Rabs (l * c + 0) <= unit53 * (101 / 100 * um)) by (apply Rmult_le_compat_l; lra). lra. }
-  apply Rabs_le_inv in C5'. apply Rabs_le_inv in Blc.
-  assert (I6 : is64 (fused a b_lo t5) v).
-  { apply (fused_exact _ _ _ h 0 v); try assumption; [ring|now apply format_of in I5|apply big_enough, Rabs_le; lra]. }
-  set (t6 := fused a b_lo t5) in *.
-  assert (B7 : Rabs (m - p + v) <= 203 / 100 * um) by (apply Rabs_le; lra).
+  pose proof (product_is_close (l * c + v4)) as C5. set (v5 := nearest64 (l * c + v4)) in *.
+  assert (C5' : Rabs (v5 - (l * c + v4)) <= 103 / 100 * (unit53 * um)).
+  { assert (unit53 * Rabs (l * c + v4) <= unit53 * (102 / 100 * um)) by (apply Rmult_le_compat_l; lra). lra. }
+  absolute_values. assert (B6 : Rabs (h * k + v5) <= 204 / 100 * um) by (apply Rabs_le; lra).
+  pose proof (fused_is _ _ _ _ _ _ Ha Hk I5 ltac:(apply big_enough; lra)) as I6. set (t6 := fused a b_lo t5) in *.
+  pose proof (product_is_close (h * k + v5)) as C6. set (v6 := nearest64 (h * k + v5)) in *.
+  assert (C6' : Rabs (v6 - (h * k + v5)) <= 205 / 100 * (unit53 * um)).
+  { assert (unit53 * Rabs (h * k + v5) <= unit53 * (204 / 100 * um)) by (apply Rmult_le_compat_l; lra). lra. }
+  absolute_values. assert (B7 : Rabs (m - p + v6) <= 306 / 100 * um) by (apply Rabs_le; lra).
   pose proof (plus_is _ _ _ _ I3 I6 ltac:(apply big_enough; lra)) as I7. set (t7 := plus t3 t6) in *.
-  pose proof (sum_is_close _ _ Ge (format_of _ _ I6)) as C7. set (w := nearest64 (m - p + v)) in *.
-  assert (C7' : Rabs (w - (m - p + v)) <= unit53 * (203 / 100 * um)) by (apply Rle_trans with (1 := C7); apply Rmult_le_compat_l; lra).
-  apply Rabs_le_inv in C7'. apply Rabs_le_inv in B7.
+  pose proof (sum_is_close _ _ Ge (format_of _ _ I6)) as C7. set (w := nearest64 (m - p + v6)) in *.
+  assert (C7' : Rabs (w - (m - p + v6)) <= unit53 * (306 / 100 * um)) by (apply Rle_trans with (1 := C7); apply Rmult_le_compat_l;
+    lra).
+  absolute_values.
   apply (two_terms_near t1 t7 p w); try assumption; [lra|apply Rabs_le; lra|].
-  replace (p + w - (h + l) * c) with ((w - (m - p + v)) + (v - (l * c + 0))) by (unfold m; ring).
-  replace (5 * (unit53 * unit53) * m) with (5 * (unit53 * um)) by (unfold um; ring). apply Rabs_le. lra.
+  replace (p + w - (h + l) * (c + k)) with
+    ((w - (m - p + v6)) + (v6 - (h * k + v5)) + (v5 - (l * c + v4)) + (v4 - l * k)) by (unfold m; ring).
+  replace (7 * (unit53 * unit53) * m) with (7 * (unit53 * um)) by (unfold um; ring). apply Rabs_le. lra.
 Qed.
 
-(* c / (h + l) *)
-Lemma quotient_of_is_near : forall a a_lo b b_lo c h l, is64 a c -> is64 a_lo 0 -> is64 b h -> is64 b_lo l ->
-  / 1000000 <= c <= 1000000 -> / 1000 <= h <= 1000000 -> Rabs l <= 101 / 100 * unit53 * h ->
-  two_near (quotient_of a a_lo b b_lo) (c / (h + l)) (10 * (unit53 * unit53) * (c / (h + l))).
+(* (c + k) / (h + l) *)
+Lemma quotient_of_is_near : forall a a_lo b b_lo c k h l, is64 a c -> is64 a_lo k -> is64 b h -> is64 b_lo l ->
+  / 1000000 <= c <= 1000000 -> / 1000 <= h <= 1000000 -> Rabs k <= 101 / 100 * unit53 * c ->
+  Rabs l <= 101 / 100 * unit53 * h ->
+  two_near (quotient_of a a_lo b b_lo) ((c + k) / (h + l)) (13 * (unit53 * unit53) * ((c + k) / (h + l))).
 Proof.
-  intros a a_lo b b_lo c h l Ha Hal Hb Hl Hc Hh Bl. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
+  intros a a_lo b b_lo c k h l Ha Hal Hb Hl Hc Hh Bk Bl. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
   pose proof (format_of _ _ Ha) as Gc. pose proof (format_of _ _ Hb) as Gh.
   assert (Uh : unit53 * h <= / 1000000000000 * h) by (apply Rmult_le_compat_r; lra). pose proof (Rabs_le_inv _ _ Bl) as Bl2.
   set (T0 := c / h). assert (HT0 : T0 * h = c) by (unfold T0; field; lra).
   assert (HT : / 1000000000000 <= T0 <= 1000000000).
   { split; apply Rmult_le_reg_r with h; try lra; rewrite HT0; nra. }
-  set (uc := unit53 * c).
+  set (uc := unit53 * c). assert (Bk2 : Rabs k <= 101 / 100 * uc) by (unfold uc; lra).
   assert (Huc : 0 <= uc <= / 1000000000000 * c) by (unfold uc; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (Uuc : 0 <= unit53 * uc <= / 1000000000000 * uc) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (Htuc : tiny <= / 1000 * (unit53 * uc)) by (unfold uc, unit53; lra).
@@ -206,25 +222,26 @@ Proof.
   { replace (c - m) with (c - p - (m - p)) by ring.
     assert (unit53 * Rabs (c - p - (m - p)) <= unit53 * (1001 / 1000 * uc)) by (apply Rmult_le_compat_l; lra). lra. }
   pose proof (opp_is _ _ I1) as I7. set (t7 := opp t1) in *.
-  assert (B8 : Rabs (- q * l + 0) <= 102 / 100 * uc).
-  { rewrite Rplus_0_r, Rabs_mult, Rabs_Ropp, (Rabs_pos_eq q) by lra.
+  assert (B8' : Rabs (- q * l) <= 102 / 100 * uc).
+  { rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq q) by lra.
     apply Rle_trans with (q * (101 / 100 * unit53 * h)); [apply Rmult_le_compat_l; lra|].
     replace (q * (101 / 100 * unit53 * h)) with (101 / 100 * unit53 * m) by (unfold m; ring).
     assert (unit53 * m <= unit53 * (1000001 / 1000000 * c)) by (apply Rmult_le_compat_l; lra). unfold uc in *. lra. }
+  assert (B8 : Rabs (- q * l + k) <= 203 / 100 * uc) by (apply Rle_trans with (1 := Rabs_triang _ _); lra).
   pose proof (fused_is _ _ _ _ _ _ I7 Hl Hal ltac:(apply big_enough; lra)) as I8. set (t8 := fused t7 b_lo a_lo) in *.
-  pose proof (product_is_close (- q * l + 0)) as C8. set (y8 := nearest64 (- q * l + 0)) in *.
-  assert (C8' : Rabs (y8 - (- q * l + 0)) <= 103 / 100 * (unit53 * uc)).
-  { assert (unit53 * Rabs (- q * l + 0) <= unit53 * (102 / 100 * uc)) by (apply Rmult_le_compat_l; lra). lra. }
+  pose proof (product_is_close (- q * l + k)) as C8. set (y8 := nearest64 (- q * l + k)) in *.
+  assert (C8' : Rabs (y8 - (- q * l + k)) <= 204 / 100 * (unit53 * uc)).
+  { assert (unit53 * Rabs (- q * l + k) <= unit53 * (203 / 100 * uc)) by (apply Rmult_le_compat_l; lra). lra. }
   apply Rabs_le_inv in C6'. apply Rabs_le_inv in C8'. apply Rabs_le_inv in B8. apply Rabs_le_inv in B6.
-  assert (B9 : Rabs (y6 + y8) <= 204 / 100 * uc) by (apply Rabs_le; lra).
+  assert (B9 : Rabs (y6 + y8) <= 305 / 100 * uc) by (apply Rabs_le; lra).
   pose proof (plus_is _ _ _ _ I6 I8 ltac:(apply big_enough; lra)) as I9. set (t9 := plus t6 t8) in *.
   pose proof (sum_is_close _ _ (format_of _ _ I6) (format_of _ _ I8)) as C9. set (y9 := nearest64 (y6 + y8)) in *.
-  assert (C9' : Rabs (y9 - (y6 + y8)) <= 204 / 100 * (unit53 * uc)).
-  { assert (unit53 * Rabs (y6 + y8) <= unit53 * (204 / 100 * uc)) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (C9' : Rabs (y9 - (y6 + y8)) <= 305 / 100 * (unit53 * uc)).
+  { assert (unit53 * Rabs (y6 + y8) <= unit53 * (305 / 100 * uc)) by (apply Rmult_le_compat_l; lra). lra. }
   apply Rabs_le_inv in C9'. apply Rabs_le_inv in B9.
-  assert (B9' : Rabs y9 <= 205 / 100 * uc) by (apply Rabs_le; lra).
+  assert (B9' : Rabs y9 <= 306 / 100 * uc) by (apply Rabs_le; lra).
   assert (Ex : c / h <= 100000000000) by (fold T0; lra).
-  assert (B10 : Rabs (y9 / h) <= 205 / 100 * (unit53 * T0)).
+  assert (B10 : Rabs (y9 / h) <= 306 / 100 * (unit53 * T0)).
   { unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq h) by lra. apply Rmult_le_reg_r with h; [lra|].
     rewrite Rmult_assoc, Rinv_l by lra. rewrite Rmult_1_r. apply Rle_trans with (1 := B9'). right. unfold uc. rewrite <- HT0. field. }
   pose proof (over_is _ _ _ _ I9 Hb ltac:(lra) ltac:(apply big_enough; lra)) as I10. set (t10 := over t9 b) in *.
@@ -232,36 +249,39 @@ Proof.
   assert (UUT : 0 <= unit53 * (unit53 * T0) <= / 1000000000000 * (unit53 * T0)).
   { split; [apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]|apply Rmult_le_compat_r; [apply Rmult_le_pos; lra|lra]]. }
   assert (Htut : tiny <= / 1000 * (unit53 * (unit53 * T0))) by (unfold unit53; lra).
-  assert (C10' : Rabs (y10 - y9 / h) <= 206 / 100 * (unit53 * (unit53 * T0))).
-  { assert (unit53 * Rabs (y9 / h) <= unit53 * (205 / 100 * (unit53 * T0))) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (C10' : Rabs (y10 - y9 / h) <= 307 / 100 * (unit53 * (unit53 * T0))).
+  { assert (unit53 * Rabs (y9 / h) <= unit53 * (306 / 100 * (unit53 * T0))) by (apply Rmult_le_compat_l; lra). lra. }
   apply Rabs_le_inv in C10'. apply Rabs_le_inv in B10.
-  set (E := c / (h + l)). assert (HE : E * (h + l) = c) by (unfold E; field; lra).
+  set (E := (c + k) / (h + l)). assert (HE : E * (h + l) = c + k) by (unfold E; field; lra). apply Rabs_le_inv in Bk2.
   assert (HET : 999999 / 1000000 * T0 <= E <= 1000001 / 1000000 * T0).
-  { split; apply Rmult_le_reg_r with (h + l); try lra; rewrite HE, <- HT0.
-    - replace (999999 / 1000000 * T0 * (h + l)) with (T0 * (999999 / 1000000 * (h + l))) by ring. apply Rmult_le_compat_l; lra.
-    - replace (1000001 / 1000000 * T0 * (h + l)) with (T0 * (1000001 / 1000000 * (h + l))) by ring. apply Rmult_le_compat_l; lra. }
+  { split; apply Rmult_le_reg_r with (h + l); try lra; rewrite HE.
+    - apply Rle_trans with (T0 * (9999999 / 10000000 * h)); [|rewrite <- HT0 in *; lra].
+      replace (999999 / 1000000 * T0 * (h + l)) with (T0 * (999999 / 1000000 * (h + l))) by ring. apply Rmult_le_compat_l; lra.
+    - apply Rle_trans with (T0 * (10000001 / 10000000 * h)); [rewrite <- HT0 in *; lra|].
+      replace (1000001 / 1000000 * T0 * (h + l)) with (T0 * (1000001 / 1000000 * (h + l))) by ring. apply Rmult_le_compat_l; lra. }
   apply (two_terms_near t1 t10 q y10); try assumption; [lra|apply Rabs_le; lra|].
-  assert (K : Rabs (q + y9 / h - E) <= 7 * (unit53 * (unit53 * T0))).
+  assert (K : Rabs (q + y9 / h - E) <= 94 / 10 * (unit53 * (unit53 * T0))).
   { apply Rmult_le_reg_r with h; [lra|]. rewrite <- (Rabs_pos_eq h) at 2 by lra. rewrite <- Rabs_mult.
-    replace ((q + y9 / h - E) * h) with ((y9 - (y6 + y8)) + (y6 - (c - m)) + (y8 - (- q * l + 0)) + (c - E * (h + l)) + (E - q) * l)
+    replace ((q + y9 / h - E) * h) with
+      ((y9 - (y6 + y8)) + (y6 - (c - m)) + (y8 - (- q * l + k)) + (c + k - E * (h + l)) + (E - q) * l)
       by (unfold m; field; lra).
-    rewrite HE. replace (7 * (unit53 * (unit53 * T0)) * h) with (7 * (unit53 * uc)) by (unfold uc; rewrite <- HT0; ring).
-    assert (Bq : Rabs ((E - q) * l) <= 25 / 10 * (unit53 * uc)).
-    { assert (HEq : Rabs (E - q) <= 22 / 10 * (unit53 * T0)).
+    rewrite HE. replace (94 / 10 * (unit53 * (unit53 * T0)) * h) with (94 / 10 * (unit53 * uc)) by (unfold uc; rewrite <- HT0; ring).
+    assert (Bq : Rabs ((E - q) * l) <= 32 / 10 * (unit53 * uc)).
+    { assert (HEq : Rabs (E - q) <= 31 / 10 * (unit53 * T0)).
       { apply Rmult_le_reg_r with h; [lra|]. rewrite <- (Rabs_pos_eq h) at 1 by lra. rewrite <- Rabs_mult.
-        replace ((E - q) * h) with ((c - m) - E * l) by (unfold m; rewrite <- HE; ring).
+        replace ((E - q) * h) with ((c - m) + k - E * l) by (unfold m; rewrite Rmult_minus_distr_r; lra).
         assert (Rabs (E * l) <= 102 / 100 * uc).
         { rewrite Rabs_mult, (Rabs_pos_eq E) by lra.
           apply Rle_trans with (1000001 / 1000000 * T0 * (101 / 100 * unit53 * h)); [apply Rmult_le_compat; try lra; apply Rabs_pos|].
           unfold uc. rewrite <- HT0. assert (0 <= unit53 * (T0 * h)) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]). lra. }
-        apply Rabs_le_inv in H. replace (22 / 10 * (unit53 * T0) * h) with (22 / 10 * uc) by (unfold uc; rewrite <- HT0; ring).
+        apply Rabs_le_inv in H. replace (31 / 10 * (unit53 * T0) * h) with (31 / 10 * uc) by (unfold uc; rewrite <- HT0; ring).
         apply Rabs_le. lra. }
-      rewrite Rabs_mult. apply Rle_trans with (22 / 10 * (unit53 * T0) * (101 / 100 * unit53 * h)).
+      rewrite Rabs_mult. apply Rle_trans with (31 / 10 * (unit53 * T0) * (101 / 100 * unit53 * h)).
       - apply Rmult_le_compat; try assumption; apply Rabs_pos.
-      - replace (22 / 10 * (unit53 * T0) * (101 / 100 * unit53 * h)) with (2222 / 1000 * (unit53 * uc)) by (unfold uc; rewrite <- HT0;
+      - replace (31 / 10 * (unit53 * T0) * (101 / 100 * unit53 * h)) with (3131 / 1000 * (unit53 * uc)) by (unfold uc; rewrite <- HT0;
         field). lra. }
     apply Rabs_le_inv in Bq. apply Rabs_le. lra. }
-  apply Rabs_le_inv in K. replace (10 * (unit53 * unit53) * E) with (10 * (unit53 * (unit53 * E))) by ring.
+  apply Rabs_le_inv in K. replace (13 * (unit53 * unit53) * E) with (13 * (unit53 * (unit53 * E))) by ring.
   assert (unit53 * (unit53 * (999999 / 1000000 * T0)) <= unit53 * (unit53 * E)) by (apply Rmult_le_compat_l;
     [lra|apply Rmult_le_compat_l; lra]).
   apply Rabs_le. lra.
