@@ -3,6 +3,7 @@
 From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
+From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -36,10 +37,23 @@ Print Assumptions quotient_of_is_near.
 Print Assumptions holds_multiply.
 Print Assumptions holds_divide.
 Print Assumptions holds_root.
+Print Assumptions holds_add.
+Print Assumptions holds_subtract.
 Print Assumptions linear_2p_is_right.
 Print Assumptions constants_2p_are_right.
 Print Assumptions bump_2p_first_stage_answers_right_for_all.
 Print Assumptions bump_2p_shaded_first_stage_answers_right_for_all.
+Print Assumptions third_sine_is.
+Print Assumptions is_on_top_is_right.
+Print Assumptions top_is_decided.
+Print Assumptions shape_3p_is_right.
+Print Assumptions factors_3p_are_right.
+Print Assumptions bump_3p_first_stage_answers_right_given_t.
+Print Assumptions bump_3p_shaded_first_stage_answers_right_given_t.
+Print Assumptions newton_for_third_starts.
+Print Assumptions newton_for_third_converges.
+Print Assumptions newton_for_rest_starts.
+Print Assumptions newton_for_rest_converges.
 Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.

@@ -48,25 +48,27 @@ Proof.
 Qed.
 
 (* The same in absolute errors. *)
-Lemma holds_close : forall n s a x, holds n s a x -> 0 <= n <= 100 -> 0 < x ->
+Lemma holds_close : forall n s a x, holds n s a x -> 0 <= n <= 400 -> 0 < x ->
   exists y z e, is64 (hi a) y /\ is64 (lo a) z /\ is64 (error a) e /\ 0 <= e <= s * y /\ Rabs z <= unit53 * y /\
-    Rabs (y + z - x) <= 101 * (unit53 * unit53) * x /\ 999999 / 1000000 * x <= y <= 1000001 / 1000000 * x.
+    Rabs (y + z - x) <= n * (101 / 100) * (unit53 * unit53) * x /\ 999999 / 1000000 * x <= y <= 1000001 / 1000000 * x.
 Proof.
   intros n s a x (y & z & e & Y & Z & E & Be & Bz & N) Hn Hx. pose proof unit_is_small as Hu. exists y, z, e.
   split; [exact Y|]. split; [exact Z|]. split; [exact E|]. split; [exact Be|]. split; [exact Bz|].
   split; [|apply (near_parts n _ z); lra || assumption].
-  assert (Hnu : 0 <= n * unit53 <= 100 * unit53) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (Hnu : 0 <= n * unit53 <= 400 * unit53) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   pose proof (near_is_close _ _ _ N ltac:(lra)) as C. rewrite (Rabs_pos_eq x) in C by lra. apply Rle_trans with (1 := C).
-  apply Rmult_le_compat_r; [lra|]. replace (101 * (unit53 * unit53)) with (101 * unit53 * unit53) by ring.
+  apply Rmult_le_compat_r; [lra|]. replace (n * (101 / 100) * (unit53 * unit53)) with (n * unit53 * (101 / 100) * unit53) by ring.
   apply Rmult_le_compat_r; lra.
 Qed.
 
 (* The first of the two terms is off by little more than a rounding. *)
-Lemma holds_factor : forall n s a x, holds n s a x -> 0 <= n <= 100 -> / 1000000000000 <= x <= 1000 -> factor (hi a) x.
+Lemma holds_factor : forall n s a x, holds n s a x -> 0 <= n <= 400 -> / 1000000000000 <= x <= 1000 -> factor (hi a) x.
 Proof.
   intros n s a x H Hn Hx. destruct (holds_close _ _ _ _ H Hn ltac:(lra)) as (y & z & _ & [V F] & _ & _ & _ & Bz & C & _).
   split; [exact F|]. rewrite V, (Rabs_pos_eq x) by lra. split.
-  - absolute_values. apply Rabs_le. unfold unit53 in *. lra.
+  - assert (C' : Rabs (y + z - x) <= 404 * (unit53 * unit53) * x).
+    { apply Rle_trans with (1 := C). apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_r; [unfold unit53; lra|lra]. }
+    clear C. absolute_values. apply Rabs_le. unfold unit53 in *. lra.
   - apply size_of.
     + apply Rle_trans with (bpow radix2 (-40)); [apply bpow_le; lia|change (bpow radix2 (-40)) with (/ 1099511627776); lra].
     + change (bpow radix2 10) with 1024. lra.
@@ -96,7 +98,7 @@ Qed.
 Lemma low_part : forall y z, Rabs z <= unit53 * y -> 0 < y -> Rabs z <= 101 / 100 * unit53 * y.
 Proof. intros y z H Hy. apply Rle_trans with (1 := H). apply Rmult_le_compat_r; [lra|unfold unit53; lra]. Qed.
 
-Theorem holds_multiply : forall n m s t a b x x', holds n s a x -> holds m t b x' -> 0 <= n <= 100 -> 0 <= m <= 100 ->
+Theorem holds_multiply : forall n m s t a b x x', holds n s a x -> holds m t b x' -> 0 <= n <= 400 -> 0 <= m <= 400 ->
   0 <= s <= / 10 -> 0 <= t <= / 10 -> / 100000000 <= x <= 100000 -> / 100000000 <= x' <= 100000 -> x * x' <= 100000 ->
   holds (n + m + 8) (3 * (s + t) + / 1000000) (multiply a b) (x * x').
 Proof.
@@ -156,8 +158,8 @@ Proof.
   assert (30 * tiny <= / 1000000000 * y) by lra. lra.
 Qed.
 
-Theorem holds_divide : forall n m s t a b x x', holds n s a x -> holds m t b x' -> 0 <= n <= 100 -> 0 <= m <= 100 ->
-  0 <= s <= / 10 -> 0 <= t <= / 10 -> / 100000 <= x <= 100000 -> / 100 <= x' <= 100000 -> x / x' <= 100000 ->
+Theorem holds_divide : forall n m s t a b x x', holds n s a x -> holds m t b x' -> 0 <= n <= 400 -> 0 <= m <= 400 ->
+  0 <= s <= / 10 -> 0 <= t <= / 10 -> / 100000000 <= x <= 100000 -> / 100 <= x' <= 100000 -> x / x' <= 100000 ->
   holds (n + m + 14) (3 * (s + t) + / 1000000) (divide a b) (x / x').
 Proof.
   intros n m s t [ha la ea] [hb lb eb] x x' (c & k & e & H & L & E & Be & Bk & N) (h & l & f & H' & L' & F & Bf & Bl & N') Hn Hm Hs
@@ -165,7 +167,7 @@ Proof.
   pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
   pose proof (near_parts _ _ _ _ N ltac:(lra) Bk ltac:(lra)) as Rc. pose proof (near_parts _ _ _ _ N' ltac:(lra) Bl ltac:(lra)) as Rh.
   set (Q := x / x') in *. assert (HQ : Q * x' = x) by (unfold Q; field; lra).
-  assert (Qlow : / 10000000000 <= Q) by (apply Rmult_le_reg_r with x'; lra).
+  assert (Qlow : / 10000000000000 <= Q) by (apply Rmult_le_reg_r with x'; lra).
   pose proof (quotient_of_is_near ha la hb lb c k h l H L H' L' ltac:(lra) ltac:(lra) (low_part _ _ Bk ltac:(lra))
     (low_part _ _ Bl ltac:(lra))) as T.
   pose proof (near_over _ _ _ _ _ _ N N' ltac:(lra)) as NN. replace (n * unit53 + m * unit53) with ((n + m) * unit53) in NN by ring.
@@ -235,7 +237,7 @@ Proof.
   assert (30 * tiny <= / 1000000000 * y) by lra. lra.
 Qed.
 
-Theorem holds_root : forall n s a x, holds n s a x -> 0 <= n <= 100 -> 0 <= s <= / 10 -> / 1000000 <= x <= 1000000 ->
+Theorem holds_root : forall n s a x, holds n s a x -> 0 <= n <= 400 -> 0 <= s <= / 10 -> / 1000000 <= x <= 1000000 ->
   holds (n / 2 + 10) (3 * s + / 1000000) (root_of a) (sqrt x).
 Proof.
   intros n s a x (h & l & e & H & L & E & Be & Bl & N) Hn Hs Hx. pose proof unit_is_small as Hu.
@@ -254,4 +256,87 @@ Proof.
   - replace (9 * (unit53 * unit53) * (1001 / 1000) * (1 + / 1000) / unit53) with (9 * (1001 / 1000) * (1 + / 1000) * unit53)
       by (field; lra).
     lra.
+Qed.
+
+(* x + y, where x is a binary64 and y, if negative, is at most half as large. *)
+Theorem holds_sum : forall n s v x b y h l e, is64 v x -> is64 (hi b) h -> is64 (lo b) l -> is64 (error b) e -> 0 <= n <= 400 ->
+  0 <= s <= / 10 -> 0 <= e <= s * Rabs h -> Rabs l <= unit53 * Rabs h -> / 1000000 <= x <= 100000 -> - (x / 2) <= y <= 100000 ->
+  Rabs (h + l - y) <= n * (101 / 100) * (unit53 * unit53) * Rabs y -> holds (102 / 100 * n + 4) (3 * s + / 1000000) (add (exactly64 v)
+    b) (x + y).
+Proof.
+  intros n s v x [hb lb eb] y h l e V H L E Hn Hs He Hl Hx Hy C. cbn [hi lo error] in *.
+  pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
+  assert (Hyx : Rabs y <= x + y) by (apply Rabs_le; lra).
+  set (uu := unit53 * unit53) in *. assert (Huu : 0 < uu <= / 1000000000000 * unit53) by (unfold uu, unit53; lra).
+  assert (Hnu : 0 <= n * (101 / 100) * uu <= 404 * uu) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (C2 : Rabs (h + l - y) <= n * (101 / 100) * uu * (x + y)) by (apply Rle_trans with (1 := C); apply Rmult_le_compat_l; lra).
+  assert (C3 : Rabs (h + l - y) <= / 1000000000 * (x + y)).
+  { apply Rle_trans with (1 := C2). apply Rmult_le_compat_r; lra. }
+  assert (Hh1 : Rabs h <= Rabs y + / 1000000 * (x + y)).
+  { assert (Rabs h <= Rabs (h + l - y) + Rabs y + Rabs l).
+    { replace h with ((h + l - y) + y + - l) at 1 by ring. apply Rle_trans with (1 := Rabs_triang _ _). rewrite Rabs_Ropp.
+      pose proof (Rabs_triang (h + l - y) y). lra. }
+    assert (unit53 * Rabs h <= / 1000000000000 * Rabs h) by (apply Rmult_le_compat_r; [apply Rabs_pos|lra]).
+    pose proof (Rabs_pos h). lra. }
+  assert (Hl2 : Rabs l <= / 100000000000 * (x + y)).
+  { apply Rle_trans with (1 := Hl). apply Rle_trans with (/ 1000000000000 * Rabs h); [apply Rmult_le_compat_r;
+    [apply Rabs_pos|lra]|lra]. }
+  pose proof (Rabs_le_inv _ _ C3) as C4. pose proof (Rabs_le_inv _ _ Hl2) as Hl3.
+  assert (Bl : Rabs l <= 101 / 100 * unit53 * Rabs h).
+  { apply Rle_trans with (1 := Hl). apply Rmult_le_compat_r; [apply Rabs_pos|lra]. }
+  destruct (sum_of_is_near v zero64 hb lb x h l V zero_is H L ltac:(lra) ltac:(lra) Bl) as (p & q & P & Q & Bq & B).
+  fold uu in B. unfold add, rounded, exactly64. cbn [hi lo error].
+  assert (Hs0 : 0 <= s * Rabs h <= 11 / 10 * (s * (x + y))).
+  { split; [apply Rmult_le_pos; [lra|apply Rabs_pos]|]. replace (11 / 10 * (s * (x + y))) with (s * (11 / 10 * (x + y))) by ring.
+    apply Rmult_le_compat_l; lra. }
+  assert (Hsy : s * (x + y) <= / 10 * (x + y)) by (apply Rmult_le_compat_r; lra).
+  assert (B2 : Rabs (p + q - (x + y)) <= (n * (101 / 100) + 301 / 100) * uu * (x + y)).
+  { replace (p + q - (x + y)) with ((p + q - (x + (h + l))) + (h + l - y)) by ring. apply Rle_trans with (1 := Rabs_triang _ _).
+    assert (3 * uu * (x + h) <= 301 / 100 * uu * (x + y)).
+    { replace (3 * uu * (x + h)) with (uu * (3 * (x + h))) by ring.
+      replace (301 / 100 * uu * (x + y)) with (uu * (301 / 100 * (x + y))) by ring.
+      apply Rmult_le_compat_l; lra. }
+    lra. }
+  assert (Hk : 0 <= (n * (101 / 100) + 301 / 100) * uu <= / 1000000000).
+  { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (408 * uu); [apply Rmult_le_compat_r; lra|lra]. }
+  assert (N : near ((102 / 100 * n + 4) * unit53) (p + q) (x + y)).
+  { apply near_more with ((n * (101 / 100) + 301 / 100) * uu * (1 + / 1000) / unit53).
+    - apply close_is_near; [now rewrite (Rabs_pos_eq (x + y)) by lra|lra].
+    - replace ((n * (101 / 100) + 301 / 100) * uu * (1 + / 1000) / unit53) with ((n * (101 / 100) + 301 / 100) * (1 + / 1000) * unit53)
+        by (unfold uu; field; lra).
+      apply Rmult_le_compat_r; lra. }
+  pose proof (near_parts _ _ _ _ N ltac:(lra) Bq ltac:(lra)) as Rp.
+  assert (Ie : is64 (plus zero64 eb) e).
+  { apply plus_exact with 0 e; try assumption; [apply zero_is|ring|now apply format_of in E|]. apply big_enough, Rabs_le. lra. }
+  destruct (error_of_is _ _ _ e (11 / 10 * (s * (x + y))) P Ie ltac:(lra) ltac:(lra) ltac:(rewrite Rabs_pos_eq by lra; lra))
+    as (f & F1 & F2 & _).
+  rewrite (Rabs_pos_eq p) in F2 by lra.
+  exists p, q, f. split; [exact P|]. split; [exact Q|]. split; [exact F1|]. split; [|split; [exact Bq|exact N]].
+  split; [lra|]. assert (s * (x + y) <= s * (101 / 100 * p)) by (apply Rmult_le_compat_l; lra).
+  assert (0 <= s * p) by (apply Rmult_le_pos; lra).
+  assert (share101 * p <= / 1000000000 * p) by (apply Rmult_le_compat_r; [lra|unfold share101; lra]). lra.
+Qed.
+
+Theorem holds_add : forall n s v x b y, is64 v x -> holds n s b y -> 0 <= n <= 400 -> 0 <= s <= / 10 -> / 1000000 <= x <= 100000 ->
+  0 < y <= 100000 -> holds (102 / 100 * n + 4) (3 * s + / 1000000) (add (exactly64 v) b) (x + y).
+Proof.
+  intros n s v x b y V H Hn Hs Hx Hy. destruct (holds_close _ _ _ _ H Hn ltac:(lra)) as (h & l & e & B1 & B2 & B3 & He & Hl & C & Rh).
+  apply (holds_sum n s v x b y h l e); try assumption; try lra.
+  - now rewrite (Rabs_pos_eq h) by lra.
+  - now rewrite (Rabs_pos_eq h) by lra.
+  - now rewrite (Rabs_pos_eq y) by lra.
+Qed.
+
+(* x - y, y at most half of x. *)
+Theorem holds_subtract : forall n s v x b y, is64 v x -> holds n s b y -> 0 <= n <= 400 -> 0 <= s <= / 10 -> / 1000000 <= x <= 100000
+  ->
+  0 < y <= x / 2 -> holds (102 / 100 * n + 4) (3 * s + / 1000000) (add (exactly64 v) (negated b)) (x - y).
+Proof.
+  intros n s v x b y V H Hn Hs Hx Hy. destruct (holds_close _ _ _ _ H Hn ltac:(lra)) as (h & l & e & B1 & B2 & B3 & He & Hl & C & Rh).
+  apply (holds_sum n s v x (negated b) (- y) (- h) (- l) e); try assumption; try lra.
+  - now apply opp_is.
+  - now apply opp_is.
+  - now rewrite Rabs_Ropp, (Rabs_pos_eq h) by lra.
+  - rewrite !Rabs_Ropp, (Rabs_pos_eq h) by lra. assumption.
+  - replace (- h + - l - - y) with (- (h + l - y)) by ring. rewrite !Rabs_Ropp, (Rabs_pos_eq y) by lra. assumption.
 Qed.

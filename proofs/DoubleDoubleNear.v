@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* How far double-double's sums, products and quotients of positive numbers are off; a sum where one of the two is a binary64. *)
+(* How far double-double's products and quotients of positive numbers are off, and sums x + (h + l) with -h at most half of x. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits Relative Sterbenz.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap DoubleDouble.
@@ -29,16 +29,17 @@ Qed.
 
 (* x + (h + l) *)
 Lemma sum_of_is_near : forall a a_lo b b_lo x h l, is64 a x -> is64 a_lo 0 -> is64 b h -> is64 b_lo l ->
-  / 1000000 <= x <= 1000000 -> 0 <= h <= 1000000 -> Rabs l <= 101 / 100 * unit53 * h ->
+  / 1000000 <= x <= 1000000 -> - (51 / 100) * x <= h <= 1000000 -> Rabs l <= 101 / 100 * unit53 * Rabs h ->
   two_near (sum_of a a_lo b b_lo) (x + (h + l)) (3 * (unit53 * unit53) * (x + h)).
 Proof.
   intros a a_lo b b_lo x h l Ha Hal Hb Hl Hx Hh Bl. pose proof unit_is_small as Hu.
   pose proof (format_of _ _ Ha) as Gx. pose proof (format_of _ _ Hb) as Gh. pose proof (format_of _ _ Hl) as Gl.
-  set (s := x + h). set (us := unit53 * s). assert (Hs : / 1000000 <= s <= 2000000) by (unfold s; lra).
+  set (s := x + h). set (us := unit53 * s). assert (Hs : / 3000000 <= s <= 2000000) by (unfold s; lra).
+  assert (Hhs : Rabs h <= 105 / 100 * s) by (apply Rabs_le; unfold s; lra). pose proof (Rabs_le_inv _ _ Hhs) as Hhs2.
   assert (Hus : 0 <= us <= / 1000000000000 * s) by (unfold us; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
-  assert (Bl' : Rabs l <= 101 / 100 * us).
-  { apply Rle_trans with (1 := Bl). unfold us. rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|].
-    apply Rmult_le_compat_l; unfold s; lra. }
+  assert (Bl' : Rabs l <= 107 / 100 * us).
+  { apply Rle_trans with (1 := Bl). apply Rle_trans with (101 / 100 * unit53 * (105 / 100 * s)); [|unfold us in *; lra].
+    apply Rmult_le_compat_l; lra. }
   pose proof (Rabs_le_inv _ _ Bl') as Bl2.
   pose proof (two_sum_is_exact x h Gx Gh) as T. cbv zeta in T. fold s in T.
   set (y1 := nearest64 s) in *. pose proof (sum_is_close x h Gx Gh) as C1. fold s y1 in C1. rewrite (Rabs_pos_eq s) in C1 by lra.
@@ -70,10 +71,10 @@ Proof.
   assert (T6 : y6 = s - y1) by lra.
   assert (I7 : is64 (plus a_lo b_lo) l) by (apply plus_exact with 0 l; try assumption; [ring|apply big_enough; lra]).
   set (t7 := plus a_lo b_lo) in *.
-  assert (B8 : Rabs (y6 + l) <= 202 / 100 * us) by (rewrite T6; apply Rabs_le; lra).
+  assert (B8 : Rabs (y6 + l) <= 208 / 100 * us) by (rewrite T6; apply Rabs_le; lra).
   pose proof (plus_is _ _ _ _ I6 I7 ltac:(apply big_enough; lra)) as I8. set (t8 := plus t6 t7) in *.
   pose proof (sum_is_close y6 l (format_of _ _ I6) Gl) as C8. set (y8 := nearest64 (y6 + l)) in *.
-  assert (C8' : Rabs (y8 - (y6 + l)) <= unit53 * (202 / 100 * us)) by (apply Rle_trans with (1 := C8); apply Rmult_le_compat_l; lra).
+  assert (C8' : Rabs (y8 - (y6 + l)) <= unit53 * (208 / 100 * us)) by (apply Rle_trans with (1 := C8); apply Rmult_le_compat_l; lra).
   assert (Uus : 0 <= unit53 * us <= / 1000000000000 * us) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   apply Rabs_le_inv in C8'. apply Rabs_le_inv in B8.
   destruct (two_terms t1 t8 y1 y8 I1 I8) as [V1 V2].
@@ -169,7 +170,7 @@ Qed.
 
 (* (c + k) / (h + l) *)
 Lemma quotient_of_is_near : forall a a_lo b b_lo c k h l, is64 a c -> is64 a_lo k -> is64 b h -> is64 b_lo l ->
-  / 1000000 <= c <= 1000000 -> / 1000 <= h <= 1000000 -> Rabs k <= 101 / 100 * unit53 * c ->
+  / 1000000000 <= c <= 1000000 -> / 1000 <= h <= 1000000 -> Rabs k <= 101 / 100 * unit53 * c ->
   Rabs l <= 101 / 100 * unit53 * h ->
   two_near (quotient_of a a_lo b b_lo) ((c + k) / (h + l)) (13 * (unit53 * unit53) * ((c + k) / (h + l))).
 Proof.
@@ -177,7 +178,7 @@ Proof.
   pose proof (format_of _ _ Ha) as Gc. pose proof (format_of _ _ Hb) as Gh.
   assert (Uh : unit53 * h <= / 1000000000000 * h) by (apply Rmult_le_compat_r; lra). pose proof (Rabs_le_inv _ _ Bl) as Bl2.
   set (T0 := c / h). assert (HT0 : T0 * h = c) by (unfold T0; field; lra).
-  assert (HT : / 1000000000000 <= T0 <= 1000000000).
+  assert (HT : / 1000000000000000 <= T0 <= 1000000000).
   { split; apply Rmult_le_reg_r with h; try lra; rewrite HT0; nra. }
   set (uc := unit53 * c). assert (Bk2 : Rabs k <= 101 / 100 * uc) by (unfold uc; lra).
   assert (Huc : 0 <= uc <= / 1000000000000 * c) by (unfold uc; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).

@@ -14,8 +14,8 @@ Definition diameter (R : binary32) : double_double := add (exactly64 (to64 R)) (
 Definition face_cosine_2p (R w : binary32) : double_double := root_of (divide (sum_2p R w) (diameter R)).
 Definition face_sine_2p (R w : binary32) : double_double :=
   divide (exactly64 (half_width w)) (multiply (diameter R) (face_cosine_2p R w)).
-Definition K_cosine_2p (R w K : binary32) : binary64 := hi (multiply (exactly64 (to64 K)) (face_cosine_2p R w)).
-Definition K_sine_2p (R w K : binary32) : binary64 := hi (multiply (exactly64 (to64 K)) (face_sine_2p R w)).
+(* K_sine and K_cosine of the headers, of a face's sine or cosine. *)
+Definition K_times (K : binary32) (a : double_double) : binary64 := hi (multiply (exactly64 (to64 K)) a).
 
 (* ---- The face in real numbers ---- *)
 
@@ -58,7 +58,8 @@ Proof.
   assert (IR : is64 (to64 R) (value32 R)) by now apply to64_is_exact.
   unfold sum_2p. set (D := computed_depth R w) in *. clearbody D. destruct D as [dh dl de]. cbn [hi lo error] in *.
   set (x := value32 R) in *. clearbody x. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
-  pose proof (sum_of_is_near (to64 R) zero64 dh dl x h l IR zero_is H L ltac:(lra) ltac:(lra) Bl) as (y & z & Y1 & Y2 & Bz & By).
+  pose proof (sum_of_is_near (to64 R) zero64 dh dl x h l IR zero_is H L ltac:(lra) ltac:(lra)
+    ltac:(rewrite (Rabs_pos_eq h) by lra; exact Bl)) as (y & z & Y1 & Y2 & Bz & By).
   unfold add, rounded, exactly64. cbn [hi lo error].
   apply Rabs_le_inv in Bd. apply Rabs_le_inv in By. apply Rabs_le_inv in Bl. pose proof (Rabs_le_inv _ _ Bz) as Bz2.
   assert (Uy : unit53 * y <= / 1000 * Rabs y).
@@ -180,27 +181,31 @@ Proof.
     ltac:(lra) ltac:(lra) ltac:(lra))); lra.
 Qed.
 
+Lemma K_times_is : forall R w K n s a x, parameters R w K -> holds n s a x -> 0 <= n <= 390 -> 0 <= s <= / 10 -> / 60000000 <= x <= 1
+  ->
+  factor (K_times K a) (value32 K * x).
+Proof.
+  intros R w K n s a x ((_ & _ & FK) & _ & _ & HK) H Hn Hs Hx. pose proof (holds_exactly _ _ (to64_is_exact K FK) ltac:(lra)) as Hk.
+  set (k := value32 K) in *. assert (B : / 1000 * / 60000000 <= k * x <= 1000 * 1) by (split; apply Rmult_le_compat; lra).
+  apply (holds_factor (0 + n + 8) (3 * (0 + s) + / 1000000)); [apply holds_multiply; assumption || lra|lra|lra].
+Qed.
+
 (* What bump-2p holds is what the theorem on its first stage assumes. *)
 Theorem constants_2p_are_right : forall R w K, parameters R w K ->
   constants_2p R w K (hi (height_2p R w)) (lo (height_2p R w)) (split_head (tangent_2p R w)) (split_tail (tangent_2p R w))
-    (K_sine_2p R w K) (K_cosine_2p R w K).
+    (K_times K (face_sine_2p R w)) (K_times K (face_cosine_2p R w)).
 Proof.
   intros R w K Hp. pose proof (linear_2p_is_right _ _ _ Hp) as HL. destruct (face_cosine_2p_holds _ _ _ Hp) as [Hc HC].
-  destruct (face_sine_2p_holds _ _ _ Hp) as [Hs HS]. destruct Hp as ((_ & _ & FK) & _ & _ & HK).
-  pose proof (holds_exactly _ _ (to64_is_exact K FK) ltac:(lra)) as Hk. split; [exact HL| |].
-  - set (k := value32 K) in *. set (s := sine_of _) in *. clearbody k s.
-    assert (Bs : / 1000 * / 40000000 <= k * s <= 1000 * 1) by (split; apply Rmult_le_compat; lra).
-    apply (holds_factor (0 + 46 + 8) (3 * (0 + / 100) + / 1000000)); [apply holds_multiply; assumption || lra|lra|lra].
-  - set (k := value32 K) in *. set (c := cosine_of _) in *. clearbody k c.
-    assert (Bc : / 1000 * / 2 <= k * c <= 1000 * 1) by (split; apply Rmult_le_compat; lra).
-    apply (holds_factor (0 + 24 + 8) (3 * (0 + / 1000) + / 1000000)); [apply holds_multiply; assumption || lra|lra|lra].
+  destruct (face_sine_2p_holds _ _ _ Hp) as [Hs HS]. split; [exact HL| |].
+  - apply (K_times_is R w K 46 (/ 100)); assumption || lra.
+  - apply (K_times_is R w K 24 (/ 1000)); assumption || lra.
 Qed.
 
 (* ---- The first stages ---- *)
 
 Definition bump_2p_of (R w K : binary32) (is_fused : bool) : binary64 -> binary64 -> FirstStage :=
   bump_2p is_fused (hi (height_2p R w)) (lo (height_2p R w)) (split_head (tangent_2p R w)) (split_tail (tangent_2p R w))
-    (to64 K) (K_sine_2p R w K) (K_cosine_2p R w K) (half_width w).
+    (to64 K) (K_times K (face_sine_2p R w)) (K_times K (face_cosine_2p R w)) (half_width w).
 
 (* Every answer of the first stage of bump-2p is right, for every input of the domain. *)
 Theorem bump_2p_first_stage_answers_right_for_all : forall is_fused R w K later x y z, parameters R w K -> valid x y z = true ->
