@@ -10,6 +10,7 @@
 
 #include "reference/enclosure.h"
 #include "reference/estimates.h"
+#include "reference/laws/with_law.h"
 #include "reference/numbers/tie.h"
 
 namespace forceshade::reference {
@@ -126,31 +127,26 @@ TEST(reference, is_free_or_invalid_with_nothing_to_enclose) {
   EXPECT_EQ(law.decimal({0, 0, 1}, 10).status, Status::free);
 }
 
-// The height of the law's surface, mm, for 2|x| <= w.
-long double surface_at(const Law& law, long double x) {
-  const BumpGeometry<Ball64>& g = law.geometry();
-  const long double R = g.R.mid(), w = g.w.mid(), ax = std::fabs(x);
-  switch (law.id()) {
-    case LawId::bump_2p: return g.h.mid() * (1 - 2 * ax / w);
-    case LawId::bump_3p:
-      return 2 * ax <= g.w_prime.mid() ? g.h_prime.mid() : g.h_prime.mid() * (w - 2 * ax) / (w - g.w_prime.mid());
-    default: return std::sqrt((R - x) * (R + x)) - g.d.mid();
-  }
+// The height of the surface on which the law's force begins, mm, for 2|x| <= w.
+float surface_at(const Law& law, double x) {
+  return with_law(law.id(), [&](auto its) {
+    return static_cast<float>(decltype(its)::Surface::height_at(law.geometry(), Ball64(x)).mid());
+  });
 }
 
 // Beside the surface 64 bits round some forces not. What is kept of other laws, parameters and precisions must not enter.
 TEST(reference, what_64_bits_do_not_round_is_the_force_that_they_enclose_whichever_laws_come_before) {
   std::vector<Law> laws;
-  for (const LawId id : {LawId::bump_2p, LawId::bump_3p, LawId::cylinder})
+  for (const LawName& name : kLaws)
     for (const Parameters& p : {Parameters{15.24F, 25.4F, 0.5F}, {15.24F, 25.4F, 0.7F}, {15.24F, 20, 0.5F}, {20, 25.4F, 0.5F}})
-      laws.push_back(build(id, p));
+      laws.push_back(build(name.id, p));
   std::mt19937_64 random(1);
   std::array<int, 3> methods{};
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < 20000; ++i) {
     const double share = static_cast<double>(random() >> 11) * 0x1p-54;
     for (const Law& law : laws) {
       const auto x = static_cast<float>(static_cast<double>(law.parameters().width) * share);
-      auto z = static_cast<float>(surface_at(law, static_cast<long double>(x)));
+      float z = surface_at(law, static_cast<double>(x));
       for (std::uint64_t step = random() % 3 + 1; step > 0; --step) z = std::nextafter(z, -1000.0F);
       const Rounded rounded = law.round_to_binary32({x, 0, z});
       ++methods[static_cast<std::size_t>(rounded.method)];
