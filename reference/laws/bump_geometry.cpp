@@ -88,7 +88,8 @@ const BumpGeometry<Enclosure>& recent_geometry(const Parameters& p, FlatTop top)
   const auto found = std::ranges::find(kept, of, &Kept::of);
   if (found != kept.end()) return found->geometry;
   if (kept.size() == kMost) kept.pop_front();
-  return kept.emplace_back(of, enclosing_geometry(p, top)).geometry;
+  kept.push_back({of, enclosing_geometry(p, top)});
+  return kept.back().geometry;
 }
 
 BumpGeometry<Exact> exact_geometry(const Parameters& p, FlatTop top) {

@@ -2,7 +2,6 @@
 #include "reference/meshes/crossings.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace forceshade::reference::meshes {
@@ -58,14 +57,16 @@ std::vector<Box> vertex_boxes(const Surface& surface) {
 }
 std::vector<Box> edge_boxes(const Surface& surface) {
   std::vector<Box> boxes;
-  for (const auto& [a, b] : surface.edges() | std::views::transform(&Edge::vertices))
-    boxes.push_back(Box(surface.vertices()[a]).join(Box(surface.vertices()[b])));
+  for (const Edge& edge : surface.edges())
+    boxes.push_back(Box(surface.vertices()[edge.vertices[0]]).join(Box(surface.vertices()[edge.vertices[1]])));
   return boxes;
 }
 std::vector<Box> triangle_boxes(const Surface& surface) {
   std::vector<Box> boxes;
-  for (const auto& [a, b, c] : surface.triangles() | std::views::transform(&Triangle::vertices))
+  for (const Triangle& triangle : surface.triangles()) {
+    const auto& [a, b, c] = triangle.vertices;
     boxes.push_back(Box(surface.vertices()[a]).join(Box(surface.vertices()[b])).join(Box(surface.vertices()[c])));
+  }
   return boxes;
 }
 
