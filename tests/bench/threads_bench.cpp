@@ -9,7 +9,6 @@
 #include <cstring>
 #include <string>
 #include <thread>
-#include <tuple>
 #include <vector>
 
 #include "fast/meshes/large_pages.h"
@@ -94,15 +93,20 @@ forceshade_subject mesh_of(const MeshWorkload& workload, const char* shading) {
   return made;
 }
 
+struct Paths {
+  const char *name, *shading;
+  bool is_in_contact;
+};
+
 // Each path begins somewhere else on the workload's, so that neighbours in the batch are far apart on the mesh.
-void advance(benchmark::State& state, int f, const char* shading, bool is_in_contact) {
+void advance(benchmark::State& state, int f, const Paths& paths) {
   const MeshWorkload workload = sphere_workload(f, 200'000, 200'000);
-  const forceshade_subject subject = mesh_of(workload, shading);
+  const forceshade_subject subject = mesh_of(workload, paths.shading);
   std::array<Points, kSteps + 1> at;
   for (std::size_t step = 0; step <= kSteps; ++step)
     for (std::size_t i = 0; i < kPaths; ++i) {
       const std::size_t k = (i * 7919 + step) % workload.contact.size();
-      at[step].push_back(is_in_contact && step > 0 ? workload.contact[k] : workload.free[k]);
+      at[step].push_back(paths.is_in_contact && step > 0 ? workload.contact[k] : workload.free[k]);
     }
   Points to(kPaths);
   Array<forceshade_state> states(kPaths);
@@ -132,10 +136,9 @@ const bool registered = [] {
   for (const char* law : {"wall", "bump-2p", "bump-3p-shaded", "cylinder"})
     add(std::string("forces/") + law, [law](benchmark::State& state) { forces(state, law); });
   for (const int f : {7, 71})
-    for (const auto& [name, shading, is_in_contact] :
-         {std::tuple{"contact", "none", true}, {"contact_shaded", "vertex", true}, {"free", "none", false}})
-      add("advance/" + std::to_string(20 * f * f) + "/" + name,
-          [f, shading, is_in_contact](benchmark::State& state) { advance(state, f, shading, is_in_contact); });
+    for (const Paths paths : {Paths{"contact", "none", true}, {"contact_shaded", "vertex", true}, {"free", "none", false}})
+      add("advance/" + std::to_string(20 * f * f) + "/" + paths.name,
+          [=](benchmark::State& state) { advance(state, f, paths); });
   return true;
 }();
 
