@@ -48,9 +48,10 @@ class Checks:
         return 1 if self.wrong or self.made < least else 0
 
 
-# What is said on a machine that is too busy for a run, which is then tried again.
+# What is said on a machine that is too busy for a run, which is then tried again. A hand that jumps in a frame that is late by some
+# 10 ms has only gone too fast.
 BUSY = ("too irregular", "no frame of the device came in time", "stopped the run: watchdog", "has not answered for", "no answer in time",
-        "did not answer within", "its watchdog got no force in time", "the servo loop has stood still")
+        "did not answer within", "its watchdog got no force in time", "the servo loop has stood still", "stopped the run: velocity")
 
 
 def at_once(run, names, most):
