@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <pthread.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <thread>
 #include <vector>
 
@@ -52,6 +54,11 @@ TEST(c_threads, that_the_system_does_not_start_leave_the_work_to_the_calling_one
     for (std::size_t i = 0; i < at.size(); i += 3)
       ASSERT_EQ(forceshade::tests::bits_of(&forces[i]), forceshade::tests::bits_of(&right[i])) << granted;
   }
+  // The struct of a program from before there were threads ends before their number.
+  calls = 0;
+  batch.size = offsetof(forceshade_batch, threads);
+  ASSERT_EQ(forceshade_forces(subject, &batch, nullptr), FORCESHADE_OK);
+  EXPECT_EQ(calls, 0);
   forceshade_subject_free(subject);
 }
 

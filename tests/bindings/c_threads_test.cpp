@@ -142,7 +142,11 @@ TEST_P(CThreads, advance_each_path_as_a_session_of_its_own) {
     Answers one(kPaths), three(kPaths);
     forceshade_batch batch = batch_of(walks.at, one.forces, one.statuses);
     ASSERT_EQ(forceshade_advance(subject, states.data(), &batch, &one.invalid), FORCESHADE_OK) << forceshade_message();
+    std::vector<float> apart(4 * kPaths);  // with a number between two positions, so that they are taken in blocks
+    for (std::size_t i = 0; i < kPaths; ++i) std::copy_n(&walks.at[3 * i], 3, &apart[4 * i]);
     batch = batch_of(walks.at, three.forces, three.statuses);
+    batch.positions = apart.data();
+    batch.position_stride = 16;
     batch.threads = 3;
     ASSERT_EQ(forceshade_advance(subject, &longer[0].its, &batch, &three.invalid), FORCESHADE_OK);
     EXPECT_TRUE(one == three);
