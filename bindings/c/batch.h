@@ -72,4 +72,20 @@ std::size_t for_each_block(const forceshade_batch& batch, const Answer& answer) 
   return sum;
 }
 
+// Writes what evaluate(position, index) gives for one position after the other. Returns how many were invalid.
+template <class Evaluate>
+std::size_t answer_each(const forceshade_batch& batch, const Evaluate& evaluate) noexcept {
+  std::size_t index = 0;
+  return for_each_block(batch, [&](auto positions, auto forces, auto statuses) noexcept {
+    std::size_t invalid = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const fast::Evaluation answer = evaluate(positions[i], index++);
+      forces[i] = answer.force;
+      invalid += answer.status == Status::invalid ? 1 : 0;
+      if (!statuses.empty()) statuses[i] = status_of(answer);
+    }
+    return invalid;
+  });
+}
+
 }  // namespace forceshade::c

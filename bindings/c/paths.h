@@ -19,20 +19,11 @@ std::size_t advance(const Subject& subject, const forceshade_batch& batch, const
   const auto* const god_object = std::get_if<fast::GodObject>(&subject.field);
   if (god_object == nullptr) return forces_of(subject, batch);
   return in_parts(batch, [&](const forceshade_batch& part, std::size_t begin) noexcept {
-    return for_each_block(part, [&](auto positions, auto forces, auto statuses) noexcept {
-      std::size_t invalid = 0;
-      for (std::size_t i = 0; i < positions.size(); ++i) {
-        auto& state = state_of(begin + i);
-        const Eigen::Vector3f& p = positions[i];
-        const mesh::Tick tick = god_object->tick(god_object_of(state), {p.x(), p.y(), p.z()});
-        put(tick.after, state);
-        const fast::Evaluation answer = fast::evaluation_of(tick, fast::Stage::binary64);
-        forces[i] = answer.force;
-        invalid += answer.status == Status::invalid ? 1 : 0;
-        if (!statuses.empty()) statuses[i] = status_of(answer);
-      }
-      begin += positions.size();
-      return invalid;
+    return answer_each(part, [&](const Eigen::Vector3f& p, std::size_t index) noexcept {
+      auto& state = state_of(begin + index);
+      const mesh::Tick tick = god_object->tick(god_object_of(state), {p.x(), p.y(), p.z()});
+      put(tick.after, state);
+      return fast::evaluation_of(tick, fast::Stage::binary64);
     });
   });
 }

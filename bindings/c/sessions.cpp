@@ -60,16 +60,8 @@ forceshade_result forceshade_session_steps(forceshade_session session, const for
   if (const forceshade_result wrong = check(batch); wrong != FORCESHADE_OK) return wrong;
   const Entered entered(sessions.table, session.handle);
   if (!entered) return entered.result;
-  const std::size_t outside = for_each_block(*batch, [&](auto positions, auto forces, auto statuses) noexcept {
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      const fast::Evaluation answer = entered->step(positions[i]);
-      forces[i] = answer.force;
-      found += answer.status == Status::invalid ? 1 : 0;
-      if (!statuses.empty()) statuses[i] = status_of(answer);
-    }
-    return found;
-  });
+  const std::size_t outside =
+      answer_each(*batch, [&](const Eigen::Vector3f& position, std::size_t) noexcept { return entered->step(position); });
   if (invalid != nullptr) *invalid = outside;
   return FORCESHADE_OK;
 }

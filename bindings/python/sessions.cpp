@@ -63,16 +63,10 @@ std::size_t steps(Session& session, const Floats& positions, Floats& forces, std
   const py::gil_scoped_release released;
   std::size_t invalid = 0;
   batches.for_each([&](const forceshade_batch& batch) {
-    invalid += c::for_each_block(batch, [&](auto at, auto to, auto said) noexcept {
-      std::size_t found = 0;
-      for (std::size_t i = 0; i < at.size(); ++i) {
-        const fast::Evaluation answer = session.path.step(at[i]);
-        to[i] = answer.force;
-        session.status = c::status_of(answer);
-        found += session.status == FORCESHADE_INVALID ? 1 : 0;
-        if (!said.empty()) said[i] = session.status;
-      }
-      return found;
+    invalid += c::answer_each(batch, [&](const Eigen::Vector3f& position, std::size_t) noexcept {
+      const fast::Evaluation answer = session.path.step(position);
+      session.status = c::status_of(answer);
+      return answer;
     });
   });
   return invalid;

@@ -12,7 +12,7 @@ enum class FlatTop { needed, not_needed };
 
 // The geometry from the printed formulas, θ = (2/3) arcsin(w/2R), at the precision last set by set_precision().
 BumpGeometry<Enclosure> enclosing_geometry(const Parameters& parameters, FlatTop top = FlatTop::needed);
-// The same, kept for the few parameters and precisions that were asked for last: points come law by law.
+// The same, kept for the few parameters and precisions of the last calls: points come law by law.
 const BumpGeometry<Enclosure>& recent_geometry(const Parameters& parameters, FlatTop top);
 Enclosure enclosing_theta(const Parameters& parameters);
 
