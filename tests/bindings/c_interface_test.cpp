@@ -16,6 +16,7 @@
 #include "forceshade/fast.h"
 #include "forceshade/law.h"
 #include "tests/bindings/batches.h"
+#include "tests/bindings/tetrahedron.h"
 #include "tests/support/allocations.h"
 #include "tests/support/temporary_directory.h"
 
@@ -165,24 +166,9 @@ TEST(c_interface, makes_a_height_map_of_samples_however_they_lie) {
   for (const forceshade_subject subject : {rows, columns, spline}) forceshade_subject_free(subject);
 }
 
-constexpr std::array<float, 12> kTetrahedron{0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9};
-constexpr std::array<std::uint32_t, 12> kFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
-
 forceshade_subject tetrahedron(const char* shading) {
-  const forceshade_mesh mesh{.size = sizeof mesh,
-                             .vertices = kTetrahedron.data(),
-                             .vertex_count = 4,
-                             .triangles = kFaces.data(),
-                             .triangle_count = 4,
-                             .sides = nullptr,
-                             .shading = shading,
-                             .contact = nullptr,
-                             .crease = 180,
-                             .stiffness = 0.5F,
-                             .self_intersecting = 0,
-                             .materials = nullptr,
-                             .material_count = 0,
-                             .material_of_triangle = nullptr};
+  forceshade_mesh mesh = tests::tetrahedron_mesh();
+  mesh.shading = shading;
   forceshade_subject made{};
   EXPECT_EQ(forceshade_mesh_new(&mesh, &made), FORCESHADE_OK) << forceshade_message();
   return made;

@@ -11,26 +11,17 @@
 #include <string>
 
 #include "forceshade.h"
+#include "tests/bindings/tetrahedron.h"
 
 namespace forceshade {
 namespace {
 
-constexpr std::array<float, 12> kVertices{0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9};
-constexpr std::array<std::uint32_t, 12> kFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
 constexpr std::array<std::uint32_t, 4> kSecondAtTheEnd{0, 0, 0, 1};
 constexpr std::array<forceshade_material, 2> kRoughAndStiff{
     {{sizeof(forceshade_material), 0, 0.5F, 0.25F}, {sizeof(forceshade_material), 2, 0, 0}}};
 
 forceshade_mesh with_materials(const forceshade_material* materials, std::size_t count) {
-  forceshade_mesh its{};
-  its.size = sizeof its;
-  its.vertices = kVertices.data();
-  its.vertex_count = 4;
-  its.triangles = kFaces.data();
-  its.triangle_count = 4;
-  its.shading = "none";
-  its.crease = 180;
-  its.stiffness = 0.5F;
+  forceshade_mesh its = tests::tetrahedron_mesh();
   its.materials = materials;
   its.material_count = count;
   return its;

@@ -12,6 +12,7 @@
 
 #include "forceshade.h"
 #include "tests/bindings/batches.h"
+#include "tests/bindings/tetrahedron.h"
 
 namespace {
 
@@ -29,21 +30,12 @@ forceshade_subject law_of(const char* name) {
 }
 
 forceshade_subject tetrahedron(bool has_friction) {
-  constexpr std::array<float, 12> kVertices{0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9};
-  constexpr std::array<std::uint32_t, 12> kFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
   forceshade_material rough{};
   rough.size = sizeof rough;
   rough.static_friction = 0.6F;
   rough.dynamic_friction = 0.3F;
-  forceshade_mesh mesh{};
-  mesh.size = sizeof mesh;
-  mesh.vertices = kVertices.data();
-  mesh.vertex_count = 4;
-  mesh.triangles = kFaces.data();
-  mesh.triangle_count = 4;
-  mesh.shading = has_friction ? "vertex" : "none";
-  mesh.crease = 180;
-  mesh.stiffness = 0.5F;
+  forceshade_mesh mesh = forceshade::tests::tetrahedron_mesh();
+  if (has_friction) mesh.shading = "vertex";
   mesh.materials = &rough;
   mesh.material_count = has_friction ? 1 : 0;
   forceshade_subject made{};
