@@ -4,6 +4,7 @@ From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Poly
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart.
+From Forceshade Require Import MeshBounds MeshDecisions.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -58,3 +59,55 @@ Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.
 Print Assumptions accepted_candidate_is_nearest.
+Print Assumptions distance_in_cube.
+Print Assumptions area_in_cube.
+Print Assumptions volume_in_cube.
+Print Assumptions grid_of_triangle_is_gridded.
+Print Assumptions side_of_plane_fits.
+Print Assumptions along_edge_fits.
+Print Assumptions along_edge_from_grid_fits.
+Print Assumptions inside_fits.
+Print Assumptions inside_from_grid_fits.
+Print Assumptions two_edges_fit.
+Print Assumptions edge_and_triangle_fit.
+Print Assumptions two_triangles_fit.
+Print Assumptions on_edge_fits.
+Print Assumptions plane_from_grid_fits.
+Print Assumptions way_across_plane_fits.
+Print Assumptions passes_edge_fits.
+Print Assumptions two_crossings_fit.
+Print Assumptions crossed_edge_fits.
+Print Assumptions crossed_triangle_fits.
+Print Assumptions distance_fits.
+Print Assumptions foot_on_edge_fits.
+Print Assumptions foot_in_triangle_fits.
+Print Assumptions beside_a_sheet_fits.
+Print Assumptions foot_on_a_sheet_fits.
+Print Assumptions two_crossings_in_a_plane_fit.
+Print Assumptions part_of_a_way_fits.
+Print Assumptions sticking_in_a_triangle_fits.
+Print Assumptions sticking_along_an_edge_fits.
+Print Assumptions share_in_a_triangle_fits.
+Print Assumptions share_along_an_edge_fits.
+Print Assumptions keeping_the_bit_fits.
+Print Assumptions parameters_of_foot.
+Print Assumptions foot_is_inside.
+Print Assumptions parameter_of_foot_on_edge.
+Print Assumptions distance_off_plane.
+Print Assumptions no_direction_in_a_plane_is_nearer.
+Print Assumptions the_projection_is_nearest.
+Print Assumptions signed_squares_are_in_order.
+Print Assumptions two_edges_in_order.
+Print Assumptions edge_and_triangle_in_order.
+Print Assumptions two_triangles_in_order.
+Print Assumptions on_plane.
+Print Assumptions on_line.
+Print Assumptions parameters_of_projection.
+Print Assumptions crossing_of_a_plane.
+Print Assumptions parameters_of_crossing.
+Print Assumptions force_is_compared_by_squares.
+Print Assumptions sticking_in_a_triangle.
+Print Assumptions sticking_along_an_edge.
+Print Assumptions share_in_a_triangle.
+Print Assumptions share_along_an_edge.
+Print Assumptions keeping_the_bit.

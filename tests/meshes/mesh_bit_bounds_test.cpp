@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <random>
+#include <regex>
 #include <sstream>
 
 #include "reference/meshes/surface.h"
@@ -95,15 +96,33 @@ const std::vector<Row>& rows() {
   return all;
 }
 
-TEST(mesh_bit_bounds, the_table_in_the_documentation_has_these_rows) {
-  std::ifstream page(std::string(FORCESHADE_SOURCE_DIR "/docs/proofs.md"));
+std::string text_of(const std::string& file) {
+  std::ifstream in(FORCESHADE_SOURCE_DIR "/" + file);
   std::stringstream text;
-  text << page.rdbuf();
+  text << in.rdbuf();
+  return text.str();
+}
+
+TEST(mesh_bit_bounds, the_table_in_the_documentation_has_these_rows) {
+  const std::string page = text_of("docs/proofs.md");
   for (const Row& row : rows()) {
     const std::string expected = std::string("| ") + row.quantity + " | 2^-" + std::to_string(row.unit) + " | " +
                                  std::to_string(bits_of(row.size2, row.unit)) + " |";
-    EXPECT_NE(text.str().find(expected), std::string::npos) << expected;
+    EXPECT_NE(page.find(expected), std::string::npos) << expected;
   }
+}
+
+// Each theorem of the table stands below the row that it proves, with the numbers of that row.
+TEST(mesh_bit_bounds, theorems_in_coq_have_the_numbers_of_the_documentation) {
+  const std::string pages = text_of("docs/proofs.md") + text_of("docs/friction.md"), proofs = text_of("proofs/MeshBounds.v");
+  const std::regex theorem(R"(\(\* (\|.*\| 2\^-(\d+) \| (\d+) \|) \*\)\nTheorem [^.]*?fits (\d+) (\d+))");
+  int found = 0;
+  for (std::sregex_iterator one(proofs.begin(), proofs.end(), theorem), end; one != end; ++one, ++found) {
+    EXPECT_NE(pages.find((*one)[1]), std::string::npos) << (*one)[1];
+    EXPECT_EQ((*one)[2], (*one)[4]) << (*one)[1];
+    EXPECT_EQ((*one)[3], (*one)[5]) << (*one)[1];
+  }
+  EXPECT_EQ(found, 27);
 }
 
 // What the determinants come to where the bound is met: the bound is not too large by a bit.
