@@ -26,6 +26,8 @@ class Chunk {
       : renderer_(subject.renderer()), wrong_(count) {
     const auto session = renderer_.open();
     const auto reference = subject.open_reference();
+    positions_.reserve(count);
+    exact_.reserve(count);
     for (std::uint64_t i = 0; i < count; ++i) {
       const Aimed aimed = source.next();
       positions_.push_back(aimed.position);

@@ -9,10 +9,17 @@
 #include "reference/laws/slow_geometry.h"
 #include "reference/laws/with_law.h"
 #include "reference/numbers/decimal.h"
+#include "reference/numbers/enclosure192.h"
 #include "reference/numbers/tie.h"
 #include "reference/position.h"
 
 namespace forceshade::reference {
+
+struct LawGeometry {
+  BumpGeometry<Ball64> in_64_bits;
+  BumpGeometry<Enclosure192> in_192_bits;
+};
+
 namespace {
 
 struct Point {
@@ -21,12 +28,13 @@ struct Point {
   explicit Point(const Eigen::Vector3f& position) : x(quantised(position.x())), z(quantised(position.z())) {}
 };
 
-// Throws Undecided where 64 bits do not decide. facet: is set where they decide it at least.
-Law::Estimate filtered(LawId id, const BumpGeometry<Ball64>& geometry, const Point& point, std::optional<Facet>& facet) {
+// Throws Undecided where N does not decide. facet: is set where N decides it at least, and is believed where it is set.
+template <class N>
+Force<N> force_at(LawId id, const BumpGeometry<N>& geometry, const Point& point, std::optional<Facet>& facet) {
   return with_law(id, [&](auto law) {
-    const Ball64 x(point.x), z(point.z);
-    facet = law.template facet<Ball64>(geometry, x, z);
-    return Law::Estimate{*facet, law.template force<Ball64>(*facet, geometry, x, z)};
+    const N x(point.x), z(point.z);
+    if (!facet) facet = law.template facet<N>(geometry, x, z);
+    return law.template force<N>(*facet, geometry, x, z);
   });
 }
 
@@ -53,7 +61,7 @@ class SlowForce {
   // At the precision in force.
   Force<Enclosure> enclose() const {
     return with_law(id_, [&](auto law) {
-      return law.template force<Enclosure>(facet_, recent_geometry(parameters_, top_), Enclosure(point_.x),
+      return law.template force<Enclosure>(facet_, enclosing_geometry(parameters_, top_), Enclosure(point_.x),
                                            Enclosure(point_.z));
     });
   }
@@ -98,28 +106,19 @@ Component round_exactly(const Enclosure& enclosed, const Exact& exact) {
   return {rounded_between(below, above, (exact - Exact(tie)).sign()), Method::exact};
 }
 
-// Widens until the enclosures decide both components; what 768 bits leave open the exact numbers do. facet: where 64 bits have
-// decided it.
+// By an enclosure of 768 bits; what that leaves open the exact numbers decide. facet: where an enclosure has decided it.
 Rounded round_slowly(LawId id, const Parameters& p, const Point& point, std::optional<Facet> facet) {
   const std::lock_guard lock(exact_arithmetic);
   const SlowForce force(id, p, point, facet);
   if (force.facet() == Facet::none) return {{0, 0, 0}, Status::free, Method::exact};
-  std::optional<Component> x, z;
-  std::optional<Force<Enclosure>> enclosed;
-  for (const unsigned bits : {192U, 768U}) {
-    set_precision(bits);
-    enclosed.emplace(force.enclose());
-    const auto decide = [](std::optional<Component>& component, const Enclosure& value) {
-      if (component) return;
-      if (const auto agreed = agreed_binary32(value)) component = {*agreed, Method::enclosure};
-    };
-    decide(x, enclosed->x);
-    decide(z, enclosed->z);
-    if (x && z) break;
-  }
-  if (!x) x = round_exactly(enclosed->x, force.exact().x);
-  if (!z) z = round_exactly(enclosed->z, force.exact().z);
-  return {{x->value, 0, z->value}, Status::contact, std::max(x->method, z->method), 0};
+  set_precision(768);
+  const Force<Enclosure> enclosed = force.enclose();
+  const auto rounded = [&](Enclosure Force<Enclosure>::*component, Exact Force<Exact>::*exact) -> Component {
+    if (const auto agreed = agreed_binary32(enclosed.*component)) return {*agreed, Method::enclosure};
+    return round_exactly(enclosed.*component, force.exact().*exact);
+  };
+  const Component x = rounded(&Force<Enclosure>::x, &Force<Exact>::x), z = rounded(&Force<Enclosure>::z, &Force<Exact>::z);
+  return {{x.value, 0, z.value}, Status::contact, std::max(x.method, z.method), 0};
 }
 
 std::optional<ParameterError> first_error(LawId id, const Parameters& p) {
@@ -163,7 +162,16 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
   Parameters used = p;
   if (!has_bump_geometry(id)) used.radius = used.width = 1;  // never looked at
   const std::lock_guard lock(exact_arithmetic);
-  return Law(id, used, std::make_shared<const BumpGeometry<Ball64>>(filter_geometry(used)));
+  set_precision(512);
+  const BumpGeometry<Enclosure> geometry = enclosing_geometry(used);
+  return Law(
+      id, used,
+      std::make_shared<const LawGeometry>(LawGeometry{
+          converted(geometry, filter_of), converted(geometry, [](const Enclosure& value) { return Enclosure192(value); })}));
+}
+
+const BumpGeometry<Ball64>& Law::geometry() const {
+  return geometry_->in_64_bits;
 }
 
 Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
@@ -171,11 +179,16 @@ Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
   const Point point(position);
   std::optional<Facet> facet;
   try {
-    const Estimate quick = filtered(id_, *geometry_, point, facet);
-    if (quick.facet == Facet::none) return {};
-    const float x = quick.force.x.round(), z = quick.force.z.round();
-    return {
-        {x, 0, z}, Status::contact, Method::filter, std::min(ulps_from_tie(quick.force.x, x), ulps_from_tie(quick.force.z, z))};
+    const Force<Ball64> force = force_at(id_, geometry_->in_64_bits, point, facet);
+    if (facet == Facet::none) return {};
+    const float x = force.x.round(), z = force.z.round();
+    return {{x, 0, z}, Status::contact, Method::filter, std::min(ulps_from_tie(force.x, x), ulps_from_tie(force.z, z))};
+  } catch (const Undecided&) {
+  }
+  try {
+    const Force<Enclosure192> force = force_at(id_, geometry_->in_192_bits, point, facet);
+    if (facet == Facet::none) return {{0, 0, 0}, Status::free, Method::enclosure};
+    return {{force.x.round(), 0, force.z.round()}, Status::contact, Method::enclosure, 0};
   } catch (const Undecided&) {
     return round_slowly(id_, parameters_, point, facet);
   }
@@ -231,7 +244,13 @@ Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
   const Point point(position);
   std::optional<Facet> facet;
   try {
-    return filtered(id_, *geometry_, point, facet);
+    const Force<Ball64> force = force_at(id_, geometry_->in_64_bits, point, facet);
+    return {*facet, force};
+  } catch (const Undecided&) {
+  }
+  try {
+    const Force<Enclosure192> force = force_at(id_, geometry_->in_192_bits, point, facet);
+    return {*facet, {force.x.to_64_bits(), force.z.to_64_bits(), force.magnitude.to_64_bits()}};
   } catch (const Undecided&) {
     const std::lock_guard lock(exact_arithmetic);
     set_precision(256);

@@ -70,8 +70,9 @@ DecimalGeometry geometry(const Parameters& parameters, unsigned digits);
 class Ball64;  // reference/numbers/ball64.h
 template <class N>
 struct BumpGeometry;  // reference/laws/bump_geometry.h
+struct LawGeometry;   // reference/law.cpp
 
-// A law's exact force. Immutable and safe to share between threads; whatever the filter cannot decide is done under one lock.
+// A law's exact force. Immutable and safe to share between threads; what 192 bits do not decide is done under one lock.
 class Law {
  public:
   // The domain of fast::Law::build, stated on its own.
@@ -92,15 +93,15 @@ class Law {
   // For this program's own properties: reference/estimates.h.
   struct Estimate;
   Estimate estimate(const Eigen::Vector3f& position) const;
-  const BumpGeometry<Ball64>& geometry() const { return *geometry_; }
+  const BumpGeometry<Ball64>& geometry() const;
 
  private:
-  Law(LawId id, const Parameters& parameters, std::shared_ptr<const BumpGeometry<Ball64>> geometry)
+  Law(LawId id, const Parameters& parameters, std::shared_ptr<const LawGeometry> geometry)
       : id_(id), parameters_(parameters), geometry_(std::move(geometry)) {}
 
   LawId id_;
   Parameters parameters_;
-  std::shared_ptr<const BumpGeometry<Ball64>> geometry_;
+  std::shared_ptr<const LawGeometry> geometry_;
 };
 
 // A height map's exact force. Immutable and safe to share between threads.

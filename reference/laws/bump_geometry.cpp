@@ -5,9 +5,6 @@
 #include <CGAL/CORE_BigInt.h>
 #include <CGAL/CORE_arithmetic_kernel.h>
 
-#include <algorithm>
-#include <list>
-#include <tuple>
 #include <vector>
 
 #include "reference/laws/slow_geometry.h"
@@ -76,22 +73,6 @@ BumpGeometry<Enclosure> enclosing_geometry(const Parameters& p, FlatTop top) {
   return g;
 }
 
-// It is guarded by exact_arithmetic, which the callers hold.
-const BumpGeometry<Enclosure>& recent_geometry(const Parameters& p, FlatTop top) {
-  struct Kept {
-    std::tuple<float, float, float, FlatTop, unsigned> of;  // with the precision
-    BumpGeometry<Enclosure> geometry;
-  };
-  constexpr std::size_t kMost = 8;
-  static std::list<Kept> kept;  // the oldest first
-  const std::tuple of(p.radius, p.width, p.stiffness, top, Enclosure::default_precision());
-  const auto found = std::ranges::find(kept, of, &Kept::of);
-  if (found != kept.end()) return found->geometry;
-  if (kept.size() == kMost) kept.pop_front();
-  kept.push_back({of, enclosing_geometry(p, top)});
-  return kept.back().geometry;
-}
-
 BumpGeometry<Exact> exact_geometry(const Parameters& p, FlatTop top) {
   BumpGeometry<Exact> g;
   g.R = Exact(static_cast<double>(p.radius));
@@ -105,13 +86,6 @@ BumpGeometry<Exact> exact_geometry(const Parameters& p, FlatTop top) {
   g.w_prime = Exact(2) * g.R * t;
   g.h_prime = g.w_prime * (Exact(2) * t * sqrt((Exact(1) - t) * (Exact(1) + t)));  // w′ sin θ
   return g;
-}
-
-BumpGeometry<Ball64> filter_geometry(const Parameters& p) {
-  set_precision(512);
-  const BumpGeometry<Enclosure> g = enclosing_geometry(p);
-  return {filter_of(g.R), filter_of(g.w),       filter_of(g.K),      filter_of(g.d),
-          filter_of(g.h), filter_of(g.w_prime), filter_of(g.h_prime)};
 }
 
 }  // namespace forceshade::reference

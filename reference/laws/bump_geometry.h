@@ -3,7 +3,6 @@
 // The geometry of a bump: R, w and K as given, and d, h, w′, h′ as the thesis defines them (4.2 to 4.4.3).
 
 #include "forceshade/law.h"
-#include "reference/numbers/ball64.h"
 
 namespace forceshade::reference {
 
@@ -16,7 +15,11 @@ struct BumpGeometry {
   N h_prime;  // mm: height of the flat top
 };
 
-// To about 19 digits, from the enclosing geometry (slow_geometry.h) rounded outwards.
-BumpGeometry<Ball64> filter_geometry(const Parameters& parameters);
+// The same geometry in other numbers.
+template <class N, class Convert>
+auto converted(const BumpGeometry<N>& g, const Convert& convert) {
+  return BumpGeometry<decltype(convert(g.R))>{convert(g.R), convert(g.w),       convert(g.K),      convert(g.d),
+                                              convert(g.h), convert(g.w_prime), convert(g.h_prime)};
+}
 
 }  // namespace forceshade::reference

@@ -3,6 +3,7 @@
 // The geometry of a bump in the two slow number types. Callers hold exact_arithmetic.
 
 #include "reference/laws/bump_geometry.h"
+#include "reference/numbers/ball64.h"
 #include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
@@ -12,8 +13,6 @@ enum class FlatTop { needed, not_needed };
 
 // The geometry from the printed formulas, θ = (2/3) arcsin(w/2R), at the precision last set by set_precision().
 BumpGeometry<Enclosure> enclosing_geometry(const Parameters& parameters, FlatTop top = FlatTop::needed);
-// The same, kept for the few parameters and precisions of the last calls: points come law by law.
-const BumpGeometry<Enclosure>& recent_geometry(const Parameters& parameters, FlatTop top);
 Enclosure enclosing_theta(const Parameters& parameters);
 
 // The geometry from t = sin(α/3): the root of 4t³ - 3t + w/2R in (0, ½], isolated by CGAL's algebraic kernel.
