@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,8 +23,7 @@ namespace forceshade::properties {
 // wrong for the first of its calls that is.
 class Chunk {
  public:
-  Chunk(const Subject& subject, Positions& source, std::uint64_t count, Tally& tally)
-      : renderer_(subject.renderer()), wrong_(count) {
+  Chunk(const Subject& subject, Positions& source, std::uint64_t count, Tally& tally) : renderer_(subject.renderer()) {
     const auto session = renderer_.open();
     const auto reference = subject.open_reference();
     positions_.reserve(count);
@@ -60,8 +60,7 @@ class Chunk {
 
   // number: of the chunk; who: put before the words.
   void count_mismatches(std::uint64_t number, const std::string& who, Tally& tally) {
-    for (std::optional<std::string>& words : wrong_)
-      if (words) tally.mismatch(number, who + *words);
+    for (const auto& [i, words] : wrong_) tally.mismatch(number, who + words);
   }
 
  private:
@@ -115,14 +114,12 @@ class Chunk {
     }
   }
 
-  void fault(std::size_t i, std::string words) {
-    if (!wrong_[i]) wrong_[i] = std::move(words);
-  }
+  void fault(std::size_t i, std::string words) { wrong_.try_emplace(i, std::move(words)); }
 
   const Renderer& renderer_;
   std::vector<Eigen::Vector3f> positions_;
   std::vector<reference::Rounded> exact_;
-  std::vector<std::optional<std::string>> wrong_;
+  std::map<std::size_t, std::string> wrong_;  // of a position: the first of its faults
   bool is_explained_ = false;
 };
 

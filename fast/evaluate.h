@@ -26,12 +26,18 @@ struct Built {
 
   explicit Built(const Parameters& p) noexcept
       : geometry(Definition::template geometry<DoubleDouble>(p)), definition(p, geometry) {}
+
+  // As a definition's exact() takes it.
+  auto kept_geometry() const noexcept {
+    return [this]() -> const auto& {
+      return geometry;
+    };
+  }
 };
 
 // The answer of a ball stage, where it can decide.
-template <class N, class Definition>
-std::optional<Evaluation> decide(const Definition& law, const Parameters& p,
-                                 const typename Definition::template Geometry<N>& geometry, float x, float z,
+template <class N, class Definition, class GeometryOf>
+std::optional<Evaluation> decide(const Definition& law, const Parameters& p, const GeometryOf& geometry, float x, float z,
                                  Stage stage) noexcept {
   const Outcome<N> outcome = law.template exact<N>(p, geometry, x, z);
   if (outcome.contact == Sign::unknown) return std::nullopt;
@@ -46,7 +52,8 @@ std::optional<Evaluation> decide(const Definition& law, const Parameters& p,
 template <class Definition>
 [[gnu::noinline]] Evaluation evaluate_wide(const Definition& law, const Parameters& p, float x, float z) noexcept {
   using N = BigFloatBall<Definition::kWideLimbs>;
-  return decide<N>(law, p, Definition::template geometry<N>(p), x, z, Stage::wide).value_or(undecided_evaluation());
+  const auto geometry = [&p] { return Definition::template geometry<N>(p); };
+  return decide<N>(law, p, geometry, x, z, Stage::wide).value_or(undecided_evaluation());
 }
 
 // p: those the law was built from.
@@ -63,7 +70,7 @@ Evaluation evaluate(const Built<Definition>& law, const Parameters& p, const Eig
     if (!rounding_is_in_doubt<kWindow>(first.x) && !rounding_is_in_doubt<kWindow>(first.z))
       return {{static_cast<float>(first.x) + 0.0F, 0, static_cast<float>(first.z) + 0.0F}, Status::contact, Stage::binary64};
   }
-  const auto second = decide<DoubleDouble>(law.definition, p, law.geometry, x, z, Stage::double_double);
+  const auto second = decide<DoubleDouble>(law.definition, p, law.kept_geometry(), x, z, Stage::double_double);
   return second ? *second : evaluate_wide(law.definition, p, x, z);
 }
 

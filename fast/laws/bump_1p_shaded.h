@@ -32,8 +32,8 @@ struct Bump1pShaded {
     return {force.x, force.z, z < Real(0), never<Real>()};
   }
 
-  template <class N>
-  static Outcome<N> exact(const Parameters& p, const Wall::NoGeometry&, float x, float z) noexcept {
+  template <class N, class GeometryOf>
+  static Outcome<N> exact(const Parameters& p, const GeometryOf&, float x, float z) noexcept {
     if (2 * __builtin_fabsf(x) > p.width) return on_plane<N>(p.stiffness, z);
     return along_shaded(N::exactly(-static_cast<double>(z)), p.stiffness, p.radius, x);
   }

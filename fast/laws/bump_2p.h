@@ -41,10 +41,11 @@ struct Bump2p {
     return {value * slope, value * select(on_side, Real(K_cosine), Real(K)), value > Real(0), doubt};
   }
 
-  template <class N>
-  static Outcome<N> exact(const Parameters& p, const BumpFace<N>& face, float x, float z) noexcept {
+  template <class N, class GeometryOf>
+  static Outcome<N> exact(const Parameters& p, const GeometryOf& geometry, float x, float z) noexcept {
     const float ax = __builtin_fabsf(x);
     if (2 * ax > p.width) return on_plane<N>(p.stiffness, z);
+    const BumpFace<N>& face = geometry();
     return along(side_gap(face, p.width, ax, z), p.stiffness, x < 0 ? -face.sine : face.sine, face.cosine);
   }
 };

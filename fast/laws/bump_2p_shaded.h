@@ -37,10 +37,12 @@ struct Bump2pShaded {
     return {force.x, force.z, value > Real(0), doubt};
   }
 
-  template <class N>
-  static Outcome<N> exact(const Parameters& p, const BumpFace<N>& face, float x, float z) noexcept {
+  template <class N, class GeometryOf>
+  static Outcome<N> exact(const Parameters& p, const GeometryOf& geometry, float x, float z) noexcept {
     const float ax = __builtin_fabsf(x);
     if (2 * ax > p.width) return on_plane<N>(p.stiffness, z);
+    if (2 * ax == p.width) return along_shaded(at_foot<N>(z), p.stiffness, p.radius, x);
+    const BumpFace<N>& face = geometry();
     return along_shaded(side_gap(face, p.width, ax, z), p.stiffness, p.radius, x);
   }
 };

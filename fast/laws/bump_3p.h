@@ -46,10 +46,11 @@ struct Bump3p {
     return {value * slope, value * select(on_side, Real(K_cosine), Real(K)), value > Real(0), doubt};
   }
 
-  template <class N>
-  Outcome<N> exact(const Parameters& p, const ThreePolygons<N>& g, float x, float z) const noexcept {
+  template <class N, class GeometryOf>
+  Outcome<N> exact(const Parameters& p, const GeometryOf& geometry, float x, float z) const noexcept {
     const float ax = __builtin_fabsf(x);
     if (2 * ax > p.width) return on_plane<N>(p.stiffness, z);
+    const ThreePolygons<N>& g = geometry();
     if (ax <= half_top) {
       return along(g.height - N::exactly(static_cast<double>(z)), p.stiffness, N::exactly(0), N::exactly(1));
     }

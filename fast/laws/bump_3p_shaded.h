@@ -42,10 +42,12 @@ struct Bump3pShaded {
     return {force.x, force.z, value > Real(0), doubt};
   }
 
-  template <class N>
-  Outcome<N> exact(const Parameters& p, const ThreePolygons<N>& g, float x, float z) const noexcept {
+  template <class N, class GeometryOf>
+  Outcome<N> exact(const Parameters& p, const GeometryOf& geometry, float x, float z) const noexcept {
     const float ax = __builtin_fabsf(x);
     if (2 * ax > p.width) return on_plane<N>(p.stiffness, z);
+    if (2 * ax == p.width) return along_shaded(at_foot<N>(z), p.stiffness, p.radius, x);
+    const ThreePolygons<N>& g = geometry();
     const N gap = ax <= half_top ? g.height - N::exactly(static_cast<double>(z)) : side_gap(g.face, p.width, ax, z);
     return along_shaded(gap, p.stiffness, p.radius, x);
   }

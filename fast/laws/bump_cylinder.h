@@ -22,9 +22,9 @@ struct BumpCylinder : Cylinder {
     return {cylinder.x, cylinder.z + from_wall, contact, doubt};
   }
 
-  template <class N>
-  static Outcome<N> exact(const Parameters& p, const N& depth, float x, float z) noexcept {
-    const Outcome<N> cylinder = Cylinder::exact(p, depth, x, z);
+  template <class N, class GeometryOf>
+  static Outcome<N> exact(const Parameters& p, const GeometryOf& geometry, float x, float z) noexcept {
+    const Outcome<N> cylinder = Cylinder::exact<N>(p, geometry, x, z);
     if (cylinder.contact == Sign::unknown || z >= 0) return cylinder;
     const Outcome<N> wall = on_plane<N>(p.stiffness, z);
     if (cylinder.contact != Sign::positive) return wall;

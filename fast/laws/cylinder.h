@@ -67,8 +67,9 @@ struct Cylinder {
     return {scale * x, scale * l, v > Real(0), absolute(v) < least_v};
   }
 
-  template <class N>
-  static Outcome<N> exact(const Parameters& p, const N& depth, float x, float z) noexcept {
+  template <class N, class GeometryOf>
+  static Outcome<N> exact(const Parameters& p, const GeometryOf& geometry, float x, float z) noexcept {
+    const N& depth = geometry();
     const N R = N::exactly(static_cast<double>(p.radius));
     const N K = N::exactly(static_cast<double>(p.stiffness));
     const N half = N::exactly(0.5 * static_cast<double>(p.width));

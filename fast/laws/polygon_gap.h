@@ -50,6 +50,12 @@ N side_gap(const BumpFace<N>& face, float width, float ax, float z) noexcept {
   return face.tangent * from_edge - N::exactly(static_cast<double>(z));
 }
 
+// At |x| = w/2 the height is 0, whatever the slope.
+template <class N>
+N at_foot(float z) noexcept {
+  return N::exactly(-static_cast<double>(z));
+}
+
 // Three polygons: h′ - z on the top, tan θ·(w/2 - |x|) - z on the sides.
 struct ThreePolygonGap {
   LinearGap top, side;

@@ -31,8 +31,9 @@ struct Wall {
     return {Real(0), larger(Real(-K) * z, Real(0)), z < Real(0), never<Real>()};
   }
 
-  template <class N>
-  static Outcome<N> exact(const Parameters& p, const NoGeometry&, float, float z) noexcept {
+  // geometry(): the geometry in numbers N, where it is needed; it takes the longest.
+  template <class N, class GeometryOf>
+  static Outcome<N> exact(const Parameters& p, const GeometryOf&, float, float z) noexcept {
     return on_plane<N>(p.stiffness, z);
   }
 };

@@ -207,7 +207,10 @@ void last_stage_sees_past_its_separation() {
   for (int i = 0; i < count; ++i) {
     const Parameters p = i % 4 == 0 ? Parameters{1e4F, i % 8 == 0 ? 1e-3F : 2e4F, 1e3F} : any_parameters(random);
     const fast::Built<Definition> law(p);
-    const auto geometry = Definition::template geometry<N>(p);
+    const auto made = Definition::template geometry<N>(p);
+    const auto geometry = [&made]() -> const auto& {
+      return made;
+    };
     const std::vector<Box> all = boxes(p, random);
     for (int k = 0; k < 40; ++k) {
       const Box& box = all[random() % all.size()];

@@ -35,12 +35,14 @@ template <class Definition>
 void offer_beside_tie(Hardest& hardest, const Parameters& p, float x, float z) {
   using BigFloatBall = fast::BigFloatBall<Definition::kWideLimbs>;
   const fast::Built<Definition> law(p);
-  const BigFloatBall exact =
-      law.definition.template exact<BigFloatBall>(p, Definition::template geometry<BigFloatBall>(p), x, z).z;
+  const BigFloatBall exact = law.definition
+                                 .template exact<BigFloatBall>(
+                                     p, [&p] { return Definition::template geometry<BigFloatBall>(p); }, x, z)
+                                 .z;
   const Truth known = truth(exact);
   if (known.from_tie == 0) return;
   hardest.offer("Fz: beside a tie and back", {p, x, z, -std::log2(known.from_tie)});
-  const auto second = law.definition.template exact<DoubleDouble>(p, law.geometry, x, z);
+  const auto second = law.definition.template exact<DoubleDouble>(p, law.kept_geometry(), x, z);
   if (const double share = needed_error(second.z, known.right); share > 0)
     hardest.offer("Fz: double-double lands across a tie it is not on", {p, x, z, share});
 }

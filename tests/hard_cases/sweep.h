@@ -51,7 +51,8 @@ class Sweep {
     x = fast::quantised(x);
     z = fast::quantised(z);
     if (!fast::in_domain(x) || !fast::in_domain(z)) return 0;
-    const auto outcome = law_.template exact<DoubleDouble>(p_, geometry_, x, z);
+    const auto outcome = law_.template exact<DoubleDouble>(
+        p_, [this]() -> const Geometry& { return geometry_; }, x, z);
     if (outcome.contact != fast::Sign::positive) return 0;
     const auto first = law_.first_stage(static_cast<double>(x), static_cast<double>(z));
     const double size = std::hypot(outcome.x.hi, outcome.z.hi);
@@ -120,14 +121,15 @@ class Sweep {
     const bool is_x = where[1] == 'x';
     const auto pick = [&](const auto& outcome) { return is_x ? outcome.x : outcome.z; };
     const double first = pick(law.definition.first_stage(static_cast<double>(x), static_cast<double>(z)));
-    const DoubleDouble second = pick(law.definition.template exact<DoubleDouble>(p, law.geometry, x, z));
+    const DoubleDouble second = pick(law.definition.template exact<DoubleDouble>(p, law.kept_geometry(), x, z));
     Truth known = presumed(second);
     const std::string across = where.substr(0, 2) + ": double-double lands across ";
     const auto score = [&] { return doubt ? 0.5 : std::max(0.5, needed_window(first, known.right)); };
     const auto share = [&] { return needed_error(second, known.right); };
     if (holds_its_tie(second) && (score() > hardest_.bar(where + kTie) || share() > hardest_.bar(across + "the tie"))) {
       using BigFloatBall = fast::BigFloatBall<Definition::kWideLimbs>;
-      known = truth(pick(law.definition.template exact<BigFloatBall>(p, Definition::template geometry<BigFloatBall>(p), x, z)));
+      known = truth(pick(law.definition.template exact<BigFloatBall>(
+          p, [&p] { return Definition::template geometry<BigFloatBall>(p); }, x, z)));
       if (known.from_tie > 0) hardest_.offer(where + kNearest, {p, x, z, -std::log2(known.from_tie)});
       if (share() > 0) hardest_.offer(across + (known.from_tie > 0 ? "a tie it is not on" : "the tie"), {p, x, z, share()});
     }
