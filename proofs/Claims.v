@@ -4,7 +4,7 @@ From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Poly
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart.
-From Forceshade Require Import MeshBounds MeshDecisions.
+From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -111,3 +111,11 @@ Print Assumptions sticking_along_an_edge.
 Print Assumptions share_in_a_triangle.
 Print Assumptions share_along_an_edge.
 Print Assumptions keeping_the_bit.
+Print Assumptions energy_of_a_tick.
+Print Assumptions energy_of_a_turn.
+Print Assumptions interpolated_turn.
+Print Assumptions one_corner_is_near.
+Print Assumptions refused_move_is_short.
+Print Assumptions never_against_the_slip.
+Print Assumptions refused_slide_is_short.
+Print Assumptions sub_goal_is_near.

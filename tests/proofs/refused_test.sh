@@ -134,6 +134,7 @@ refuses proofs/ErrorFree.v "bpow radix2 (-1074 + 2 * 53 - 1) <=" "bpow radix2 (-
 refuses proofs/MeshBounds.v "-> fits 159 203" "-> fits 159 202" "Error"
 refuses proofs/MeshBounds.v "Definition end_of_domain := 10000%Z." "Definition end_of_domain := 20000%Z." "Error"
 refuses proofs/MeshDecisions.v "(along_plane n u = sqrt (square u) <-> dot n u = 0)" "(along_plane n u = sqrt (square u) <-> dot n u <= 0)" "Error"
+refuses proofs/MeshConsequences.v "square (minus r g) / 2 < dot" "square (minus r g) < dot" "Error"
 refuses fast/meshes/friction.h "ExactLoad{along * along, square(cross(e, U))}" "ExactLoad{square(cross(e, U)), along * along}" "proofs/code.txt"
 refuses proofs/Acceptance.v "exact = up /\\ is_even c = true ->" "exact = up ->" "Error"
 refuses proofs/Acceptance.v ": bool := Z.even (bits_of_b32 c)." ": bool := Z.odd (bits_of_b32 c)." "Error"
