@@ -4,7 +4,7 @@ From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Poly
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart.
-From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences.
+From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -119,3 +119,8 @@ Print Assumptions refused_move_is_short.
 Print Assumptions never_against_the_slip.
 Print Assumptions refused_slide_is_short.
 Print Assumptions sub_goal_is_near.
+Print Assumptions side_of_plane_changes_by.
+Print Assumptions passes_edge_changes_by.
+Print Assumptions product_is_off_by.
+Print Assumptions quotient_is_off_by.
+Print Assumptions root_is_off_by.

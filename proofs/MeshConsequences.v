@@ -157,3 +157,56 @@ Proof.
       (dot N n * dot N n) by (field; lra). lra. }
   rewrite Rmult_comm. now apply Rmult_le_compat_l.
 Qed.
+
+(* ---- Ways among sheets that cross: what a point of the grid that is held to delta in each coordinate may change. The sizes of
+  vectors are
+   those of their largest components. ---- *)
+
+Definition at_most (s : R) (a : vector) := Rabs (x_of a) <= s /\ Rabs (y_of a) <= s /\ Rabs (z_of a) <= s.
+
+Lemma product_at_most : forall x y p q, Rabs x <= p -> Rabs y <= q -> Rabs (x * y) <= p * q.
+Proof. intros x y p q X Y. rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. Qed.
+
+Lemma dot_at_most : forall a b p q, at_most p a -> at_most q b -> Rabs (dot a b) <= 3 * (p * q).
+Proof.
+  intros a b p q (A1 & A2 & A3) (B1 & B2 & B3). unfold dot.
+  pose proof (product_at_most _ _ _ _ A1 B1). pose proof (product_at_most _ _ _ _ A2 B2). pose proof (product_at_most _ _ _ _ A3 B3).
+  pose proof (Rabs_triang (x_of a * x_of b + y_of a * y_of b) (z_of a * z_of b)).
+  pose proof (Rabs_triang (x_of a * x_of b) (y_of a * y_of b)). lra.
+Qed.
+
+Lemma cross_at_most : forall a b p q, at_most p a -> at_most q b -> at_most (2 * (p * q)) (cross a b).
+Proof.
+  intros a b p q (A1 & A2 & A3) (B1 & B2 & B3).
+  assert (One : forall s t v w, Rabs s <= p -> Rabs t <= q -> Rabs v <= p -> Rabs w <= q -> Rabs (s * t - v * w) <= 2 * (p * q)).
+  { intros s t v w S T V W. pose proof (product_at_most _ _ _ _ S T). pose proof (product_at_most _ _ _ _ V W).
+    pose proof (Rabs_triang (s * t) (- (v * w))) as Sum. rewrite Rabs_Ropp in Sum. unfold Rminus. lra. }
+  repeat split; now apply One.
+Qed.
+
+Lemma plus_at_most : forall a b p q, at_most p a -> at_most q b -> at_most (p + q) (plus a b).
+Proof.
+  intros a b p q (A1 & A2 & A3) (B1 & B2 & B3).
+  repeat split; (eapply Rle_trans; [apply Rabs_triang|now apply Rplus_le_compat]).
+Qed.
+
+Theorem side_of_plane_changes_by : forall e f w change s t delta, at_most s e -> at_most t f -> at_most delta change ->
+  Rabs (dot (cross e f) (plus w change) - dot (cross e f) w) <= 6 * (s * t * delta).
+Proof.
+  intros e f w change s t delta E F D.
+  replace (dot (cross e f) (plus w change) - dot (cross e f) w) with (dot (cross e f) change) by (components; ring).
+  pose proof (dot_at_most _ _ _ _ (cross_at_most _ _ _ _ E F) D). lra.
+Qed.
+
+(* Both ends of the way u are held to delta, so that u changes by 2 delta at most. *)
+Theorem passes_edge_changes_by : forall w u e a b size_w size_u size_e delta, at_most size_w w -> at_most size_u u -> at_most size_e e ->
+  at_most delta a -> at_most (2 * delta) b ->
+  Rabs (dot (cross (plus w a) (plus u b)) e - dot (cross w u) e) <= 6 * (size_e * (delta * size_u + 2 * delta * size_w + 2 * (delta *
+    delta))).
+Proof.
+  intros w u e a b size_w size_u size_e delta W U E A B.
+  replace (dot (cross (plus w a) (plus u b)) e - dot (cross w u) e) with (dot (plus (cross a u) (plus (cross w b) (cross a b))) e)
+    by (components; ring).
+  pose proof (dot_at_most _ _ _ _ (plus_at_most _ _ _ _ (cross_at_most _ _ _ _ A U)
+    (plus_at_most _ _ _ _ (cross_at_most _ _ _ _ W B) (cross_at_most _ _ _ _ A B))) E) as H. lra.
+Qed.

@@ -8,7 +8,7 @@ copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 mkdir "$copy/scripts"
 cp "$source/scripts/proofs" "$copy/scripts"
-cp -r "$source/proofs" "$source/fast" "$source/include" "$copy"
+cp -r "$source/proofs" "$source/fast" "$source/include" "$source/rendering" "$copy"
 mkdir "$copy/tests"
 cp -r "$source/tests/proofs" "$copy/tests"
 code=0
@@ -135,6 +135,8 @@ refuses proofs/MeshBounds.v "-> fits 159 203" "-> fits 159 202" "Error"
 refuses proofs/MeshBounds.v "Definition end_of_domain := 10000%Z." "Definition end_of_domain := 20000%Z." "Error"
 refuses proofs/MeshDecisions.v "(along_plane n u = sqrt (square u) <-> dot n u = 0)" "(along_plane n u = sqrt (square u) <-> dot n u <= 0)" "Error"
 refuses proofs/MeshConsequences.v "square (minus r g) / 2 < dot" "square (minus r g) < dot" "Error"
+refuses proofs/MeshConsequences.v "<= 6 * (s * t * delta)." "<= 3 * (s * t * delta)." "Error"
+refuses proofs/NormalsInDoubt.v "Rabs c * s + (Rabs d + s) * r." "Rabs c * s + Rabs d * r." "Error"
 refuses fast/meshes/friction.h "ExactLoad{along * along, square(cross(e, U))}" "ExactLoad{square(cross(e, U)), along * along}" "proofs/code.txt"
 refuses proofs/Acceptance.v "exact = up /\\ is_even c = true ->" "exact = up ->" "Error"
 refuses proofs/Acceptance.v ": bool := Z.even (bits_of_b32 c)." ": bool := Z.odd (bits_of_b32 c)." "Error"
