@@ -13,6 +13,7 @@
 #include "fast/heights/shape.h"
 #include "fast/heights/spline_force.h"
 #include "fast/numbers/arithmetic.h"
+#include "fast/simd/built.h"
 #include "forceshade/fast.h"
 
 namespace forceshade::fast {

@@ -7,6 +7,7 @@
 #include "fast/evaluate.h"
 #include "fast/laws/all.h"
 #include "fast/simd/batch.h"
+#include "fast/simd/built.h"
 #include "forceshade/fast.h"
 
 namespace forceshade::fast {

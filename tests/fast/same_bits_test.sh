@@ -75,11 +75,14 @@ echo "the preprocessor refuses -ffast-math, -Ofast and -ffinite-math-only in eve
 tried=$evaluating
 # Which files are tried by default: every one where g++ contracts. Only g++ has macros for the parts of -ffast-math.
 if [[ $compiler = *clang* && $sets != every_flag_set ]]; then tried=law; fi
-if grep -qw avx512dq /proc/cpuinfo; then
-  for file in $tried; do refused "fused" fast/$file -ffp-contract=fast -mfma; done
-else
-  echo "refusal of contraction not tried: this machine lacks AVX-512"
-fi
+for file in $tried; do
+  case $file in *_avx2) needs=avx2 ;; *_avx512) needs=avx512dq ;; *) needs=fma ;; esac
+  if grep -qw $needs /proc/cpuinfo; then
+    refused "fused" fast/$file -ffp-contract=fast -mfma
+  else
+    echo "contraction in fast/$file not tried: this machine has no $needs"
+  fi
+done
 for file in $tried; do
   case $compiler in
     *clang*) refused "reordered" fast/$file -funsafe-math-optimizations -ffp-contract=off ;;
