@@ -3,7 +3,7 @@
 From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
-From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart.
+From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -54,6 +54,10 @@ Print Assumptions newton_for_third_starts.
 Print Assumptions newton_for_third_converges.
 Print Assumptions newton_for_rest_starts.
 Print Assumptions newton_for_rest_converges.
+Print Assumptions third_step_is.
+Print Assumptions rest_step_is.
+Print Assumptions third_start_is.
+Print Assumptions rest_start_is.
 Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.
