@@ -3,7 +3,8 @@
 From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
-From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart.
+From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
+From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -55,6 +56,22 @@ Print Assumptions newton_for_third_starts.
 Print Assumptions newton_for_third_converges.
 Print Assumptions newton_for_rest_starts.
 Print Assumptions newton_for_rest_converges.
+Print Assumptions third_step_is.
+Print Assumptions rest_step_is.
+Print Assumptions third_start_is.
+Print Assumptions rest_start_is.
+Print Assumptions sum_of_is_off.
+Print Assumptions product_of_is_off.
+Print Assumptions quotient_of_is_off.
+Print Assumptions third_step_in_double_double.
+Print Assumptions rest_step_in_double_double.
+Print Assumptions sine_of_third_is.
+Print Assumptions exact_sign_is.
+Print Assumptions is_on_top32_is.
+Print Assumptions largest_on_top_is_right.
+Print Assumptions top_is_right.
+Print Assumptions bump_3p_first_stage_answers_right_for_all.
+Print Assumptions bump_3p_shaded_first_stage_answers_right_for_all.
 Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.

@@ -170,7 +170,7 @@ Qed.
 
 (* (c + k) / (h + l) *)
 Lemma quotient_of_is_near : forall a a_lo b b_lo c k h l, is64 a c -> is64 a_lo k -> is64 b h -> is64 b_lo l ->
-  / 1000000000 <= c <= 1000000 -> / 1000 <= h <= 1000000 -> Rabs k <= 101 / 100 * unit53 * c ->
+  / 1000000000000 <= c <= 1000000 -> / 1000 <= h <= 1000000 -> Rabs k <= 101 / 100 * unit53 * c ->
   Rabs l <= 101 / 100 * unit53 * h ->
   two_near (quotient_of a a_lo b b_lo) ((c + k) / (h + l)) (13 * (unit53 * unit53) * ((c + k) / (h + l))).
 Proof.
@@ -178,7 +178,7 @@ Proof.
   pose proof (format_of _ _ Ha) as Gc. pose proof (format_of _ _ Hb) as Gh.
   assert (Uh : unit53 * h <= / 1000000000000 * h) by (apply Rmult_le_compat_r; lra). pose proof (Rabs_le_inv _ _ Bl) as Bl2.
   set (T0 := c / h). assert (HT0 : T0 * h = c) by (unfold T0; field; lra).
-  assert (HT : / 1000000000000000 <= T0 <= 1000000000).
+  assert (HT : / 1000000000000000000 <= T0 <= 1000000000).
   { split; apply Rmult_le_reg_r with h; try lra; rewrite HT0; nra. }
   set (uc := unit53 * c). assert (Bk2 : Rabs k <= 101 / 100 * uc) by (unfold uc; lra).
   assert (Huc : 0 <= uc <= / 1000000000000 * c) by (unfold uc; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).

@@ -20,7 +20,7 @@ Definition top_height_3p (R : binary32) (t : double_double) : double_double := m
 Definition side_height_3p (w : binary32) (t : double_double) : double_double := multiply (tangent_3p t) (exactly64 (half_width w)).
 
 (* How good t has to be. *)
-Definition is_third_sine (R w : binary32) (t : double_double) : Prop := holds 40 (/ 10000) t (third_sine (value32 R) (value32 w)).
+Definition is_third_sine (R w : binary32) (t : double_double) : Prop := holds 70 (/ 10000) t (third_sine (value32 R) (value32 w)).
 
 Lemma one_is : is64 one64 1.
 Proof. change 1 with (bpow radix2 0). apply two_to_is. lia. Qed.
@@ -34,8 +34,8 @@ Proof.
   apply (holds_more _ _ _ _ _ _ M); lra.
 Qed.
 
-Lemma face_3p_holds : forall t x, holds 40 (/ 10000) t x -> / 60000000 <= x <= / 2 ->
-  holds 120 (/ 50) (sine_3p_of t) (side_sine x) /\ holds 106 (/ 100) (cosine_3p_of t) (side_cosine x) /\
+Lemma face_3p_holds : forall t x, holds 70 (/ 10000) t x -> / 60000000 <= x <= / 2 ->
+  holds 180 (/ 50) (sine_3p_of t) (side_sine x) /\ holds 170 (/ 100) (cosine_3p_of t) (side_cosine x) /\
   173 / 100 * x <= side_sine x <= 867 / 1000 /\ / 2 <= side_cosine x <= 1.
 Proof.
   intros t x Ht Hx. pose proof (twice_holds _ _ _ _ Ht ltac:(lra) ltac:(lra) ltac:(lra)) as H2.
@@ -175,8 +175,8 @@ Proof.
   pose proof Hp as (_ & HR & Hw & _).
   destruct (third_sine_is (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & _ & _ & _ & E1 & E2).
   split; [rewrite E1|rewrite E2].
-  - apply (K_times_is R w K 120 (/ 50)); assumption || lra.
-  - apply (K_times_is R w K 106 (/ 100)); assumption || lra.
+  - apply (K_times_is R w K 180 (/ 50)); assumption || lra.
+  - apply (K_times_is R w K 170 (/ 100)); assumption || lra.
 Qed.
 
 (* ---- The first stages ---- *)
