@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 using reference::binary64;
 
 struct EnergyOptions {
-  std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm", length = "100mm";
+  std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm", length = "100mm", step = "0.1mm";
 };
 
 // The verdict on a law or a height map. What differs between the two is in its JSON and its words.
@@ -198,13 +198,16 @@ void add_energy(CLI::App& app, int& result) {
   add("--from", options->from, "where the loops may begin");
   add("--to", options->to, "and where they end");
   add_length(*command, "--length", options->length, "of the loops on a mesh, at most")->needs("--mesh");
+  add_length(*command, "--step", options->step, "how far the hand goes over a mesh from one tick to the next, at most")
+      ->needs("--mesh");
   command->callback([options, subject, &result] {
     const float depth = files::parse_length("--depth", options->depth);
     const Description what = subject->description();
     if (const auto* law = std::get_if<DescribedLaw>(&what.what))
       run_law(*options, *law, depth);
     else if (const auto* mesh = std::get_if<MeshRendering>(&what.what))
-      print_energy_of_mesh(what.name, *mesh, depth, files::parse_length("--length", options->length), options->json);
+      print_energy_of_mesh(what.name, *mesh, depth, files::parse_length("--length", options->length),
+                           files::parse_length("--step", options->step), options->json);
     else if (std::holds_alternative<DescribedScene>(what.what))
       throw BadInput(what.name + ": expected a scene without objects that move, got one with them");
     else

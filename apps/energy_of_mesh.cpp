@@ -10,6 +10,7 @@
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "properties/mesh_energy.h"
+#include "properties/tick_changes.h"
 
 namespace forceshade::apps {
 namespace {
@@ -23,10 +24,12 @@ void expect_length(const char* option, float value, float least, float most) {
 struct MeshVerdict {
   const std::string& name;
   const MeshRendering& rendering;
-  double depth, length;  // mm
+  double depth, length, step;  // mm
   properties::LargestTurns turns;
   properties::MeshStroke stroke;
+  properties::TickChanges changes;
 
+  properties::HandStep hand() const { return {.depth = depth, .step = step}; }
   // mJ/mm, of a turn.
   double rate_of(double turn) const { return static_cast<double>(rendering.stiffness) * depth * turn; }
   double most_rate() const { return rate_of(turns.most()); }
@@ -40,6 +43,14 @@ struct MeshVerdict {
   double share_of_turn() const { return share() / share_of_way(); }
 };
 
+Json json_of(const properties::MeshPosition& position) {
+  return {static_cast<double>(position[0]), static_cast<double>(position[1]), static_cast<double>(position[2])};
+}
+
+Json json_of(const properties::Change& change) {
+  return {{"bound", change.bound}, {"found", change.found}, {"at_mm", {json_of(change.at[0]), json_of(change.at[1])}}};
+}
+
 Json json_of(const MeshVerdict& verdict) {
   Json json{{"mesh", verdict.name},
             {"shading", name_of(verdict.rendering.shading)},
@@ -50,11 +61,16 @@ Json json_of(const MeshVerdict& verdict) {
             {"largest_turns",
              {{"inside", verdict.turns.inside}, {"edges", verdict.turns.edges}, {"vertices", verdict.turns.vertices}}},
             {"rate_mJ_per_mm", {verdict.least_rate(), verdict.most_rate()}},
-            {"bound_mJ", {verdict.least_work(), verdict.most_work()}}};
+            {"bound_mJ", {verdict.least_work(), verdict.most_work()}},
+            {"between_ticks",
+             {{"step_mm", verdict.step},
+              {"force_N", json_of(verdict.changes.force)},
+              {"turn_degrees", json_of(verdict.changes.turn)},
+              {"bounds_are_of_this_mesh", verdict.changes.is_own},
+              {"moves_found", verdict.changes.moves}}}};
   if (verdict.turns.most() == 0) return json;
   json["witness"] = Json::array();
-  for (const properties::MeshPosition& corner : verdict.stroke.corners)
-    json["witness"].push_back({static_cast<double>(corner[0]), static_cast<double>(corner[1]), static_cast<double>(corner[2])});
+  for (const properties::MeshPosition& corner : verdict.stroke.corners) json["witness"].push_back(json_of(corner));
   json["witness_triangle"] = verdict.stroke.triangle;
   json["witness_length_mm"] = verdict.stroke.length;
   json["witness_ticks"] = verdict.stroke.ticks;
@@ -66,7 +82,7 @@ Json json_of(const MeshVerdict& verdict) {
   return json;
 }
 
-void print(const MeshVerdict& verdict) {
+void print_energy(const MeshVerdict& verdict) {
   const char* name = verdict.name.c_str();
   if (verdict.turns.most() == 0) {
     std::printf("%s: without shading no closed path gives energy to the hand, but for the length of its steps\n", name);
@@ -91,13 +107,20 @@ void print(const MeshVerdict& verdict) {
       100 * verdict.share(), 100 * verdict.share_of_way(), 100 * verdict.share_of_turn());
 }
 
+void print(const MeshVerdict& verdict) {
+  print_energy(verdict);
+  std::printf("%s\n", words_of(verdict.changes, verdict.hand()).c_str());
+  if (!verdict.changes.is_own) std::printf("the mesh has too many triangles for bounds of its own: these are of any mesh\n");
+}
+
 }  // namespace
 
-void print_energy_of_mesh(const std::string& name, const MeshRendering& rendering, float depth, float length,
+void print_energy_of_mesh(const std::string& name, const MeshRendering& rendering, float depth, float length, float step,
                           const std::string& json) {
   if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw BadInput(name + ": " + why);
   expect_length("--depth", depth, 0x1p-10F, 100);
   expect_length("--length", length, 0x1p-10F, 10000);
+  expect_length("--step", step, 0x1p-10F, 100);
   watch_for_interrupt();
   const auto judged = [&] {
     ProgressLine line(name);
@@ -105,11 +128,14 @@ void print_energy_of_mesh(const std::string& name, const MeshRendering& renderin
                         .rendering = rendering,
                         .depth = static_cast<double>(depth),
                         .length = static_cast<double>(length),
+                        .step = static_cast<double>(step),
                         .turns = properties::largest_turns(rendering),
-                        .stroke = {}};
+                        .stroke = {},
+                        .changes = {}};
+    const Monitor monitor([&](double done) { line.draw(done); }, interrupted());
+    verdict.changes = properties::tick_changes(rendering, verdict.hand(), monitor.part(0, 0.5));
     if (verdict.turns.most() > 0)
-      verdict.stroke = properties::best_stroke(rendering, verdict.turns, verdict.depth, verdict.length,
-                                               Monitor([&](double done) { line.draw(done); }, interrupted()));
+      verdict.stroke = properties::best_stroke(rendering, verdict.turns, verdict.depth, verdict.length, monitor.part(0.5, 1));
     return verdict;
   };
   try {

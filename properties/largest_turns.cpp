@@ -10,13 +10,13 @@
 #include <set>
 
 #include "properties/mesh_energy.h"
+#include "properties/rest_regions.h"
 #include "rendering/mesh_rendering.h"
 
 namespace forceshade::properties {
 namespace {
 
-constexpr std::size_t kMostEdges = 64;  // of a vertex whose directions are tried by pairs
-constexpr double kSlack = 1e-9;         // of a sine: a direction that is outside by less counts as inside
+constexpr double kSlack = 1e-9;  // of a sine: a direction that is outside by less counts as inside
 
 // The chord of an angle below 90° with this sine.
 double chord_of(double sine) {
@@ -117,26 +117,22 @@ class Turns {
   // At rest D·e >= 0 for every edge e from the vertex, and D is on the god-object's side. No D of that cone is farther from the
   // normal N than the farthest of the cone's extreme rays, each of which is at a right angle to two edges.
   double at_vertex(std::uint32_t v, const Around& around) const {
-    if (around.vertices.size() > kMostEdges) return std::numbers::sqrt2;
     const Eigen::Vector3d N = vector_of(*around.normal).normalized();
     std::vector<Eigen::Vector3d> edges;
     for (const std::uint32_t w : around.vertices) edges.push_back((vertex(w) - vertex(v)).normalized());
+    const auto rays = extreme_rays(edges);
+    if (!rays) return std::numbers::sqrt2;
     double turn = 0;
-    for (const Eigen::Vector3d& e : edges)
-      for (const Eigen::Vector3d& f : edges) {
-        const Eigen::Vector3d ray = e.cross(f);
-        if (ray.norm() <= kSlack) continue;
-        const Eigen::Vector3d D = ray.normalized();
-        if (std::ranges::any_of(edges, [&](const Eigen::Vector3d& edge) { return D.dot(edge) < -kSlack; })) continue;
-        const auto points_to = [&](double sign) {
-          return std::ranges::any_of(around.triangles, [&](auto t) { return sign * D.dot(direction(t)) > -kSlack; });
-        };
-        for (const double sign : {1.0, -1.0})  // from the front; from behind, where N is negated
-          if (points_to(sign) && (sign > 0 || rendering_.sides == mesh::Sides::both)) {
-            const double cosine = sign * N.dot(D);
-            turn = std::max(turn, cosine > kSlack ? std::sqrt(2 - 2 * std::min(cosine, 1.0)) + kSlack : std::numbers::sqrt2);
-          }
-      }
+    for (const Eigen::Vector3d& D : *rays) {
+      const auto points_to = [&](double sign) {
+        return std::ranges::any_of(around.triangles, [&](auto t) { return sign * D.dot(direction(t)) > -kSlack; });
+      };
+      for (const double sign : {1.0, -1.0})  // from the front; from behind, where N is negated
+        if (points_to(sign) && (sign > 0 || rendering_.sides == mesh::Sides::both)) {
+          const double cosine = sign * N.dot(D);
+          turn = std::max(turn, cosine > kSlack ? std::sqrt(2 - 2 * std::min(cosine, 1.0)) + kSlack : std::numbers::sqrt2);
+        }
+    }
     return std::min(turn, std::numbers::sqrt2);
   }
 

@@ -11,9 +11,11 @@
 #include "properties/binary32.h"
 #include "properties/built_or_throw.h"
 #include "properties/generators.h"
+#include "properties/mesh_energy.h"
 #include "properties/mesh_path.h"
 #include "properties/mesh_properties.h"
 #include "properties/spread.h"
+#include "properties/tick_changes.h"
 #include "rendering/mesh_rendering.h"
 
 namespace forceshade::properties {
@@ -261,6 +263,7 @@ Expected MeshSubject::expected() const {
     words.emplace_back("where the texture's slope jumps, and between the steps of its rounded coordinates");
     words.emplace_back("on flat and wide edges that separate the texture, its seams");
   }
+  if (why_no_energy_bound(*mesh_).empty()) words.push_back(words_of(tick_changes(*mesh_, HandStep(), {}), HandStep()));
   return {words, true, false};
 }
 

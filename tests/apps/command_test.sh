@@ -69,6 +69,9 @@ expect 0 "no witness: no stroke no longer than 0.1 mm" -- energy --mesh energy.o
 expect 2 "energy.off: expected the contact rule direct, got sub-goal" -- energy --mesh energy.off --unit mm --depth 1 --contact sub-goal --shading vertex
 expect 2 "--depth is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 0
 expect 2 "--length: expected --mesh beside it" -- energy --law wall --depth 1 --length 3
+expect 0 "the hand 0.5 mm further (500 mm/s at 1000 ticks a second): at most" -- energy --mesh energy.off --unit mm --depth 1 --step 0.5mm --shading none
+expect 0 '"between_ticks":{"step_mm":0.1' -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm --json -
+expect 2 "--step is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 1 --step 0
 expect 0 "drawn/energy-energy.png" -- "$forceshade" plot --mesh energy.off --unit mm --what energy --out drawn --overwrite
 expect 2 "--what: expected energy for a mesh, got" -- "$forceshade" plot --mesh energy.off --unit mm --what force --out drawn --overwrite
 expect 2 'got "deep"' -- energy --law wall --depth deep
