@@ -16,7 +16,7 @@ struct HandStep {
   double step = 0.1;  // mm, more than 0: a hand at 100 mm/s with 1000 ticks a second
 };
 
-// Of two such ticks: what is not exceeded, but by refused moves and by rests that a rounding of the state brings about; and the
+// What no two such ticks exceed, but by refused moves and by rests that a rounding of the state brings about; and the
 // most that was found.
 struct Change {
   double bound = 0, found = 0;
