@@ -10,8 +10,8 @@
 #include "reference/estimates.h"
 #include "reference/heights/domain.h"
 #include "reference/heights/sum.h"
-#include "reference/laws/slow_geometry.h"
 #include "reference/numbers/decimal.h"
+#include "reference/numbers/interval_ends.h"
 #include "reference/numbers/tie.h"
 #include "reference/position.h"
 
@@ -106,7 +106,7 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
     if (!std::ranges::all_of(ends, &RoundedEnds::agree)) continue;
     const Eigen::Vector3f answer(ends[0].low, ends[1].low, ends[2].low);
     return {answer, Status::contact, Method::enclosure,
-            nearest_tie({filter_of(components[0]), filter_of(components[1]), filter_of(components[2])}, answer)};
+            nearest_tie({to_64_bits(components[0]), to_64_bits(components[1]), to_64_bits(components[2])}, answer)};
   }
   return round_exactly(law, at, z);
 }
@@ -237,7 +237,7 @@ HeightMapField::Estimate HeightMapField::estimate(const Eigen::Vector3f& positio
   set_precision(768);  // parts may cancel
   const LocalHeight<Enclosure> slow = local<Enclosure>(*this, at, z);
   const Components<Enclosure> F = force(*this, slow);
-  return {filter_of(slow.gap), filter_of(slow.Ux), filter_of(slow.Uy), filter_of(F[0]), filter_of(F[1]), filter_of(F[2])};
+  return {to_64_bits(slow.gap), to_64_bits(slow.Ux), to_64_bits(slow.Uy), to_64_bits(F[0]), to_64_bits(F[1]), to_64_bits(F[2])};
 }
 
 }  // namespace forceshade::reference

@@ -164,10 +164,10 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
   const std::lock_guard lock(exact_arithmetic);
   set_precision(512);
   const BumpGeometry<Enclosure> geometry = enclosing_geometry(used);
-  return Law(
-      id, used,
-      std::make_shared<const LawGeometry>(LawGeometry{
-          converted(geometry, filter_of), converted(geometry, [](const Enclosure& value) { return Enclosure192(value); })}));
+  return Law(id, used,
+             std::make_shared<const LawGeometry>(
+                 LawGeometry{converted(geometry, to_64_bits<Enclosure>),
+                             converted(geometry, [](const Enclosure& value) { return Enclosure192(value); })}));
 }
 
 const BumpGeometry<Ball64>& Law::geometry() const {
@@ -250,13 +250,13 @@ Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
   }
   try {
     const Force<Enclosure192> force = force_at(id_, geometry_->in_192_bits, point, facet);
-    return {*facet, {force.x.to_64_bits(), force.z.to_64_bits(), force.magnitude.to_64_bits()}};
+    return {*facet, {to_64_bits(force.x), to_64_bits(force.z), to_64_bits(force.magnitude)}};
   } catch (const Undecided&) {
     const std::lock_guard lock(exact_arithmetic);
     set_precision(256);
     const SlowForce slow(id_, parameters_, point, facet);
     const Force<Enclosure> force = slow.enclose();
-    return {slow.facet(), {filter_of(force.x), filter_of(force.z), filter_of(force.magnitude)}};
+    return {slow.facet(), {to_64_bits(force.x), to_64_bits(force.z), to_64_bits(force.magnitude)}};
   }
 }
 

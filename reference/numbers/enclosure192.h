@@ -5,7 +5,7 @@
 
 #include <boost/multiprecision/mpfi.hpp>
 
-#include "reference/numbers/ball64.h"
+#include "reference/numbers/interval_ends.h"
 #include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
@@ -40,13 +40,7 @@ class Enclosure192 {
     return least + 0.0F;
   }
 
-  // Rounded outwards.
-  Ball64 to_64_bits() const {
-    const long double least = mpfr_get_ld(low(), MPFR_RNDD), most = mpfr_get_ld(high(), MPFR_RNDU),
-                      mid = least + (most - least) / 2;
-    if (least == most) return {mid, 0};
-    return {mid, (most - least) + std::fabs(mid) * std::numeric_limits<long double>::epsilon()};
-  }
+  friend Ball64 to_64_bits(const Enclosure192& a) { return to_64_bits(a.value_); }
 
  private:
   explicit Enclosure192(Interval value) : value_(std::move(value)) {}
