@@ -85,27 +85,6 @@ class SlowForce {
   Facet facet_;
 };
 
-// The binary32 both ends of the enclosure round to, or nothing.
-std::optional<float> agreed_binary32(const Enclosure& value) {
-  const float low = mpfr_get_flt(lower(value).backend().data(), MPFR_RNDN);
-  const float high = mpfr_get_flt(upper(value).backend().data(), MPFR_RNDN);
-  if (low != high) return std::nullopt;
-  return low + 0.0F;
-}
-
-struct Component {
-  float value;
-  Method method;
-};
-
-// By the sign of (exact value - tie), between the binary32 around an enclosure that does not decide.
-Component round_exactly(const Enclosure& enclosed, const Exact& exact) {
-  const float below = mpfr_get_flt(lower(enclosed).backend().data(), MPFR_RNDD);
-  const float above = mpfr_get_flt(upper(enclosed).backend().data(), MPFR_RNDU);
-  const double tie = 0.5 * (static_cast<double>(below) + static_cast<double>(above));
-  return {rounded_between(below, above, (exact - Exact(tie)).sign()), Method::exact};
-}
-
 // By an enclosure of 768 bits; what that leaves open the exact numbers decide. facet: where an enclosure has decided it.
 Rounded round_slowly(LawId id, const Parameters& p, const Point& point, std::optional<Facet> facet) {
   const std::lock_guard lock(exact_arithmetic);
@@ -113,12 +92,12 @@ Rounded round_slowly(LawId id, const Parameters& p, const Point& point, std::opt
   if (force.facet() == Facet::none) return {{0, 0, 0}, Status::free, Method::exact};
   set_precision(768);
   const Force<Enclosure> enclosed = force.enclose();
-  const auto rounded = [&](Enclosure Force<Enclosure>::*component, Exact Force<Exact>::*exact) -> Component {
-    if (const auto agreed = agreed_binary32(enclosed.*component)) return {*agreed, Method::enclosure};
-    return round_exactly(enclosed.*component, force.exact().*exact);
-  };
-  const Component x = rounded(&Force<Enclosure>::x, &Force<Exact>::x), z = rounded(&Force<Enclosure>::z, &Force<Exact>::z);
-  return {{x.value, 0, z.value}, Status::contact, std::max(x.method, z.method), 0};
+  const RoundedEnds x(enclosed.x), z(enclosed.z);
+  return {{x.decided([&](double tie) { return (force.exact().x - Exact(tie)).sign(); }), 0,
+           z.decided([&](double tie) { return (force.exact().z - Exact(tie)).sign(); })},
+          Status::contact,
+          x.agree() && z.agree() ? Method::enclosure : Method::exact,
+          0};
 }
 
 std::optional<ParameterError> first_error(LawId id, const Parameters& p) {

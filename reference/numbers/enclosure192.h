@@ -35,9 +35,9 @@ class Enclosure192 {
 
   // The binary32 both ends round to; throws Undecided when they differ.
   float round() const {
-    const float least = mpfr_get_flt(low(), MPFR_RNDN), most = mpfr_get_flt(high(), MPFR_RNDN);
-    if (least != most) throw Undecided{};
-    return least + 0.0F;
+    const RoundedEnds ends(value_);
+    if (!ends.agree()) throw Undecided{};
+    return ends.low;
   }
 
   friend Ball64 to_64_bits(const Enclosure192& a) { return to_64_bits(a.value_); }
