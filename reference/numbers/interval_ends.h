@@ -18,6 +18,10 @@ Ball64 to_64_bits(const N& interval) {
   return {low + (high - low) / 2, high - low};
 }
 
+inline const Ball64& to_64_bits(const Ball64& number) {
+  return number;
+}
+
 // The binary32 that the ends of an interval round to; a zero is +0.
 struct RoundedEnds {
   float low, high;
