@@ -35,6 +35,12 @@ struct Built {
   }
 };
 
+// The geometry in wide numbers, as a definition's exact() takes it.
+template <class Definition>
+auto wide_geometry(const Parameters& p) noexcept {
+  return [&p] { return Definition::template geometry<BigFloatBall<Definition::kWideLimbs>>(p); };
+}
+
 // The answer of a ball stage, where it can decide.
 template <class N, class Definition, class GeometryOf>
 std::optional<Evaluation> decide(const Definition& law, const Parameters& p, const GeometryOf& geometry, float x, float z,
@@ -52,8 +58,7 @@ std::optional<Evaluation> decide(const Definition& law, const Parameters& p, con
 template <class Definition>
 [[gnu::noinline]] Evaluation evaluate_wide(const Definition& law, const Parameters& p, float x, float z) noexcept {
   using N = BigFloatBall<Definition::kWideLimbs>;
-  const auto geometry = [&p] { return Definition::template geometry<N>(p); };
-  return decide<N>(law, p, geometry, x, z, Stage::wide).value_or(undecided_evaluation());
+  return decide<N>(law, p, wide_geometry<Definition>(p), x, z, Stage::wide).value_or(undecided_evaluation());
 }
 
 // p: those the law was built from.

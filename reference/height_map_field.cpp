@@ -10,8 +10,8 @@
 #include "reference/estimates.h"
 #include "reference/heights/domain.h"
 #include "reference/heights/sum.h"
-#include "reference/laws/slow_geometry.h"
 #include "reference/numbers/decimal.h"
+#include "reference/numbers/interval_ends.h"
 #include "reference/numbers/tie.h"
 #include "reference/position.h"
 
@@ -63,17 +63,6 @@ float nearest_tie(const Components<Ball64>& force, const Eigen::Vector3f& rounde
   return ulps;
 }
 
-// The binary32 that the ends of an enclosure round to.
-struct RoundedEnds {
-  float low, high;
-
-  explicit RoundedEnds(const Enclosure& value)
-      : low(mpfr_get_flt(lower(value).backend().data(), MPFR_RNDN) + 0.0F),
-        high(mpfr_get_flt(upper(value).backend().data(), MPFR_RNDN) + 0.0F) {}
-  bool agree() const { return low == high; }
-  bool are_neighbours() const { return std::nextafter(low, high) == high; }
-};
-
 // Enclosures narrow the force down to two neighbours at most; exact numbers then compare it with the middle of the two.
 Rounded round_exactly(const HeightMapField& law, const Point2& at, double z) {
   const LocalHeight<ExponentialSum> exact = local<ExponentialSum>(law, at, z);
@@ -85,10 +74,7 @@ Rounded round_exactly(const HeightMapField& law, const Point2& at, double z) {
     if (!std::ranges::all_of(ends, &RoundedEnds::are_neighbours)) continue;
     Eigen::Vector3f answer;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = ends[axis];
-      const double tie = 0.5 * (static_cast<double>(low) + static_cast<double>(high));
-      answer[static_cast<int>(axis)] =
-          ends[axis].agree() ? low : rounded_between(low, high, sign_of_excess(law, exact, axis, tie));
+      answer[static_cast<int>(axis)] = ends[axis].decided([&](double tie) { return sign_of_excess(law, exact, axis, tie); });
     }
     return {answer, Status::contact, Method::exact, 0};
   }
@@ -106,7 +92,7 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
     if (!std::ranges::all_of(ends, &RoundedEnds::agree)) continue;
     const Eigen::Vector3f answer(ends[0].low, ends[1].low, ends[2].low);
     return {answer, Status::contact, Method::enclosure,
-            nearest_tie({filter_of(components[0]), filter_of(components[1]), filter_of(components[2])}, answer)};
+            nearest_tie({to_64_bits(components[0]), to_64_bits(components[1]), to_64_bits(components[2])}, answer)};
   }
   return round_exactly(law, at, z);
 }
@@ -140,9 +126,8 @@ float rounded_slope(const HeightMapField& law, const Point2& at, std::size_t axi
     if (ends.agree()) return without_tiny(ends.low);
     // From here on only a tie is left.
     if (bits < 768 || !ends.are_neighbours()) continue;
-    const double tie = 0.5 * (static_cast<double>(ends.low) + static_cast<double>(ends.high));
-    const Jet<ExponentialSum> exact = sum_jet<ExponentialSum>(law.map().parts, at);
-    return without_tiny(rounded_between(ends.low, ends.high, (slope_of(exact) - tie).sign()));
+    return without_tiny(
+        ends.decided([&](double tie) { return (slope_of(sum_jet<ExponentialSum>(law.map().parts, at)) - tie).sign(); }));
   }
 }
 
@@ -237,7 +222,7 @@ HeightMapField::Estimate HeightMapField::estimate(const Eigen::Vector3f& positio
   set_precision(768);  // parts may cancel
   const LocalHeight<Enclosure> slow = local<Enclosure>(*this, at, z);
   const Components<Enclosure> F = force(*this, slow);
-  return {filter_of(slow.gap), filter_of(slow.Ux), filter_of(slow.Uy), filter_of(F[0]), filter_of(F[1]), filter_of(F[2])};
+  return {to_64_bits(slow.gap), to_64_bits(slow.Ux), to_64_bits(slow.Uy), to_64_bits(F[0]), to_64_bits(F[1]), to_64_bits(F[2])};
 }
 
 }  // namespace forceshade::reference

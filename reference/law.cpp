@@ -85,40 +85,35 @@ class SlowForce {
   Facet facet_;
 };
 
-// The binary32 both ends of the enclosure round to, or nothing.
-std::optional<float> agreed_binary32(const Enclosure& value) {
-  const float low = mpfr_get_flt(lower(value).backend().data(), MPFR_RNDN);
-  const float high = mpfr_get_flt(upper(value).backend().data(), MPFR_RNDN);
-  if (low != high) return std::nullopt;
-  return low + 0.0F;
-}
-
-struct Component {
-  float value;
-  Method method;
-};
-
-// By the sign of (exact value - tie), between the binary32 around an enclosure that does not decide.
-Component round_exactly(const Enclosure& enclosed, const Exact& exact) {
-  const float below = mpfr_get_flt(lower(enclosed).backend().data(), MPFR_RNDD);
-  const float above = mpfr_get_flt(upper(enclosed).backend().data(), MPFR_RNDU);
-  const double tie = 0.5 * (static_cast<double>(below) + static_cast<double>(above));
-  return {rounded_between(below, above, (exact - Exact(tie)).sign()), Method::exact};
-}
-
-// By an enclosure of 768 bits; what that leaves open the exact numbers decide. facet: where an enclosure has decided it.
-Rounded round_slowly(LawId id, const Parameters& p, const Point& point, std::optional<Facet> facet) {
+// answer(facet, force) in the first of the numbers of 64 and of 192 bits that decide all of it, else slowly(force), under the
+// lock.
+template <class Answer, class Slowly>
+auto first_decided(const Law& law, const LawGeometry& geometry, const Point& point, const Answer& answer,
+                   const Slowly& slowly) {
+  std::optional<Facet> facet;
+  try {
+    return answer(facet, force_at(law.id(), geometry.in_64_bits, point, facet));
+  } catch (const Undecided&) {
+  }
+  try {
+    return answer(facet, force_at(law.id(), geometry.in_192_bits, point, facet));
+  } catch (const Undecided&) {
+  }
   const std::lock_guard lock(exact_arithmetic);
-  const SlowForce force(id, p, point, facet);
+  return slowly(SlowForce(law.id(), law.parameters(), point, facet));
+}
+
+// By an enclosure of 768 bits; what that leaves open the exact numbers decide.
+Rounded round_slowly(const SlowForce& force) {
   if (force.facet() == Facet::none) return {{0, 0, 0}, Status::free, Method::exact};
   set_precision(768);
   const Force<Enclosure> enclosed = force.enclose();
-  const auto rounded = [&](Enclosure Force<Enclosure>::*component, Exact Force<Exact>::*exact) -> Component {
-    if (const auto agreed = agreed_binary32(enclosed.*component)) return {*agreed, Method::enclosure};
-    return round_exactly(enclosed.*component, force.exact().*exact);
-  };
-  const Component x = rounded(&Force<Enclosure>::x, &Force<Exact>::x), z = rounded(&Force<Enclosure>::z, &Force<Exact>::z);
-  return {{x.value, 0, z.value}, Status::contact, std::max(x.method, z.method), 0};
+  const RoundedEnds x(enclosed.x), z(enclosed.z);
+  return {{x.decided([&](double tie) { return (force.exact().x - Exact(tie)).sign(); }), 0,
+           z.decided([&](double tie) { return (force.exact().z - Exact(tie)).sign(); })},
+          Status::contact,
+          x.agree() && z.agree() ? Method::enclosure : Method::exact,
+          0};
 }
 
 std::optional<ParameterError> first_error(LawId id, const Parameters& p) {
@@ -164,10 +159,10 @@ std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
   const std::lock_guard lock(exact_arithmetic);
   set_precision(512);
   const BumpGeometry<Enclosure> geometry = enclosing_geometry(used);
-  return Law(
-      id, used,
-      std::make_shared<const LawGeometry>(LawGeometry{
-          converted(geometry, filter_of), converted(geometry, [](const Enclosure& value) { return Enclosure192(value); })}));
+  return Law(id, used,
+             std::make_shared<const LawGeometry>(
+                 LawGeometry{converted(geometry, to_64_bits<Enclosure>),
+                             converted(geometry, [](const Enclosure& value) { return Enclosure192(value); })}));
 }
 
 const BumpGeometry<Ball64>& Law::geometry() const {
@@ -176,22 +171,15 @@ const BumpGeometry<Ball64>& Law::geometry() const {
 
 Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
   if (!in_domain(position)) return {{0, 0, 0}, Status::invalid, Method::filter};
-  const Point point(position);
-  std::optional<Facet> facet;
-  try {
-    const Force<Ball64> force = force_at(id_, geometry_->in_64_bits, point, facet);
-    if (facet == Facet::none) return {};
+  const auto rounded = []<class N>(const std::optional<Facet>& facet, const Force<N>& force) -> Rounded {
+    constexpr bool is_filter = std::is_same_v<N, Ball64>;
+    constexpr Method method = is_filter ? Method::filter : Method::enclosure;
+    if (facet == Facet::none) return {{0, 0, 0}, Status::free, method};
     const float x = force.x.round(), z = force.z.round();
-    return {{x, 0, z}, Status::contact, Method::filter, std::min(ulps_from_tie(force.x, x), ulps_from_tie(force.z, z))};
-  } catch (const Undecided&) {
-  }
-  try {
-    const Force<Enclosure192> force = force_at(id_, geometry_->in_192_bits, point, facet);
-    if (facet == Facet::none) return {{0, 0, 0}, Status::free, Method::enclosure};
-    return {{force.x.round(), 0, force.z.round()}, Status::contact, Method::enclosure, 0};
-  } catch (const Undecided&) {
-    return round_slowly(id_, parameters_, point, facet);
-  }
+    const auto ulps = [&] { return std::min(ulps_from_tie(to_64_bits(force.x), x), ulps_from_tie(to_64_bits(force.z), z)); };
+    return {{x, 0, z}, Status::contact, method, is_filter ? ulps() : 0};
+  };
+  return first_decided(*this, *geometry_, Point(position), rounded, round_slowly);
 }
 
 EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigned digits) {
@@ -241,23 +229,13 @@ int Law::compare(const Eigen::Vector3f& position, std::size_t axis, const std::s
 }
 
 Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
-  const Point point(position);
-  std::optional<Facet> facet;
-  try {
-    const Force<Ball64> force = force_at(id_, geometry_->in_64_bits, point, facet);
-    return {*facet, force};
-  } catch (const Undecided&) {
-  }
-  try {
-    const Force<Enclosure192> force = force_at(id_, geometry_->in_192_bits, point, facet);
-    return {*facet, {force.x.to_64_bits(), force.z.to_64_bits(), force.magnitude.to_64_bits()}};
-  } catch (const Undecided&) {
-    const std::lock_guard lock(exact_arithmetic);
+  const auto estimated = [](const std::optional<Facet>& facet, const auto& force) -> Estimate {
+    return {*facet, {to_64_bits(force.x), to_64_bits(force.z), to_64_bits(force.magnitude)}};
+  };
+  return first_decided(*this, *geometry_, Point(position), estimated, [&](const SlowForce& slow) {
     set_precision(256);
-    const SlowForce slow(id_, parameters_, point, facet);
-    const Force<Enclosure> force = slow.enclose();
-    return {slow.facet(), {filter_of(force.x), filter_of(force.z), filter_of(force.magnitude)}};
-  }
+    return estimated(slow.facet(), slow.enclose());
+  });
 }
 
 }  // namespace forceshade::reference

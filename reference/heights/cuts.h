@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/heights/jet.h"
-#include "reference/laws/slow_geometry.h"
+#include "reference/numbers/interval_ends.h"
 #include "reference/numbers/intervals.h"
 
 namespace forceshade::reference {
@@ -53,7 +53,7 @@ class Cuts {
   // t: a function object that gives the place in any of the reference's numbers.
   template <class T>
   void add(const T& t, const Cell& step) {
-    cuts.push_back({t.template operator()<Exact>(), filter_of(t.template operator()<Enclosure>()), cells.size() - 1, step});
+    cuts.push_back({t.template operator()<Exact>(), to_64_bits(t.template operator()<Enclosure>()), cells.size() - 1, step});
   }
 
   // A rim, if the way goes into it; one that is only touched is none.

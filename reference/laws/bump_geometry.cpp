@@ -45,14 +45,6 @@ Exact sine_of_third(const Parameters& p) {
 
 }  // namespace
 
-Ball64 filter_of(const Enclosure& value) {
-  const auto low = static_cast<long double>(Multiprecision(lower(value)));
-  const auto high = static_cast<long double>(Multiprecision(upper(value)));
-  const long double mid = low + (high - low) / 2;
-  if (low == high && Multiprecision(low) == lower(value) && Multiprecision(high) == upper(value)) return {mid, 0};
-  return {mid, (high - low) + std::fabs(mid) * std::numeric_limits<long double>::epsilon()};
-}
-
 Enclosure enclosing_theta(const Parameters& p) {
   const Enclosure R(p.radius), w(p.width);
   return Enclosure(2) / 3 * asin(w / (2 * R));

@@ -3,7 +3,6 @@
 // The geometry of a bump in the two slow number types. Callers hold exact_arithmetic.
 
 #include "reference/laws/bump_geometry.h"
-#include "reference/numbers/ball64.h"
 #include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
@@ -17,8 +16,5 @@ Enclosure enclosing_theta(const Parameters& parameters);
 
 // The geometry from t = sin(α/3): the root of 4t³ - 3t + w/2R in (0, ½], isolated by CGAL's algebraic kernel.
 BumpGeometry<Exact> exact_geometry(const Parameters& parameters, FlatTop top = FlatTop::needed);
-
-// Rounded outwards.
-Ball64 filter_of(const Enclosure& value);
 
 }  // namespace forceshade::reference

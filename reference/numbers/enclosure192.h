@@ -5,7 +5,7 @@
 
 #include <boost/multiprecision/mpfi.hpp>
 
-#include "reference/numbers/ball64.h"
+#include "reference/numbers/interval_ends.h"
 #include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
@@ -35,18 +35,12 @@ class Enclosure192 {
 
   // The binary32 both ends round to; throws Undecided when they differ.
   float round() const {
-    const float least = mpfr_get_flt(low(), MPFR_RNDN), most = mpfr_get_flt(high(), MPFR_RNDN);
-    if (least != most) throw Undecided{};
-    return least + 0.0F;
+    const RoundedEnds ends(value_);
+    if (!ends.agree()) throw Undecided{};
+    return ends.low;
   }
 
-  // Rounded outwards.
-  Ball64 to_64_bits() const {
-    const long double least = mpfr_get_ld(low(), MPFR_RNDD), most = mpfr_get_ld(high(), MPFR_RNDU),
-                      mid = least + (most - least) / 2;
-    if (least == most) return {mid, 0};
-    return {mid, (most - least) + std::fabs(mid) * std::numeric_limits<long double>::epsilon()};
-  }
+  friend Ball64 to_64_bits(const Enclosure192& a) { return to_64_bits(a.value_); }
 
  private:
   explicit Enclosure192(Interval value) : value_(std::move(value)) {}

@@ -35,11 +35,7 @@ template <class Definition>
 void offer_beside_tie(Hardest& hardest, const Parameters& p, float x, float z) {
   using BigFloatBall = fast::BigFloatBall<Definition::kWideLimbs>;
   const fast::Built<Definition> law(p);
-  const BigFloatBall exact = law.definition
-                                 .template exact<BigFloatBall>(
-                                     p, [&p] { return Definition::template geometry<BigFloatBall>(p); }, x, z)
-                                 .z;
-  const Truth known = truth(exact);
+  const Truth known = truth(law.definition.template exact<BigFloatBall>(p, fast::wide_geometry<Definition>(p), x, z).z);
   if (known.from_tie == 0) return;
   hardest.offer("Fz: beside a tie and back", {p, x, z, -std::log2(known.from_tie)});
   const auto second = law.definition.template exact<DoubleDouble>(p, law.kept_geometry(), x, z);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fast/evaluate.h"
+#include "fast/laws/all.h"
 #include "forceshade/fast.h"
 
 namespace forceshade::tests {

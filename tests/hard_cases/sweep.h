@@ -128,8 +128,7 @@ class Sweep {
     const auto share = [&] { return needed_error(second, known.right); };
     if (holds_its_tie(second) && (score() > hardest_.bar(where + kTie) || share() > hardest_.bar(across + "the tie"))) {
       using BigFloatBall = fast::BigFloatBall<Definition::kWideLimbs>;
-      known = truth(pick(law.definition.template exact<BigFloatBall>(
-          p, [&p] { return Definition::template geometry<BigFloatBall>(p); }, x, z)));
+      known = truth(pick(law.definition.template exact<BigFloatBall>(p, fast::wide_geometry<Definition>(p), x, z)));
       if (known.from_tie > 0) hardest_.offer(where + kNearest, {p, x, z, -std::log2(known.from_tie)});
       if (share() > 0) hardest_.offer(across + (known.from_tie > 0 ? "a tie it is not on" : "the tie"), {p, x, z, share()});
     }

@@ -20,7 +20,7 @@ TEST(enclosure192, encloses_sums_products_quotients_and_roots) {
     const double x = uniform(random), y = random() % 2 == 0 ? uniform(random) : -uniform(random);
     const Enclosure192 a(x), b(y);
     const auto expect = [&](const Enclosure192& enclosure, const Exact& value) {
-      const Ball64 ball = enclosure.to_64_bits();
+      const Ball64 ball = to_64_bits(enclosure);
       EXPECT_LE(Exact(abs(value - Exact(ball.mid()))), Exact(ball.rad())) << x << ' ' << y;
       EXPECT_LE(ball.rad(), 0x1p-61L * std::fabs(ball.mid()) + 0x1p-115L) << x << ' ' << y;
     };
@@ -70,7 +70,7 @@ TEST(enclosure192, takes_a_wider_enclosure_rounded_outwards) {
   const Enclosure192 taken(wide);
   EXPECT_THROW(static_cast<void>(taken * kThree < kOne), Undecided);
   EXPECT_TRUE(taken < kOne / kThree + Enclosure192(0x1p-180));
-  EXPECT_EQ(Enclosure192(Enclosure(2.5)).to_64_bits().rad(), 0);
+  EXPECT_EQ(to_64_bits(Enclosure192(Enclosure(2.5))).rad(), 0);
 }
 
 }  // namespace
