@@ -14,6 +14,7 @@
 #include <string>
 
 #include "fast/meshes/bit_span.h"
+#include "fast/meshes/contact/all.h"
 #include "fast/meshes/quick_slips.h"
 
 namespace forceshade::fast {
@@ -36,6 +37,32 @@ TEST(decide, finds_cells_and_nearest_steps_at_their_very_ends) {
       const bool is_up = beside > 0 || (beside == 0 && k % 2 == 1);
       EXPECT_EQ(exact_cell(middle, den), (Cell{static_cast<std::uint32_t>(k), false})) << k << ", " << beside;
       EXPECT_EQ(exact_nearest(middle, den), static_cast<std::uint32_t>(k) + (is_up ? 1 : 0)) << k << ", " << beside;
+    }
+  }
+}
+
+TEST(decide, has_each_contact_rule_under_its_own_number) {
+  EXPECT_EQ(Direct::kContact, mesh::Contact::direct);
+  EXPECT_EQ(SubGoal::kContact, mesh::Contact::sub_goal);
+  EXPECT_EQ(Frictional::kContact, mesh::Contact::friction);
+}
+
+// Shares that are whole, or beside that by less than binary64 distinguishes: (k/2^24)² t² = μ² z², and one unit of z² beside.
+TEST(decide, finds_the_share_left_of_a_slip_at_its_very_end) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 20000; ++i) {
+    const auto units = static_cast<std::int64_t>((1U << 31) + (random() >> 1));  // of the coefficient, 2^-33
+    const auto coefficient = static_cast<float>(std::ldexp(static_cast<double>(units & ~std::int64_t{255}), -33));
+    const std::int64_t k = 1 + random() % 16777214, all = 1 + random() % 1023;
+    const FixedInteger<44> t(static_cast<std::int64_t>(std::ldexp(static_cast<double>(coefficient), 33)) * all);
+    const FixedInteger<44> z(k * 512 * all);
+    const Load load{{(t * t).approximately(), 0}, {(z * z).approximately(), 0}};
+    const Coefficients of{coefficient, coefficient};
+    for (const std::int64_t beside : {-1, 0, 1}) {
+      const ExactStages stages;
+      const auto exact = [&] { return ExactLoad{t * t, z * z + FixedInteger<3>(beside)}; };
+      const Friction<ExactStages, decltype(exact)> friction(load, of, stages, exact);
+      EXPECT_EQ(friction.share_left(), static_cast<std::uint32_t>(beside < 0 ? k - 1 : k)) << k << ", " << beside;
     }
   }
 }
