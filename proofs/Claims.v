@@ -6,6 +6,7 @@ From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHo
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
 From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
 From Forceshade Require Import Separation SeparationOfCylinder.
+From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SecondStage Bump1pShadedSecond.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -82,6 +83,16 @@ Print Assumptions separation_of_degree_4.
 Print Assumptions bump_1p_shaded_is_separated.
 Print Assumptions cylinder_is_separated.
 Print Assumptions bump_cylinder_is_separated.
+Print Assumptions encloses_sum.
+Print Assumptions encloses_multiply.
+Print Assumptions encloses_divide.
+Print Assumptions encloses_root.
+Print Assumptions sign_is_right.
+Print Assumptions difference_contains.
+Print Assumptions rounded_to_binary32_is_nearest.
+Print Assumptions decided_is_right.
+Print Assumptions bump_1p_shaded_second_stage_answers_right.
+Print Assumptions bump_1p_shaded_two_stages_answer_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.

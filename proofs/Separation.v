@@ -87,7 +87,8 @@ Proof.
   assert (HCC : bpow radix2 (- (2 * k)) <= C * C) by (rewrite E; apply Rmult_le_compat; lra).
   destruct (Req_dec (a + u - t) 0) as [H0|H0].
   - assert (Hau : a + u <> 0) by lra. pose proof (separation_of_degree_2 k a u C Ha Hu Hau HC C2) as H.
-    assert (G : Rabs (a + u + t) = 2 * Rabs (a + u)) by (replace (a + u + t) with (2 * (a + u)) by lra; rewrite Rabs_mult, Rabs_pos_eq; lra).
+    assert (G : Rabs (a + u + t) = 2 * Rabs (a + u)) by (replace (a + u + t) with (2 * (a + u)) by lra; rewrite Rabs_mult, Rabs_pos_eq;
+      lra).
     rewrite G, E2. replace (2 * Rabs (a + u) * (C * C * C)) with (2 * ((Rabs (a + u) * C) * (C * C))) by ring.
     pose proof (bpow_gt_0 radix2 (- (2 * k))) as P2.
     assert (bpow radix2 (- (2 * k)) * bpow radix2 (- (2 * k)) <= (Rabs (a + u) * C) * (C * C)) by (apply Rmult_le_compat; lra).
@@ -102,7 +103,8 @@ Proof.
       apply multiple_plus; [|assumption]. apply multiple_minus; apply multiple_times; try apply multiple_whole.
       - apply multiple_times; [now apply multiple_times|assumption].
       - now apply multiple_times. }
-    assert (G : n + w = (a + u + t) * (a + u - t)) by (unfold n, w; replace ((a + u + t) * (a + u - t)) with ((a + u) * (a + u) - t * t) by ring;
+    assert (G : n + w = (a + u + t) * (a + u - t)) by (unfold n, w; replace ((a + u + t) * (a + u - t)) with ((a + u) * (a + u) - t * t) by
+      ring;
       rewrite Ht; ring).
     assert (Hnw : n + w <> 0) by (rewrite G; now apply Rmult_integral_contrapositive).
     pose proof (separation_of_degree_2 (2 * k) n w (C * C) Hn Hw Hnw HCC) as H.
@@ -193,7 +195,8 @@ Proof.
   - split; [rewrite Rabs_R0; lra|]. apply B. rewrite Rabs_R1. lra.
 Qed.
 
-Lemma bump_1p_shaded_z_is_separated : forall K Z Rad X m, multiple 33 K -> multiple 53 Z -> multiple 27 Rad -> multiple 53 X -> multiple 150 m ->
+Lemma bump_1p_shaded_z_is_separated : forall K Z Rad X m, multiple 33 K -> multiple 53 Z -> multiple 27 Rad -> multiple 53 X -> multiple
+  150 m ->
   0 <= K <= 1000 -> Rabs Z <= 10000 -> 0 < Rad <= 10000 -> Rabs X <= Rad -> Rabs m <= 10000001 ->
   let F := K * - Z * (sqrt (Rsqr Rad - Rsqr X) / Rad) in F <> m -> bpow radix2 (-406) <= Rabs (F - m).
 Proof.
@@ -211,7 +214,8 @@ Proof.
   { rewrite E. apply Rmult_integral_contrapositive_currified; lra. }
   assert (HC : bpow radix2 (-177) <= bpow radix2 38) by (apply bpow_le; lia).
   assert (Bt : Rabs t <= 100000000000).
-  { unfold t. rewrite !Rabs_mult, Rabs_Ropp, (Rabs_pos_eq K), (Rabs_pos_eq S) by lra. replace 100000000000 with (1000 * 10000 * 10000) by ring.
+  { unfold t. rewrite !Rabs_mult, Rabs_Ropp, (Rabs_pos_eq K), (Rabs_pos_eq S) by lra. replace 100000000000 with (1000 * 10000 * 10000) by
+    ring.
     apply Rmult_le_compat; try lra; [apply Rmult_le_pos; [lra|apply Rabs_pos]|]. apply Rmult_le_compat; try apply Rabs_pos; lra. }
   assert (Ba : Rabs a <= 100000010000).
   { unfold a. rewrite Rabs_Ropp, Rabs_mult, (Rabs_pos_eq Rad) by lra. replace 100000010000 with (10000001 * 10000) by ring.
@@ -230,7 +234,8 @@ Theorem bump_1p_shaded_is_separated : forall R w K x y z m, parameters R w K -> 
 Proof.
   intros R w K x y z m Hp Hv Hm X Z Fx Fz. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx. fold Z in Cz.
   pose proof (multiple_of_stiffness _ _ _ Hp) as MK. pose proof (multiple_of_radius _ _ _ Hp) as MR.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ. pose proof (multiple_of_tie m Hm) as Mm.
+  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ. pose proof (multiple_of_tie m Hm) as
+    Mm.
   destruct Hp as (_ & HR & Hw & HK). pose proof (coordinate_range _ _ Cz) as BZ.
   destruct (bump_1p_shaded_size (value32 R) (value32 w) (value32 K) X Z ltac:(lra) ltac:(lra) ltac:(lra) BZ) as [Bx Bz].
   fold Fx in Bx. fold Fz in Bz.

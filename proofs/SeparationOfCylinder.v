@@ -46,7 +46,8 @@ Proof.
   assert (BK : Rabs K <= 1000) by (rewrite Rabs_pos_eq; lra). assert (BR : Rabs Rad <= 10000) by (rewrite Rabs_pos_eq; lra).
   assert (Brho : Rabs rho <= 10000) by (rewrite Rabs_pos_eq; lra). assert (BY : Rabs Y <= 10000) by lra.
   assert (Bx : Rabs X <= 10000).
-  { apply Rle_trans with (2 := Brho). apply Rsqr_le_abs_0. unfold Rsqr. rewrite Hrho2. pose proof (Rle_0_sqr (Z + d)) as S. unfold Rsqr in S. lra. }
+  { apply Rle_trans with (2 := Brho). apply Rsqr_le_abs_0. unfold Rsqr. rewrite Hrho2. pose proof (Rle_0_sqr (Z + d)) as S. unfold Rsqr in
+    S. lra. }
   assert (Bl : Rabs (Z - d) <= 20000) by (pose proof (minus_size Z d) as S; rewrite (Rabs_pos_eq d) in S; lra).
   assert (C1 : Rabs (a + u - t) <= bpow radix2 j).
   { apply Rle_trans with (2 := HC1). replace (a + u - t) with (K * Rad * Y + (K * Y + M) * rho) by (unfold a, u, t, Y; ring).
@@ -71,7 +72,8 @@ Qed.
 
 (* The same, of the law's component with the plane's force W added. *)
 Lemma cylinder_component_with_plane : forall K Rad c d X Z y0 n W m rho B Bw j, let Y := y0 + IZR n * d in
-  multiple 33 K -> multiple 27 Rad -> multiple 34 c -> multiple 53 X -> multiple 53 Z -> multiple 53 y0 -> multiple 86 W -> multiple 150 m ->
+  multiple 33 K -> multiple 27 Rad -> multiple 34 c -> multiple 53 X -> multiple 53 Z -> multiple 53 y0 -> multiple 86 W -> multiple 150 m
+    ->
   d * d = Rad * Rad - c * c -> rho * rho = X * X + (Z + d) * (Z + d) ->
   0 <= K <= 1000 -> 0 < rho <= Rad -> Rad <= 10000 -> 0 <= d <= Rad -> Rabs Z <= 10000 -> Rabs Y <= rho -> Rabs (y0 - IZR n * d) <= 20000 ->
   0 <= W <= Bw -> B = 10000001 + 2 * Bw -> (40 <= j <= 50)%Z -> 200000000000 + B * 10000 <= bpow radix2 j ->
@@ -92,7 +94,8 @@ Proof.
 Qed.
 
 (* Both components of a law, where W is the plane's force along z, or 0. *)
-Lemma cylinder_is_separated_with_plane : forall R w K xv X zv Z W Bw j m, parameters R w K -> coordinate xv X -> coordinate zv Z -> is_tie m ->
+Lemma cylinder_is_separated_with_plane : forall R w K xv X zv Z W Bw j m, parameters R w K -> coordinate xv X -> coordinate zv Z -> is_tie
+  m ->
   multiple 86 W -> 0 <= W <= Bw -> (40 <= j <= 50)%Z ->
   200000000000 + (10000001 + 2 * Bw) * 10000 <= bpow radix2 j ->
   40000000000000000000000 + (30000001 + 2 * Bw) * (30000001 + 2 * Bw) * 500000000 <= bpow radix2 j * bpow radix2 j ->
@@ -102,12 +105,14 @@ Proof.
   intros R w K xv X zv Z W Bw j m Hp Cx Cz Hm MW HW Hj HC1 HC3 Fx Fz.
   pose proof (multiple_of_stiffness _ _ _ Hp) as MK. pose proof (multiple_of_radius _ _ _ Hp) as MR.
   pose proof (multiple_of_half_width _ _ _ Hp) as Mc.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ. pose proof (multiple_of_tie m Hm) as Mm.
+  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ. pose proof (multiple_of_tie m Hm) as
+    Mm.
   destruct Hp as (_ & HR & Hw & HK). pose proof (coordinate_range _ _ Cz) as BZ. pose proof (coordinate_range _ _ Cx) as BX.
   destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2]. unfold Fx, Fz, cylinder_x, cylinder_z in *.
   destruct (distance_squared (value32 R) (value32 w) X Z) as [Hrho0 Hrho2]. clear Fx Fz. cbv zeta.
   set (rho := distance_from_axis _ _ X Z) in *. clearbody rho.
-  set (d := axis_depth (value32 R) (value32 w)) in *. clearbody d. set (c := value32 w / 2) in *. set (Rad := value32 R) in *. set (k := value32 K) in *.
+  set (d := axis_depth (value32 R) (value32 w)) in *. clearbody d. set (c := value32 w / 2) in *. set (Rad := value32 R) in *. set (k :=
+    value32 K) in *.
   assert (HdR : d <= Rad).
   { apply Rsqr_incr_0_var; [|lra]. unfold Rsqr. rewrite Hd2. pose proof (Rle_0_sqr c) as S. unfold Rsqr in S. lra. }
   assert (plain : forall F i, multiple i (F - m) -> (i <= 150)%Z -> F <> m -> bpow radix2 (- (826 + 3 * j)) <= Rabs (F - m)).
@@ -118,7 +123,8 @@ Proof.
   case Req_bool_spec; intro Haxis.
   { rewrite Haxis. split; apply (plain _ 150%Z); try lia; multiple. }
   assert (size : forall Y Y', rho * rho = Y * Y + Y' * Y' -> Rabs Y <= rho).
-  { intros Y Y' H. rewrite <- (Rabs_pos_eq rho) by lra. apply Rsqr_le_abs_0. unfold Rsqr. rewrite H. pose proof (Rle_0_sqr Y') as S. unfold Rsqr in S. lra. }
+  { intros Y Y' H. rewrite <- (Rabs_pos_eq rho) by lra. apply Rsqr_le_abs_0. unfold Rsqr. rewrite H. pose proof (Rle_0_sqr Y') as S. unfold
+    Rsqr in S. lra. }
   split.
   - replace (k * (Rad - rho) * (X / rho)) with (k * (Rad - rho) * ((X + 0 * d) / rho) + 0) by (unfold Rdiv; ring).
     apply (cylinder_component_with_plane k Rad c d X Z X 0 0 m rho (10000001 + 2 * Bw) Bw j); try assumption; try lra; try ring.
