@@ -161,6 +161,7 @@ refuses proofs/Separation.v "multiple (2 * k) (t * t) -> a + t <> 0 ->" "multipl
 refuses proofs/Separation.v "(m = (c + succ radix2 fexp32 c) / 2 \\/" "(m = (c + succ radix2 fexp32 c) / 4 \\/" "Error"
 refuses proofs/SeparationOfCylinder.v "(Fx <> m -> bpow radix2 (-946)" "(Fx <> m -> bpow radix2 (-945)" "Error"
 refuses proofs/SeparationOfCylinder.v "multiple 53 y0 -> multiple 150 M ->" "multiple 53 y0 -> multiple 151 M ->" "Error"
+refuses proofs/SeparationOfPolygons.v "multiple 53 Z -> multiple 87 A ->" "multiple 53 Z -> multiple 107 A ->" "Error"
 refuses fast/laws/outcome.h "square_root((R - X) * (R + X))" "square_root((R - X) * (R - X))" "proofs/code.txt"
 refuses fast/numbers/double_double.h "if (!(size > a.error)) return Sign::unknown;" "if (!(size >= a.error)) return Sign::unknown;" "proofs/code.txt"
 refuses fast/evaluate.h "if (!fx || !fz) return std::nullopt;" "if (!fx) return std::nullopt;" "proofs/code.txt"
