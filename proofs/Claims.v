@@ -5,6 +5,8 @@ From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAn
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
 From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
+From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons.
+From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SecondStage Bump1pShadedSecond.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -76,6 +78,22 @@ Print Assumptions two_sum_is_exact.
 Print Assumptions fast_two_sum_is_exact.
 Print Assumptions two_product_is_exact.
 Print Assumptions accepted_candidate_is_nearest.
+Print Assumptions separation_of_degree_2.
+Print Assumptions separation_of_degree_4.
+Print Assumptions bump_1p_shaded_is_separated.
+Print Assumptions cylinder_is_separated.
+Print Assumptions bump_cylinder_is_separated.
+Print Assumptions bump_2p_shaded_is_separated.
+Print Assumptions encloses_sum.
+Print Assumptions encloses_multiply.
+Print Assumptions encloses_divide.
+Print Assumptions encloses_root.
+Print Assumptions sign_is_right.
+Print Assumptions difference_contains.
+Print Assumptions rounded_to_binary32_is_nearest.
+Print Assumptions decided_is_right.
+Print Assumptions bump_1p_shaded_second_stage_answers_right.
+Print Assumptions bump_1p_shaded_two_stages_answer_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.

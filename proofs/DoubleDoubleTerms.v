@@ -201,13 +201,28 @@ Proof. intros t v w a b c Ht Hv Hw H. split; [|apply product_is_close]. apply fu
 Lemma product_size : forall a b A B, Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
 Proof. intros a b A B Ha Hb. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption. Qed.
 
-Lemma product_of_is_off : forall a a_lo b b_lo h l c k H K, let M := H * K in is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
-  Rabs h <= H -> Rabs c <= K -> Rabs l <= 101 / 100 * (unit53 * H) -> Rabs k <= 101 / 100 * (unit53 * K) ->
-  / 1000000000000000000000000 <= M <= 1000000 -> / 1000 * M <= Rabs (h * c) ->
-  exists p q, is64 (fst (product_of a a_lo b b_lo)) p /\ is64 (snd (product_of a a_lo b b_lo)) q /\
-    Rabs (p + q - (h + l) * (c + k)) <= 7 * (unit53 * (unit53 * M)) /\ Rabs p <= 101 / 100 * M /\ Rabs q <= 101 / 100 * (unit53 * M).
+Lemma tiny_is_tinier : 0 <= tiny <= / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000.
+Proof. unfold tiny. split; [apply bpow_ge_0|]. simpl. lra. Qed.
+
+(* What rounding takes, as a share of the result. *)
+Lemma rounding_rest : forall x, / 1000000000000000000000000000000000000000000000000000000000000 <= Rabs (nearest64 x) ->
+  Rabs (x - nearest64 x) <= unit53 * Rabs (nearest64 x).
 Proof.
-  intros a a_lo b b_lo h l c k H K M Ha Hl Hb Hk Bh Bc Bl Bk HM Hlow. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
+  intros x Hx. rewrite Rabs_minus_sym. pose proof (error_le_half_ulp_round radix2 fexp64 (fun n => negb (Z.even n)) x) as U.
+  pose proof (ulp_FLT_le radix2 (-1074) 53 (nearest64 x)) as V. change (bpow radix2 (1 - 53)) with (/ 4503599627370496) in V.
+  assert (bpow radix2 (-1074 + 53 - 1) <= Rabs (nearest64 x)).
+  { apply Rle_trans with (bpow radix2 (-200)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hx). simpl. lra. }
+  specialize (V H). change (Znearest (fun n => negb (Z.even n))) with ZnearestE in U. unfold unit53. lra.
+Qed.
+
+Lemma product_of_parts : forall a a_lo b b_lo h l c k H K, let M := H * K in is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
+  Rabs h <= H -> Rabs c <= K -> Rabs l <= 101 / 100 * (unit53 * H) -> Rabs k <= 101 / 100 * (unit53 * K) ->
+  / 10000000000000000000000000000000000000000 <= M <= 1000000000 -> / 1000 * M <= Rabs (h * c) ->
+  exists p q, is64 (fst (product_of a a_lo b b_lo)) p /\ is64 (snd (product_of a a_lo b b_lo)) q /\
+    Rabs (p + q - (h + l) * (c + k)) <= 7 * (unit53 * (unit53 * M)) /\ Rabs p <= 101 / 100 * M /\ Rabs q <= 101 / 100 * (unit53 * M) /\
+    Rabs q <= unit53 * Rabs p.
+Proof.
+  intros a a_lo b b_lo h l c k H K M Ha Hl Hb Hk Bh Bc Bl Bk HM Hlow. pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
   pose proof (format_of _ _ Ha) as Gh. pose proof (format_of _ _ Hb) as Gc.
   set (m := h * c) in *. set (um := unit53 * M). assert (Eum : unit53 * M = um) by reflexivity.
   pose proof (unit_times M ltac:(lra)) as Hum. fold um in Hum. pose proof (unit_times um ltac:(lra)) as Uum.
@@ -218,7 +233,7 @@ Proof.
   assert (Ge : in_binary64 (m - p0)).
   { pose proof (two_product_is_exact h c Gh Gc) as E. cbv zeta in E. fold m p0 in E.
     assert (Hs : m = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs m).
-    { right. apply Rle_trans with (bpow radix2 (-100)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hlow). simpl. lra. }
+    { right. apply Rle_trans with (bpow radix2 (-150)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hlow). simpl. lra. }
     replace (m - p0) with (nearest64 (m - p0)) by (specialize (E Hs); lra). apply generic_format_round; auto with typeclass_instances. }
   assert (C1' : Rabs (m - p0) <= 1001 / 1000 * um) by (rewrite Rabs_minus_sym; lra).
   assert (Blc : Rabs (l * c) <= 101 / 100 * um).
@@ -256,10 +271,24 @@ Proof.
   exists p, q. split; [exact I8|]. split; [exact I10|]. pose proof (Rabs_triang p0 w) as Tpw. pose proof (size_by p (p0 + w)) as Sp2.
   assert (U8 : unit53 * Rabs (p0 + w) <= unit53 * (10001 / 10000 * M)) by (apply unit_times_compat; lra).
   assert (U9 : unit53 * Rabs w <= unit53 * (307 / 100 * um)) by (apply unit_times_compat; lra).
-  split; [|split; lra].
+  split; [|split; [lra|split; [lra|]]].
+  2: { replace q with (p0 + w - p) by lra. rewrite Ep. apply rounding_rest. rewrite <- Ep. pose proof (size_by (p0 + w) p) as S8.
+    rewrite (Rabs_minus_sym _ p) in S8. pose proof (size_by p0 (p0 + w)) as S9. replace (p0 - (p0 + w)) with (- w) in S9 by ring.
+    rewrite Rabs_Ropp in S9. lra. }
   replace (p + q - (h + l) * (c + k)) with
     ((w - (m - p0 + v6)) + (v6 - (h * k + v5)) + (v5 - (l * c + v4)) + (v4 - l * k)) by (rewrite D; unfold m; ring).
   absolute_values. apply Rabs_le. lra.
+Qed.
+
+Lemma product_of_is_off : forall a a_lo b b_lo h l c k H K, let M := H * K in is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
+  Rabs h <= H -> Rabs c <= K -> Rabs l <= 101 / 100 * (unit53 * H) -> Rabs k <= 101 / 100 * (unit53 * K) ->
+  / 1000000000000000000000000 <= M <= 1000000 -> / 1000 * M <= Rabs (h * c) ->
+  exists p q, is64 (fst (product_of a a_lo b b_lo)) p /\ is64 (snd (product_of a a_lo b b_lo)) q /\
+    Rabs (p + q - (h + l) * (c + k)) <= 7 * (unit53 * (unit53 * M)) /\ Rabs p <= 101 / 100 * M /\ Rabs q <= 101 / 100 * (unit53 * M).
+Proof.
+  intros a a_lo b b_lo h l c k H K M Ha Hl Hb Hk Bh Bc Bl Bk HM Hlow.
+  destruct (product_of_parts a a_lo b b_lo h l c k H K Ha Hl Hb Hk Bh Bc Bl Bk) as (p & q & P & Q & E & Bp & Bq & _); [fold M; lra|exact Hlow|].
+  exists p, q. split; [exact P|]. split; [exact Q|]. split; [exact E|]. split; [exact Bp|exact Bq].
 Qed.
 
 (* ---- Quotients ---- *)
