@@ -41,10 +41,14 @@ TEST(decide, finds_cells_and_nearest_steps_at_their_very_ends) {
   }
 }
 
+template <class First, class... Rest>
+void expect_numbers_from(std::size_t number, ContactList<First, Rest...>) {
+  EXPECT_EQ(static_cast<std::size_t>(First::kContact), number);
+  if constexpr (sizeof...(Rest) > 0) expect_numbers_from(number + 1, ContactList<Rest...>());
+}
+
 TEST(decide, has_each_contact_rule_under_its_own_number) {
-  EXPECT_EQ(Direct::kContact, mesh::Contact::direct);
-  EXPECT_EQ(SubGoal::kContact, mesh::Contact::sub_goal);
-  EXPECT_EQ(Frictional::kContact, mesh::Contact::friction);
+  expect_numbers_from(0, ContactRules());
 }
 
 // Shares that are whole, or beside that by less than binary64 distinguishes: (k/2^24)² t² = μ² z², and one unit of z² beside.
