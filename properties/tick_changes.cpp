@@ -195,25 +195,28 @@ class Pairs {
     });
   }
 
-  // From a rest in a to one in b: either in the same region, or after the hand has gone beyond an exit of a, to which it then
-  // was no farther than a step.
+  // From a rest in a to one in b. If it is another region, the hand crosses an exit of a on its straight way. Let q be there:
+  // then |D_a(p) - D_b(p')| is at most |D_a(q) - D_b(q)| and the way, a step; q is no more than a step deeper than said, or off
+  // b.
   void compare(const RestRegion& a, const RestRegion& b, TickChanges& changes) {
     if (((a.low - b.high).array() > hand_.step).any() || ((b.low - a.high).array() > hand_.step).any()) return;
     if (is_beyond(a, b) || is_beyond(b, a)) return;
-    std::vector<HalfSpace> borders = a.borders;
+    std::vector<HalfSpace> borders;
+    for (const HalfSpace& border : a.borders)
+      borders.push_back({border.direction, border.least - (border.is_exit ? 0 : hand_.step)});
     for (const HalfSpace& border : b.borders) borders.push_back({border.direction, border.least - hand_.step});
     if (&a == &b) return compare_within(borders, a, b, changes);
     for (const HalfSpace& exit : a.borders) {
       if (!exit.is_exit) continue;
       const auto is_inside = [&](const Vector3d& p) { return exit.direction.dot(p) > exit.least + kRounding * hand_.depth; };
       if (std::ranges::all_of(b.corners, is_inside)) continue;
-      borders.push_back({-exit.direction, -exit.least - hand_.step});
+      borders.push_back({-exit.direction, -exit.least});
       compare_within(borders, a, b, changes);
       borders.pop_back();
     }
   }
 
-  // borders: of the hand's positions at the first tick.
+  // borders: of the hand's positions q.
   void compare_within(const std::vector<HalfSpace>& borders, const RestRegion& a, const RestRegion& b, TickChanges& changes) {
     const std::size_t n = borders.size();
     work_ += n * n * n / 6;
@@ -233,14 +236,14 @@ class Pairs {
     pair.turn = largest_angle(a.directions, b.directions);
     if (a.normal && b.normal) {
       // |x/|x| - y/|y|| <= 2|x - y|/(|x| + |y|).
-      const double apart = of_normals + b.normal->factor.norm() * hand_.step;
+      const double apart = of_normals + std::max(a.normal->factor.norm(), b.normal->factor.norm()) * hand_.step;
       pair.turn = std::min(pair.turn, radians_of_chord(2 * apart / (a.least_normal + b.least_normal)));
     }
     pair.force = change + hand_.step;
     if (is_shaded_) {
       // The square of two forces' difference is (f - g)² + fg c², c the chord of the angle between them.
       const double chord = 2 * std::sin(pair.turn / 2);
-      const double most = std::min(largest_a, hand_.depth) * std::min(largest_b + hand_.step, hand_.depth);
+      const double most = std::min(largest_a + hand_.step, hand_.depth) * std::min(largest_b + hand_.step, hand_.depth);
       pair.force = std::hypot(of_lengths + hand_.step, std::sqrt(most) * chord);
     }
     changes.force.bound = std::max(changes.force.bound, pair.force);

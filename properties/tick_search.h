@@ -16,7 +16,7 @@ constexpr double kGridAngle = 0x1p-14;
 // Two regions between which the force may change by much.
 struct SuspectPair {
   Affine first, second;                       // D in each
-  std::vector<Eigen::Vector3d> corners = {};  // mm, of the positions in the first from which the second may be reached
+  std::vector<Eigen::Vector3d> corners = {};  // mm, of the positions at which the hand may leave the first for the second
   double force = 0;                           // mm: the change over K, at most
   double turn = 0;                            // radians, at most
 };
