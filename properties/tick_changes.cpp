@@ -205,22 +205,23 @@ class Pairs {
     for (const HalfSpace& border : a.borders)
       borders.push_back({border.direction, border.least - (border.is_exit ? 0 : hand_.step)});
     for (const HalfSpace& border : b.borders) borders.push_back({border.direction, border.least - hand_.step});
-    if (&a == &b) return compare_within(borders, a, b, changes);
+    if (&a == &b) return compare_within(borders, Vector3d::Zero(), a, b, changes);
     for (const HalfSpace& exit : a.borders) {
       if (!exit.is_exit) continue;
       const auto is_inside = [&](const Vector3d& p) { return exit.direction.dot(p) > exit.least + kRounding * hand_.depth; };
       if (std::ranges::all_of(b.corners, is_inside)) continue;
       borders.push_back({-exit.direction, -exit.least});
-      compare_within(borders, a, b, changes);
+      compare_within(borders, exit.direction, a, b, changes);
       borders.pop_back();
     }
   }
 
   // borders: of the hand's positions q.
-  void compare_within(const std::vector<HalfSpace>& borders, const RestRegion& a, const RestRegion& b, TickChanges& changes) {
+  void compare_within(const std::vector<HalfSpace>& borders, const Vector3d& inwards, const RestRegion& a, const RestRegion& b,
+                      TickChanges& changes) {
     const std::size_t n = borders.size();
     work_ += n * n * n / 6;
-    SuspectPair pair{.first = a.D, .second = b.D};
+    SuspectPair pair{.first = a.D, .second = b.D, .inwards = inwards};
     double change = 0, of_lengths = 0, largest_a = 0, largest_b = 0, of_normals = 0;
     const double size = (a.high - a.low).maxCoeff();
     for_each_corner(borders, (a.low + a.high) / 2, kRounding * size, [&](const Vector3d& p) {

@@ -17,11 +17,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kStep = 0.999;                        // of a step, since positions are rounded
-constexpr std::array<double, 2> kInwards{0.002, 0.1};  // of the way from a corner to the middle of the others
-constexpr std::size_t kCorners = 16;                   // of a pair that are tried, those with the largest change
-constexpr int kTurns = 256;                            // stretches of the random walk
-constexpr int kTicks = 256;                            // of a stretch
+constexpr double kStep = 0.999;                             // of a step, since positions are rounded
+constexpr std::array<double, 3> kInwards{0.01, 0.5, 0.95};  // of a step: from the border into the first region
+constexpr double kToMiddle = 0.002;                         // of the way from a corner to the middle of all
+constexpr std::size_t kCorners = 16;                        // of a pair that are tried, those with the largest change
+constexpr int kTurns = 256;                                 // stretches of the random walk
+constexpr int kTicks = 256;                                 // of a stretch
 constexpr std::uint64_t kSeed = 1;
 
 class Search {
@@ -132,7 +133,9 @@ void search_changes(const MeshRendering& rendering, const HandStep& hand, const 
     corners.resize(std::min(kCorners, corners.size()));
     for (const Vector3d& corner : corners)
       for (const double inwards : kInwards) {
-        const Vector3d p = corner + inwards * (middle - corner), first = pair.first(p), second = pair.second(p);
+        const Vector3d q = corner + kToMiddle * (middle - corner) + inwards * hand.step * pair.inwards, D = pair.first(q);
+        const Vector3d p = q + std::max(0.0, 1 - kStep * hand.depth / D.norm()) * D;  // no deeper than said
+        const Vector3d first = pair.first(p), second = pair.second(p);
         search.from(p, first, second - first);
         search.from(p, second, first - second);
       }

@@ -17,6 +17,7 @@ constexpr double kGridAngle = 0x1p-14;
 struct SuspectPair {
   Affine first, second;                       // D in each
   std::vector<Eigen::Vector3d> corners = {};  // mm, of the positions at which the hand may leave the first for the second
+  Eigen::Vector3d inwards;                    // into the first, of length 1; zero where both are the same region
   double force = 0;                           // mm: the change over K, at most
   double turn = 0;                            // radians, at most
 };
