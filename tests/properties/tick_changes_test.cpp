@@ -79,21 +79,20 @@ void rub(const MeshRendering& rendering, std::uint64_t seed, const Take& take) {
 TEST(tick_changes, no_path_exceeds_the_bounds) {
   std::size_t counted = 0;
   for (std::size_t family = 0; family < kMeshFamilies.size(); ++family)
-    for (const bool is_shaded : {false, true})
-      for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-        const MeshRendering rendering = of_family(family, 100 * family + seed, is_shaded);
-        if (rendering.mesh().triangles.size() > 100) continue;  // these take long
-        const TickChanges changes = tick_changes(rendering, kHand, {});
-        EXPECT_LE(changes.force.found, changes.force.bound) << kMeshFamilies[family];
-        EXPECT_LE(changes.turn.found, changes.turn.bound) << kMeshFamilies[family];
-        rub(rendering, seed, [&](const Vector3d& one, const Vector3d& other) {
-          ++counted;
-          EXPECT_LE((one - other).norm(), changes.force.bound) << kMeshFamilies[family] << " " << seed << " " << is_shaded;
-          const double turn = std::atan2(one.cross(other).norm(), one.dot(other)) * 180 / std::numbers::pi;
-          EXPECT_LE(turn, changes.turn.bound) << kMeshFamilies[family] << " " << seed << " " << is_shaded;
-        });
-      }
-  EXPECT_GT(counted, 20000U);
+    for (const bool is_shaded : {false, true}) {
+      const MeshRendering rendering = of_family(family, 100 * family + 1, is_shaded);
+      if (rendering.mesh().triangles.size() > 100) continue;  // these take long
+      const TickChanges changes = tick_changes(rendering, kHand, {});
+      EXPECT_LE(changes.force.found, changes.force.bound) << kMeshFamilies[family];
+      EXPECT_LE(changes.turn.found, changes.turn.bound) << kMeshFamilies[family];
+      rub(rendering, family, [&](const Vector3d& one, const Vector3d& other) {
+        ++counted;
+        EXPECT_LE((one - other).norm(), changes.force.bound) << kMeshFamilies[family] << " " << is_shaded;
+        const double turn = std::atan2(one.cross(other).norm(), one.dot(other)) * 180 / std::numbers::pi;
+        EXPECT_LE(turn, changes.turn.bound) << kMeshFamilies[family] << " " << is_shaded;
+      });
+    }
+  EXPECT_GT(counted, 10000U);
 }
 
 // Beside an edge the hand may be as deep below one face as below the other: from (0, 0, depth) to (depth, 0, 0), and by what a
