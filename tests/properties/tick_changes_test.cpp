@@ -51,7 +51,7 @@ void rub(const MeshRendering& rendering, std::uint64_t seed, const Take& take) {
     using Draws::Draws;
     Vector3d any() { return Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)); }
   } hand(seed);
-  for (int stretch = 0; stretch < 40; ++stretch) {
+  for (int stretch = 0; stretch < 100; ++stretch) {
     const auto session = open.open();
     const std::uint32_t t = static_cast<std::uint32_t>(hand.bits() % mesh.triangles.size());
     Vector3d p = Vector3d::Zero();
