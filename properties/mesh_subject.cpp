@@ -170,6 +170,7 @@ std::vector<std::string> MeshSubject::parts() const {
     words.push_back(std::string("at a rest inside a triangle the shading gives at most ") + text.data() +
                     " mJ more for each mm of path and N of force");
   }
+  if (why_no_energy_bound(*mesh_).empty()) words.push_back(words_of(tick_changes(*mesh_, HandStep(), {}), HandStep()));
   for (const std::string& part : forceshade::words_of(mesh_->texture.map)) words.push_back("texture, " + part);
   return words;
 }
@@ -263,7 +264,6 @@ Expected MeshSubject::expected() const {
     words.emplace_back("where the texture's slope jumps, and between the steps of its rounded coordinates");
     words.emplace_back("on flat and wide edges that separate the texture, its seams");
   }
-  if (why_no_energy_bound(*mesh_).empty()) words.push_back(words_of(tick_changes(*mesh_, HandStep(), {}), HandStep()));
   return {words, true, false};
 }
 
