@@ -5,7 +5,7 @@ From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAn
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
 From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
-From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons.
+From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SecondStage Bump1pShadedSecond.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
@@ -84,6 +84,7 @@ Print Assumptions bump_1p_shaded_is_separated.
 Print Assumptions cylinder_is_separated.
 Print Assumptions bump_cylinder_is_separated.
 Print Assumptions bump_2p_shaded_is_separated.
+Print Assumptions bump_2p_is_separated.
 Print Assumptions encloses_sum.
 Print Assumptions encloses_multiply.
 Print Assumptions encloses_divide.

@@ -162,6 +162,8 @@ refuses proofs/Separation.v "(m = (c + succ radix2 fexp32 c) / 2 \\/" "(m = (c +
 refuses proofs/SeparationOfCylinder.v "(Fx <> m -> bpow radix2 (-946)" "(Fx <> m -> bpow radix2 (-945)" "Error"
 refuses proofs/SeparationOfCylinder.v "multiple 53 y0 -> multiple 150 M ->" "multiple 53 y0 -> multiple 151 M ->" "Error"
 refuses proofs/SeparationOfPolygons.v "multiple 53 Z -> multiple 87 A ->" "multiple 53 Z -> multiple 107 A ->" "Error"
+refuses proofs/SeparationOfSides.v "(Fx <> m -> bpow radix2 (-859)" "(Fx <> m -> bpow radix2 (-858)" "Error"
+refuses fast/laws/bump_2p.h "kSeparation = 1063;" "kSeparation = 1062;" "proofs/code.txt"
 refuses fast/laws/outcome.h "square_root((R - X) * (R + X))" "square_root((R - X) * (R - X))" "proofs/code.txt"
 refuses fast/numbers/double_double.h "if (!(size > a.error)) return Sign::unknown;" "if (!(size >= a.error)) return Sign::unknown;" "proofs/code.txt"
 refuses fast/evaluate.h "if (!fx || !fz) return std::nullopt;" "if (!fx) return std::nullopt;" "proofs/code.txt"
