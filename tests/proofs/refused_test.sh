@@ -162,6 +162,8 @@ refuses proofs/Separation.v "(m = (c + succ radix2 fexp32 c) / 2 \\/" "(m = (c +
 refuses proofs/SeparationOfCylinder.v "(Fx <> m -> bpow radix2 (-946)" "(Fx <> m -> bpow radix2 (-945)" "Error"
 refuses proofs/SeparationOfCylinder.v "multiple 53 y0 -> multiple 150 M ->" "multiple 53 y0 -> multiple 151 M ->" "Error"
 refuses proofs/SeparationOfPolygons.v "multiple 53 Z -> multiple 87 A ->" "multiple 53 Z -> multiple 107 A ->" "Error"
+refuses proofs/SumOfTwo.v "Rabs (p + q - (h + l + (c + k))) <= 3 * (unit53" "Rabs (p + q - (h + l + (c + k))) <= 2 * (unit53" "Error"
+refuses proofs/EnclosedSums.v "  encloses (3 * (s + t) + 3 * share101) (add a b)" "  encloses (3 * s + 3 * share101) (add a b)" "Error"
 refuses proofs/SeparationOfSides.v "(Fx <> m -> bpow radix2 (-859)" "(Fx <> m -> bpow radix2 (-858)" "Error"
 refuses fast/laws/bump_2p.h "kSeparation = 1063;" "kSeparation = 1062;" "proofs/code.txt"
 refuses fast/laws/outcome.h "square_root((R - X) * (R + X))" "square_root((R - X) * (R - X))" "proofs/code.txt"
