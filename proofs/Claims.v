@@ -5,8 +5,8 @@ From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAn
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
 From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
-From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons.
-From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SecondStage Bump1pShadedSecond.
+From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
+From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage Bump1pShadedSecond.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -84,11 +84,15 @@ Print Assumptions bump_1p_shaded_is_separated.
 Print Assumptions cylinder_is_separated.
 Print Assumptions bump_cylinder_is_separated.
 Print Assumptions bump_2p_shaded_is_separated.
+Print Assumptions bump_2p_is_separated.
 Print Assumptions encloses_sum.
 Print Assumptions encloses_multiply.
 Print Assumptions encloses_divide.
 Print Assumptions encloses_root.
 Print Assumptions sign_is_right.
+Print Assumptions sum_contains.
+Print Assumptions difference_of_two_contains.
+Print Assumptions encloses_add.
 Print Assumptions difference_contains.
 Print Assumptions rounded_to_binary32_is_nearest.
 Print Assumptions decided_is_right.
