@@ -29,9 +29,9 @@ struct Affine {
   Eigen::Vector3d operator()(const Eigen::Vector3d& p) const { return factor * p + constant; }
 };
 
+// Where the hand stays inside of the exits, the god-object stays on its triangle, edge or vertex.
 struct RestRegion {
-  std::vector<HalfSpace> borders = {};  // around it; it is bounded. Where the hand stays inside of the exits, the
-  // god-object stays on the triangle, edge or vertex
+  std::vector<HalfSpace> borders = {};        // around it; it is bounded
   std::vector<Eigen::Vector3d> corners = {};  // mm, of it
   Eigen::Vector3d low = {}, high = {};        // mm, of a box around it
   Affine D;                                   // mm, from the position to the god-object; it grows no faster than the position
