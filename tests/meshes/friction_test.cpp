@@ -108,6 +108,35 @@ TEST(mesh_friction, faces_without_a_stiffness_have_that_of_the_god_object_also_w
   EXPECT_EQ(forces(tests::built(with_stiffness(0.5F).with_stiffness(4))), (std::vector{2.0F, 4.0F, 4.0F}));
 }
 
+// A gutter along x, rough up to x = 8 and smooth beyond. A hand that is 8 mm deep and pulls by 8 mm lets the god-object slip by
+// half of that, from x = 4 just to the end of the rough edge. That is not inside the edge, so that it goes on, over the smooth
+// one.
+TEST(mesh_friction, a_slip_that_ends_where_the_edge_does_goes_on) {
+  const mesh::TriangleMesh gutter{
+      {{0, 0, 0}, {8, 0, 0}, {16, 0, 0}, {0, 9, 9}, {8, 9, 9}, {16, 9, 9}, {0, -9, 9}, {8, -9, 9}, {16, -9, 9}},
+      {{0, 1, 4}, {0, 4, 3}, {1, 0, 6}, {1, 6, 7}, {1, 2, 5}, {1, 5, 4}, {2, 1, 7}, {2, 7, 8}}};
+  const mesh::Materials materials{{{{}, 0.5F, 0.5F}, {}}, {0, 0, 0, 0, 1, 1, 1, 1}};
+  for (const bool is_mirrored : {false, true}) {
+    mesh::TriangleMesh mesh = gutter;
+    for (mesh::Vertex& v : mesh.vertices)
+      if (is_mirrored) v[0] = 16 - v[0];
+    for (mesh::Triangle& triangle : mesh.triangles)
+      if (is_mirrored) std::swap(triangle[1], triangle[2]);
+    const MeshRendering rendering = with_friction(tests::unshaded(mesh, mesh::Sides::both), materials, mesh::Shading::none);
+    const auto session = tests::built(fast::GodObject::build(rendering)).open();
+    const auto reference = tests::built(reference::GodObject::build(rendering));
+    mesh::GodObject state;
+    for (const auto& [x, z] : {std::pair{4.0F, 1.0F}, {4.0F, -8.0F}, {12.0F, -8.0F}}) {
+      const std::array<float, 3> p{is_mirrored ? 16 - x : x, 0, z};
+      const mesh::Tick expected = reference.step(state, p), found = session->tick(p);
+      EXPECT_TRUE(tests::is_same(found, expected)) << tests::show(found) << ", expected " << tests::show(expected);
+      state = expected.after;
+    }
+    EXPECT_EQ(state.place, mesh::Place::edge);
+    EXPECT_EQ(state.index, (std::array<std::uint32_t, 2>{1, 2}));
+  }
+}
+
 TEST(mesh_friction, is_refused_where_it_is_not_defined) {
   MeshRendering rendering = tests::shaded({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
                                           {{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}}, mesh::Sides::both, kStiffness);
