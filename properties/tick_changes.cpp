@@ -80,19 +80,10 @@ class Pairs {
   Pairs(const MeshRendering& rendering, const HandStep& hand)
       : hand_(hand), is_shaded_(rendering.shading != mesh::Shading::none), regions_(rest_regions(rendering, hand.depth)) {
     std::vector<std::pair<Box, std::uint32_t>> boxes;
-    for (std::uint32_t f = 0; f < regions_.faces.size(); ++f) {
-      Box box = bg::make_inverse<Box>();
-      for (const Vector3d& corner : regions_.faces[f].corners) bg::expand(box, point(corner));
-      boxes.emplace_back(box, f);
-    }
+    for (std::uint32_t f = 0; f < regions_.faces.size(); ++f) boxes.emplace_back(around(regions_.faces[f].corners), f);
     faces_ = Tree(boxes);
     std::vector<Box> rim;
-    for (const auto& [a, b] : regions_.rim) {
-      Box box = bg::make_inverse<Box>();
-      bg::expand(box, point(a));
-      bg::expand(box, point(b));
-      rim.push_back(box);
-    }
+    for (const auto& ends : regions_.rim) rim.push_back(around(ends));
     rim_ = RimTree(rim);
     stamp_.resize(regions_.all.size());
   }
@@ -124,10 +115,15 @@ class Pairs {
   using Point = bg::model::point<double, 3, bg::cs::cartesian>;
   using Box = bg::model::box<Point>;
   using Tree = bg::index::rtree<std::pair<Box, std::uint32_t>, bg::index::quadratic<16>>;
-
   using RimTree = bg::index::rtree<Box, bg::index::quadratic<16>>;
 
   static Point point(const Vector3d& p) { return {p.x(), p.y(), p.z()}; }
+  template <std::size_t kCount>
+  static Box around(const std::array<Vector3d, kCount>& points) {
+    Box box = bg::make_inverse<Box>();
+    for (const Vector3d& p : points) bg::expand(box, point(p));
+    return box;
+  }
 
   // The faces to which the god-object can go in the next tick: from the region's face, over edges and by flights, among those
   // that are at most depth + step from where the hand then is. A flight that lands on a face comes from in front of it, also
