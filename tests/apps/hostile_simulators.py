@@ -5,7 +5,7 @@ import os
 import time
 
 from hostile_processes import add_processes, detached
-from hostile_programs import CASES, ENDED, LATE, NO_END, NO_LIST, NO_OBJECT, Case, Door, add, add_lines, answering, text, write
+from hostile_programs import CASES, ENDED, LATE, NO_END, NO_LIST, NO_OBJECT, Case, Door, add, add_lines, answering, patience, text, write
 
 HELLO = {
     "forceshade": "conform 1", "kind": "simulator", "name": "n", "version": "1", "reports": "force", "constraint": "hard", "binary": 64,
@@ -97,7 +97,7 @@ def wrong(name, words, step, slow=True):
     def run(mark, folder):
         with open(os.path.join(folder, "script"), "w") as file:
             file.write(script)
-        return DOOR.arguments + ["--answer-timeout", "20", DOOR.option, "exec sed -u -E -f script"]
+        return DOOR.arguments + patience(words) + [DOOR.option, "exec sed -u -E -f script"]
 
     add("simulator motion: " + name, Case(words, run, slow=slow))
 
