@@ -4,16 +4,18 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
+#include <span>
 
 #include "properties/mesh_properties.h"
+#include "rendering/meshes/edges.h"
 
 namespace forceshade::properties {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
+
+using mesh::end_of, mesh::next_in_triangle, mesh::previous_in_triangle, mesh::start_of;
 
 constexpr std::size_t kMostRays = 64;     // of a vertex whose directions are tried by pairs
 constexpr double kOutside = 1e-9;         // of a sine: a direction that is outside by less counts as inside
@@ -22,33 +24,38 @@ constexpr double kIllConditioned = 1e-4;  // the volume of three unit vectors fr
 class Regions {
  public:
   Regions(const MeshRendering& rendering, double depth)
-      : rendering_(rendering), mesh_(rendering.mesh()), depth_(depth), sides_(rendering.sides == mesh::Sides::both ? 2 : 1) {}
+      : rendering_(rendering),
+        mesh_(rendering.mesh()),
+        depth_(depth),
+        sides_(rendering.sides == mesh::Sides::both ? 2 : 1),
+        opposite_(opposite_half_edges(mesh_)),
+        vertices_(mesh_.vertices.size()) {}
 
   RestRegions all() {
     found_.has_two_sides = sides_ == 2;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) add_faces(t);
-    for (const auto& [ends, halves] : edges_) add_edge(halves);
-    for (const auto& [v, around] : vertices_)
-      for (std::uint32_t behind = 0; behind < sides_; ++behind) add_vertex(v, around, behind);
+    for_each_edge(mesh_, [&](std::span<const std::uint32_t> half_edges) { add_edge(half_edges); });
+    for (const Around& around : vertices_)
+      for (std::uint32_t behind = 0; behind < sides_; ++behind) add_vertex(around, behind);
     return std::move(found_);
   }
 
  private:
-  struct Half {
-    std::uint32_t triangle;
-    std::size_t corner;  // at which it begins
-  };
   struct Around {
-    std::set<std::uint32_t> vertices;
-    std::vector<Half> triangles;  // with the corner that is this vertex
+    std::vector<std::uint32_t> half_edges;  // that start at this vertex
     bool is_at_rim = false;
   };
 
   Vector3d vertex(std::uint32_t v) const { return vector_of(mesh_.vertices[v]); }
-  std::uint32_t face(std::uint32_t triangle, std::uint32_t behind) const { return triangle * sides_ + behind; }
-  // The unit vector of a corner's normal, for the side.
-  Vector3d normal(const Half& at, std::uint32_t behind) const {
-    const Vector3d N = vector_of(rendering_.normals[at.triangle][at.corner % 3]).normalized();
+  std::uint32_t face(std::uint32_t half_edge, std::uint32_t behind) const { return half_edge / 3 * sides_ + behind; }
+  const Vector3d& out_of(std::uint32_t half_edge, std::uint32_t behind) const {
+    return found_.faces[face(half_edge, behind)].out;
+  }
+  // The corner's where the half-edge starts.
+  const mesh::Normal& corner_normal(std::uint32_t half_edge) const { return rendering_.normals[half_edge / 3][half_edge % 3]; }
+  // The unit vector along it, for the side.
+  Vector3d normal(std::uint32_t half_edge, std::uint32_t behind) const {
+    const Vector3d N = vector_of(corner_normal(half_edge)).normalized();
     return behind == 1 ? Vector3d(-N) : N;
   }
   bool is_shaded() const { return rendering_.shading == mesh::Shading::vertex_scheme; }
@@ -98,14 +105,9 @@ class Regions {
         interpolate(region, t, corners, n, behind);
       else
         region.directions = {out};
-      put_on(add(std::move(region), {out}, corners[0], size), face(t, behind));
+      put_on(add(std::move(region), {out}, corners[0], size), face(3 * t, behind));
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t v = triangle[i], w = triangle[(i + 1) % 3];
-      edges_[std::minmax(v, w)].push_back({t, i});
-      vertices_[v].triangles.push_back({t, i});
-      vertices_[v].vertices.insert({w, triangle[(i + 2) % 3]});
-    }
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) vertices_[start_of(mesh_, h)].half_edges.push_back(h);
   }
 
   // N is the sum of the corners' normals with the barycentric coordinates as weights: with the edges a, b and the normal as a
@@ -126,39 +128,33 @@ class Regions {
     if (region.least_normal > kOutside) region.normal = Affine{factor, normals[0] - factor * corners[0]};
   }
 
-  void add_edge(const std::vector<Half>& halves) {
-    if (halves.size() == 1) {
-      const mesh::Triangle& triangle = mesh_.triangles[halves[0].triangle];
-      const std::uint32_t v = triangle[halves[0].corner], w = triangle[(halves[0].corner + 1) % 3];
+  void add_edge(std::span<const std::uint32_t> half_edges) {
+    const std::uint32_t one = half_edges.front(), other = half_edges.back();
+    if (half_edges.size() == 1) {
+      const std::uint32_t v = start_of(mesh_, one), w = end_of(mesh_, one);
       vertices_[v].is_at_rim = vertices_[w].is_at_rim = true;
       found_.rim.push_back({vertex(v), vertex(w)});
       return;
     }
     for (std::uint32_t behind = 0; behind < sides_; ++behind) {
-      const std::uint32_t one = face(halves[0].triangle, behind), other = face(halves[1].triangle, behind);
-      found_.faces[one].beside.push_back(other);
-      found_.faces[other].beside.push_back(one);
-      if (!is_flat({halves[0], halves[1]})) add_valley(halves[0], halves[1], behind);
+      found_.faces[face(one, behind)].beside.push_back(face(other, behind));
+      found_.faces[face(other, behind)].beside.push_back(face(one, behind));
+      if (!is_flat(half_edges)) add_valley(one, other, behind);
     }
   }
 
   // Whether D has the one direction that it has inside the triangles around.
-  bool is_flat(const std::vector<Half>& around) const {
-    return std::ranges::all_of(around, [&](const Half& at) {
-      const Vector3d &n = found_.faces[face(around[0].triangle, 0)].out, &m = found_.faces[face(at.triangle, 0)].out;
-      return (n - m).norm() <= kOutside;
-    });
+  bool is_flat(std::span<const std::uint32_t> around) const {
+    return std::ranges::all_of(around,
+                               [&](std::uint32_t h) { return (out_of(around[0], 0) - out_of(h, 0)).norm() <= kOutside; });
   }
 
   // D = a n + b m with a, b >= 0, n and m the normals of both faces, where these rise from each other. It is no longer than the
   // depth, neither along n or m nor between them.
-  void add_valley(const Half& a, const Half& b, std::uint32_t behind) {
-    const mesh::Triangle &one = mesh_.triangles[a.triangle], &other = mesh_.triangles[b.triangle];
-    const Vector3d begin = vertex(one[a.corner]), end = vertex(one[(a.corner + 1) % 3]), along = (end - begin).normalized();
-    const std::uint32_t face_a = face(a.triangle, behind), face_b = face(b.triangle, behind);
-    const Vector3d n = found_.faces[face_a].out, m = found_.faces[face_b].out;
-    const Vector3d off = (vertex(other[(b.corner + 2) % 3]) - begin).normalized();
-    if (n.dot(off) < -kOutside) return;
+  void add_valley(std::uint32_t one, std::uint32_t other, std::uint32_t behind) {
+    const Vector3d begin = vertex(start_of(mesh_, one)), end = vertex(end_of(mesh_, one)), along = (end - begin).normalized();
+    const Vector3d n = out_of(one, behind), m = out_of(other, behind);
+    if (rise_beside(mesh_, n, one, other) < -kOutside) return;
     RestRegion region{.D = {along * along.transpose() - Matrix3d::Identity(), begin - along * along.dot(begin)}};
     region.borders = {{along, along.dot(begin), true}, {-along, -along.dot(end), true}};
     // At a right angle to n or m, and towards the other one. Where n and m are nearly the same, so are these.
@@ -176,75 +172,85 @@ class Regions {
     for (const Vector3d& far : {aside, Vector3d(-aside)})
       region.borders.push_back({far, far.dot(begin) - most - kOutside * depth_});
     if (is_shaded())
-      for (const Half& half : {a, Half{a.triangle, a.corner + 1}, b, Half{b.triangle, b.corner + 1}})
-        region.directions.push_back(normal(half, behind));
+      for (const std::uint32_t h : {one, next_in_triangle(one), other, next_in_triangle(other)})
+        region.directions.push_back(normal(h, behind));
     else
       region.directions = {n, m};
     const std::uint32_t index = add(std::move(region), {n, m}, begin, depth_ + (end - begin).norm());
-    put_on(index, face_a);
-    put_on(index, face_b);
+    put_on(index, face(one, behind));
+    put_on(index, face(other, behind));
   }
 
   // D·e >= 0 for each edge e from the vertex.
-  void add_vertex(std::uint32_t v, const Around& around, std::uint32_t behind) {
-    if (around.is_at_rim || is_flat(around.triangles)) return;
-    std::vector<Vector3d> edges;
-    for (const std::uint32_t w : around.vertices) edges.push_back((vertex(w) - vertex(v)).normalized());
+  void add_vertex(const Around& around, std::uint32_t behind) {
+    if (around.is_at_rim || is_flat(around.half_edges)) return;
+    const std::vector<Vector3d> edges = edges_from(mesh_, around.half_edges);
     std::optional<std::vector<Vector3d>> rays = extreme_rays(edges);
-    if (rays && !is_on_side(v, around, behind, *rays)) return;
-    RestRegion region{.D = {-Matrix3d::Identity(), vertex(v)}};
-    for (const Vector3d& e : edges) region.borders.push_back({-e, -e.dot(vertex(v)) - kOutside * depth_, true});
+    if (rays && !is_on_side(around.half_edges, edges, behind, *rays)) return;
+    const std::uint32_t first = around.half_edges.front();
+    const Vector3d tip = vertex(start_of(mesh_, first));
+    RestRegion region{.D = {-Matrix3d::Identity(), tip}};
+    for (const Vector3d& e : edges) region.borders.push_back({-e, -e.dot(tip) - kOutside * depth_, true});
     for (const double sign : {1.0, -1.0})
       for (const int axis : {0, 1, 2}) {
         const Vector3d far = sign * Vector3d::Unit(axis);
-        region.borders.push_back({far, far.dot(vertex(v)) - depth_});
+        region.borders.push_back({far, far.dot(tip) - depth_});
       }
-    const Half& first = around.triangles.front();
-    const bool has_normal =
-        is_shaded() && std::ranges::all_of(around.triangles, [&](const Half& at) {
-          return rendering_.normals[at.triangle][at.corner] == rendering_.normals[first.triangle][first.corner];
-        });
+    const bool has_normal = is_shaded() && std::ranges::all_of(around.half_edges, [&](std::uint32_t h) {
+                              return corner_normal(h) == corner_normal(first);
+                            });
     if (rays) region.directions = has_normal ? std::vector{normal(first, behind)} : *rays;
     const std::vector<Vector3d> of_D = has_normal && rays ? *rays : std::vector<Vector3d>();
-    const std::uint32_t index = add(std::move(region), of_D, vertex(v), depth_);
-    for (const Half& at : around.triangles) put_on(index, face(at.triangle, behind));
+    const std::uint32_t index = add(std::move(region), of_D, tip, depth_);
+    for (const std::uint32_t h : around.half_edges) put_on(index, face(h, behind));
   }
 
   // Whether D is on this side of the surface: inside of the cone it is everywhere or nowhere, so the middle of the rays
   // decides. The direction along the surface that is nearest to u = -D is there along an edge (docs/god-object.md).
-  bool is_on_side(std::uint32_t v, const Around& around, std::uint32_t behind, const std::vector<Vector3d>& rays) const {
+  bool is_on_side(const std::vector<std::uint32_t>& half_edges, const std::vector<Vector3d>& edges, std::uint32_t behind,
+                  const std::vector<Vector3d>& rays) const {
     Vector3d D = Vector3d::Zero();
     for (const Vector3d& ray : rays) D += ray;
     if (D.norm() <= kOutside) return !rays.empty();
     D.normalize();
-    const auto off = [&](std::uint32_t w) { return D.dot((vertex(w) - vertex(v)).normalized()); };
     double least = 1;
-    for (const std::uint32_t w : around.vertices) least = std::min(least, off(w));
-    return std::ranges::any_of(around.vertices, [&](std::uint32_t w) {
-      if (off(w) > least + kOutside) return false;
-      const std::vector<Half>& halves = edges_.at(std::minmax(v, w));
-      const Vector3d &n = out_of(halves[0], behind), &m = out_of(halves[1], behind);
-      const Vector3d third = vertex(mesh_.triangles[halves[1].triangle][(halves[1].corner + 2) % 3]);
-      const bool is_narrow = n.dot((third - vertex(v)).normalized()) > -kOutside;
+    for (const Vector3d& edge : edges) least = std::min(least, D.dot(edge));
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (D.dot(edges[i]) > least + kOutside) continue;
+      const std::uint32_t one = half_edges[i], other = opposite_[one];
+      const Vector3d &n = out_of(one, behind), &m = out_of(other, behind);
+      const bool is_narrow = rise_beside(mesh_, n, one, other) > -kOutside;
       const bool is_above_n = D.dot(n) > -kOutside, is_above_m = D.dot(m) > -kOutside;
-      return is_narrow ? is_above_n || is_above_m : is_above_n && is_above_m;
-    });
+      if (is_narrow ? is_above_n || is_above_m : is_above_n && is_above_m) return true;
+    }
+    return false;
   }
-  const Vector3d& out_of(const Half& half, std::uint32_t behind) const { return found_.faces[face(half.triangle, behind)].out; }
 
   const MeshRendering& rendering_;
   const mesh::TriangleMesh& mesh_;
   double depth_;
   std::uint32_t sides_;  // of a triangle that block motion
   RestRegions found_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Half>> edges_;
-  std::map<std::uint32_t, Around> vertices_;
+  std::vector<std::uint32_t> opposite_;  // half-edges
+  std::vector<Around> vertices_;
 };
 
 }  // namespace
 
 RestRegions rest_regions(const MeshRendering& rendering, double depth) {
   return Regions(rendering, depth).all();
+}
+
+double rise_beside(const mesh::TriangleMesh& mesh, const Eigen::Vector3d& n, std::uint32_t one, std::uint32_t other) {
+  const Vector3d begin = vector_of(mesh.vertices[start_of(mesh, one)]);
+  return n.dot((vector_of(mesh.vertices[start_of(mesh, previous_in_triangle(other))]) - begin).normalized());
+}
+
+std::vector<Eigen::Vector3d> edges_from(const mesh::TriangleMesh& mesh, const std::vector<std::uint32_t>& half_edges) {
+  std::vector<Vector3d> edges;
+  for (const std::uint32_t h : half_edges)
+    edges.push_back((vector_of(mesh.vertices[end_of(mesh, h)]) - vector_of(mesh.vertices[start_of(mesh, h)])).normalized());
+  return edges;
 }
 
 std::optional<std::vector<Eigen::Vector3d>> extreme_rays(const std::vector<Eigen::Vector3d>& edges) {

@@ -63,6 +63,13 @@ struct RestRegions {
 // rendering: with a bound of its energy (why_no_energy_bound() in mesh_energy.h).
 RestRegions rest_regions(const MeshRendering& rendering, double depth);
 
+// The sine by which the second triangle rises in front of the plane of the first, seen from their common edge. n: the unit
+// normal of the first. one, other: the half-edges of both along this edge (rendering/meshes/edges.h).
+double rise_beside(const mesh::TriangleMesh& mesh, const Eigen::Vector3d& n, std::uint32_t one, std::uint32_t other);
+
+// Unit vectors along the half-edges.
+std::vector<Eigen::Vector3d> edges_from(const mesh::TriangleMesh& mesh, const std::vector<std::uint32_t>& half_edges);
+
 // Unit vectors along the extreme rays of all D with D·e >= 0 for each of these unit vectors: each is at a right angle to two of
 // them. Nothing where these are more than 64.
 std::optional<std::vector<Eigen::Vector3d>> extreme_rays(const std::vector<Eigen::Vector3d>& edges);

@@ -138,7 +138,7 @@ class Pairs {
       if (f != reached.front()) left.push_back(f);
     std::ranges::sort(left);
     if (regions_.has_two_sides) {
-      const std::vector<std::uint32_t> other_sides = cut_off(met, reached.front());
+      const std::vector<std::uint32_t> other_sides = cut_off(met, left, reached.front());
       std::erase_if(left, [&](std::uint32_t f) { return std::ranges::binary_search(other_sides, f); });
     }
     for (std::size_t next = 0; next < reached.size(); ++next) {
@@ -154,21 +154,17 @@ class Pairs {
     return reached;
   }
 
-  // The other sides of the surface that is joined to `from` by faces of `met`, where no rim is in a box around all of these: a
-  // connected surface without a rim divides a box in two.
-  std::vector<std::uint32_t> cut_off(const std::vector<std::pair<Box, std::uint32_t>>& met, std::uint32_t from) const {
+  // The other sides of the surface that is joined to `from` by faces of `near`, which are sorted and those of `met` beside
+  // `from`, where no rim is in a box around all of these: a connected surface without a rim divides a box in two.
+  std::vector<std::uint32_t> cut_off(const std::vector<std::pair<Box, std::uint32_t>>& met,
+                                     const std::vector<std::uint32_t>& near, std::uint32_t from) const {
     Box all = bg::make_inverse<Box>();
-    std::vector<std::uint32_t> left;
-    for (const auto& [box, f] : met) {
-      bg::expand(all, box);
-      left.push_back(f);
-    }
+    for (const auto& [box, f] : met) bg::expand(all, box);
     if (rim_.qbegin(bg::index::intersects(all)) != rim_.qend()) return {};
-    std::ranges::sort(left);
     std::vector<std::uint32_t> joined{from}, others;
     for (std::size_t next = 0; next < joined.size(); ++next)
       for (const std::uint32_t f : regions_.faces[joined[next]].beside)
-        if (std::ranges::binary_search(left, f) && std::ranges::find(joined, f) == joined.end()) joined.push_back(f);
+        if (std::ranges::binary_search(near, f) && std::ranges::find(joined, f) == joined.end()) joined.push_back(f);
     for (const std::uint32_t f : joined) others.push_back(f ^ 1U);
     std::ranges::sort(others);
     return others;
