@@ -71,6 +71,7 @@ Json json_of(const MeshVerdict& verdict) {
   if (verdict.turns.most() == 0) return json;
   json["witness"] = Json::array();
   for (const properties::MeshPosition& corner : verdict.stroke.corners) json["witness"].push_back(json_of(corner));
+  if (verdict.stroke.corners.empty()) return json;
   json["witness_triangle"] = verdict.stroke.triangle;
   json["witness_length_mm"] = verdict.stroke.length;
   json["witness_ticks"] = verdict.stroke.ticks;

@@ -66,6 +66,7 @@ expect 0 "energy.off: the shading gives at most" -- energy --mesh energy.off --u
 expect 0 '"gives_energy":true' -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm --json -
 expect 0 "without shading no closed path gives energy" -- energy --mesh energy.off --unit mm --depth 0.5 --shading none
 expect 0 "no witness: no stroke no longer than 0.1 mm" -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1
+expect 0 '"witness":[]' -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1 --json -
 expect 2 "energy.off: expected the contact rule direct, got sub-goal" -- energy --mesh energy.off --unit mm --depth 1 --contact sub-goal --shading vertex
 expect 2 "--depth is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 0
 expect 2 "--length: expected --mesh beside it" -- energy --law wall --depth 1 --length 3

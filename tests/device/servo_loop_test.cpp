@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A run of the servo loop: forces, energy, how it ends, and what it asks of the device.
+// A run of the servo loop: forces, energy, how it ends, and what it requests of the device.
 
 #include "forceshade/servo_loop.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A supervised hand for tests, under no rule but those a test asks for.
+// A supervised hand for tests, under no rule but those a test sets.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using Force = Eigen::Vector3f;
 inline constexpr double kRate = 1000;
 inline const float kNan = std::nanf("");
 
-// No rule but those the test asks for.
+// No rule but those the test sets.
 inline SupervisorLimits lenient() {
   SupervisorLimits limits;
   limits.slew = SupervisorLimits::kNone;

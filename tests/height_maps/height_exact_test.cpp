@@ -234,8 +234,8 @@ struct Agreement {
   }
 };
 
-// Asks about components whose polynomial is of degree 2: near a Gaussian nothing else is expanded far enough.
-void ask(const PartsAtAPlace& parts, std::size_t first_axis, std::mt19937& random, Agreement& agreement) {
+// Takes components whose polynomial is of degree 2: near a Gaussian nothing else is expanded far enough.
+void compare(const PartsAtAPlace& parts, std::size_t first_axis, std::mt19937& random, Agreement& agreement) {
   agreement.expect(parts.exact_gap(), parts.enclosed_gap(), "gap");
   if (parts.enclosed_gap() != Sign::positive) return;
   for (std::size_t axis = first_axis; axis < 3; ++axis) {
@@ -280,7 +280,7 @@ TEST(height_exact, agrees_with_enclosures_that_can_tell) {
         }
       }
     }
-    ask(parts, has_hill && mode != Mode::conservative ? 2 : 0, random, agreement);
+    compare(parts, has_hill && mode != Mode::conservative ? 2 : 0, random, agreement);
   }
   std::printf("  %d compared, %d unknown\n", agreement.compared, agreement.unknown);
   EXPECT_GT(agreement.compared, 1000);

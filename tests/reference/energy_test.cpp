@@ -129,7 +129,7 @@ TEST(energy, bounds_equal_independent_quadrature) {
   }
 }
 
-TEST(energy, laws_of_the_page_pay_what_it_says) {
+TEST(energy, laws_of_the_page_give_what_it_says) {
   const auto generated = [](LawId id) { return low(loop_bound(build(id), 2).anywhere); };
   EXPECT_NEAR(generated(LawId::bump_2p), 0.1189, 5e-5);
   EXPECT_NEAR(generated(LawId::bump_3p), 0.4160, 5e-5);

@@ -164,8 +164,8 @@ std::array<double, 2> bound_by_columns(const HeightExample& example, Mode mode, 
     // K·(depth·rise + excess), its positive and its negative part over the depth.
     constexpr int kDepths = 32;
     for (int k = 0; k < kDepths; ++k) {
-      const double pay = D * (k + 0.5) / kDepths * rise + excess;
-      generated[pay > 0 ? 0 : 1] += std::fabs(pay) * D / kDepths;
+      const double given = D * (k + 0.5) / kDepths * rise + excess;
+      generated[given > 0 ? 0 : 1] += std::fabs(given) * D / kDepths;
     }
   }
   return generated;

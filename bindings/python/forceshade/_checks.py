@@ -81,7 +81,7 @@ def certify(
 ) -> Certificate:
     """Checks renderers against the exact definition at many points, and their properties, as forceshade certify does.
 
-    points: of each subject, and a quarter as many with other parameters; as many as forceshade drive asks for, unless said.
+    points: of each subject, and a quarter as many with other parameters; as many as forceshade drive requires, unless said.
     threads: as many as this process may use processors, unless said. out: a file, into which the certificate goes as JSON; one
     that is there already is replaced only with overwrite=True.
 

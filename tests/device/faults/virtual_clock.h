@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The clock that the servo loop paces itself by, as a test wants it. While one of these lives, sleeping until an absolute time
+// The clock that the servo loop paces itself by, as a test sets it. While one of these lives, sleeping until an absolute time
 // takes none, and nothing else takes any but what pass() and compute() say: a run is late by as much as it is told, on a
 // machine under any load. Linked with --wrap=clock_gettime,--wrap=clock_nanosleep; other threads keep the real clock.
 
