@@ -73,11 +73,8 @@ Proof.
         assert (D1 : Rabs (a - u) <= 4000000200000000) by (apply Rle_trans with (1 := minus_size _ _); lra).
         assert (D2 : Rabs (K * (A + Z * d) * S) <= 1000 * 300000000 * 10000) by (apply product_size; [now apply product_size|exact BS]).
         pose proof (product_size _ _ _ _ D1 D1). pose proof (product_size _ _ _ _ D2 D2). lra. }
-  apply (separation_of_quotient F m (Rad * (Rad + d)) (a + u + t) 28 1031 E).
-  { split; [apply Rmult_lt_0_compat; lra|]. apply Rle_trans with (10000 * 20000); [apply Rmult_le_compat; lra|simpl; lra]. }
-  apply Rmult_le_reg_r with (bpow radix2 53 * bpow radix2 53 * bpow radix2 53); [rewrite <- !bpow_plus; apply bpow_gt_0|].
-  replace (bpow radix2 (28 - 1031) * (bpow radix2 53 * bpow radix2 53 * bpow radix2 53)) with (bpow radix2 (- (4 * 211))); [exact Low|].
-  rewrite <- !bpow_plus. f_equal.
+  apply (separation_of_quotient_4 F m (Rad * (Rad + d)) (a + u + t) 28 211 53 E); [|exact Low].
+  split; [apply Rmult_lt_0_compat; lra|]. apply Rle_trans with (10000 * 20000); [apply Rmult_le_compat; lra|simpl; lra].
 Qed.
 
 Theorem bump_2p_shaded_is_separated : forall R w K x y z m, parameters R w K -> valid x y z = true -> is_tie m ->
