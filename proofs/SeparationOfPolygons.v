@@ -77,6 +77,17 @@ Proof.
   split; [apply Rmult_lt_0_compat; lra|]. apply Rle_trans with (10000 * 20000); [apply Rmult_le_compat; lra|simpl; lra].
 Qed.
 
+Lemma gap_2p_is : forall Rad c d X Z, 0 < Rad -> 0 < c -> 0 <= d -> d * d = Rad * Rad - c * c ->
+  (Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z = (c * (c - Rabs X) - Z * Rad - Z * d) / (Rad + d).
+Proof.
+  intros Rad c d X Z HR Hc Hd Hd2.
+  assert (Hcd : (Rad - d) * (Rad + d) = c * c) by (replace ((Rad - d) * (Rad + d)) with (Rad * Rad - d * d) by ring; lra).
+  apply Rmult_eq_reg_r with (Rad + d); [|lra]. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  replace (((Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z) * (Rad + d)) with ((Rad - d) * (Rad + d) * (1 - Rabs X / c) - Z * (Rad + d)) by
+    (field; lra).
+  rewrite Hcd. field. lra.
+Qed.
+
 Theorem bump_2p_shaded_is_separated : forall R w K x y z m, parameters R w K -> valid x y z = true -> is_tie m ->
   let X := read (value32 x) in let Z := read (value32 z) in let M := penetration_2p (value32 R) (value32 w) X Z in
   let Fx := shaded_x (value32 R) (value32 w) (value32 K) X M in let Fz := shaded_z (value32 R) (value32 w) (value32 K) X M in
@@ -103,12 +114,7 @@ Proof.
   set (A := c * (c - Rabs X) - Z * Rad).
   assert (MabsX : multiple 53 (Rabs X)) by (unfold Rabs; destruct (Rcase_abs X); [now apply multiple_opp|exact MX]).
   assert (MA : multiple 87 A) by (unfold A; multiple).
-  assert (Hgap : (Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z = (A - Z * d) / (Rad + d)).
-  { assert (Hcd : (Rad - d) * (Rad + d) = c * c) by (replace ((Rad - d) * (Rad + d)) with (Rad * Rad - d * d) by ring; lra).
-    apply Rmult_eq_reg_r with (Rad + d); [|lra]. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    replace (((Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z) * (Rad + d)) with ((Rad - d) * (Rad + d) * (1 - Rabs X / c) - Z * (Rad + d)) by
-      (field; lra).
-    rewrite Hcd. unfold A. field. lra. }
+  assert (Hgap : (Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z = (A - Z * d) / (Rad + d)) by (apply gap_2p_is; lra).
   rewrite Hgap.
   pose proof (Rabs_pos X) as PX. assert (BcX : 0 <= c * (c - Rabs X) <= 10000 * 10000).
   { split; [apply Rmult_le_pos; lra|apply Rmult_le_compat; lra]. }

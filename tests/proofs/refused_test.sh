@@ -170,6 +170,8 @@ refuses proofs/SeparationOfCubic.v "multiple (k - 29) b /\\ multiple (k - 58) c 
 refuses proofs/SeparationOfThree.v "om * r2 * r3 = - (w * (Rad * Rad));" "om * r2 * r3 = - (2 * w * (Rad * Rad));" "Error"
 refuses proofs/SeparationOfThree.v "(Fx <> m -> bpow radix2 (-2033)" "(Fx <> m -> bpow radix2 (-2032)" "Error"
 refuses proofs/SeparationOfThreeShaded.v "multiple 106 (s * s) -> s * s <= Rad * Rad -> multiple 33 K" "multiple 116 (s * s) -> s * s <= Rad * Rad -> multiple 33 K" "Error"
+refuses proofs/SeparationOfContact.v "Z + d <> 0 -> bpow radix2 (-121)" "Z + d <> 0 -> bpow radix2 (-120)" "Error"
+refuses proofs/SeparationOfContact.v "M <> 0 -> bpow radix2 (-909)" "M <> 0 -> bpow radix2 (-908)" "Error"
 refuses fast/laws/bump_3p_shaded.h "kSeparation = 3729;" "kSeparation = 3728;" "proofs/code.txt"
 refuses fast/laws/outcome.h "square_root((R - X) * (R + X))" "square_root((R - X) * (R - X))" "proofs/code.txt"
 refuses fast/numbers/double_double.h "if (!(size > a.error)) return Sign::unknown;" "if (!(size >= a.error)) return Sign::unknown;" "proofs/code.txt"
