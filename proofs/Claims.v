@@ -6,6 +6,7 @@ From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHo
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
 From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
 From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
+From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage Bump1pShadedSecond.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
@@ -85,6 +86,14 @@ Print Assumptions cylinder_is_separated.
 Print Assumptions bump_cylinder_is_separated.
 Print Assumptions bump_2p_shaded_is_separated.
 Print Assumptions bump_2p_is_separated.
+Print Assumptions separation_of_degree_3.
+Print Assumptions separation_of_degree_6.
+Print Assumptions separation_of_degree_12.
+Print Assumptions bump_3p_is_separated.
+Print Assumptions bump_3p_shaded_is_separated.
+Print Assumptions cylinder_contact_is_separated.
+Print Assumptions bump_2p_contact_is_separated.
+Print Assumptions bump_3p_contact_is_separated.
 Print Assumptions encloses_sum.
 Print Assumptions encloses_multiply.
 Print Assumptions encloses_divide.

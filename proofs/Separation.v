@@ -177,6 +177,16 @@ Proof.
   replace (- e + j)%Z with (j - e)%Z by ring. apply Rle_trans with (1 := H). now apply Rmult_le_compat_l.
 Qed.
 
+(* The same, from what separation_of_degree_4 says of gamma. *)
+Lemma separation_of_quotient_4 : forall F m D gamma j k l, gamma = (F - m) * D -> 0 < D <= bpow radix2 j ->
+  bpow radix2 (- (4 * k)) <= Rabs gamma * (bpow radix2 l * bpow radix2 l * bpow radix2 l) ->
+  bpow radix2 (- (j + 4 * k + 3 * l)) <= Rabs (F - m).
+Proof.
+  intros F m D gamma j k l E HD H. apply (separation_of_quotient F m D gamma j _ E HD). rewrite <- !bpow_plus in H.
+  apply Rmult_le_reg_r with (bpow radix2 (l + l + l)); [apply bpow_gt_0|]. rewrite <- bpow_plus.
+  replace (j - (j + 4 * k + 3 * l) + (l + l + l))%Z with (- (4 * k))%Z by ring. exact H.
+Qed.
+
 (* ---- bump-1p-shaded ---- *)
 
 (* Its largest force is 10^7 N. *)

@@ -64,10 +64,7 @@ Proof.
     eapply Rle_trans; [apply Rplus_le_compat; [apply product_size; [exact Ba|exact Ba]|
       apply product_size; [apply product_size; [exact S1|exact S1]|exact S2]]|]. lra. }
   pose proof (separation_of_degree_4 203 a u p v t _ Ma Mu Mp Muv Mv Ht Hne2 HC C1 C2 C3) as H.
-  apply (separation_of_quotient F M rho (a + u + t) 14 (826 + 3 * j) E); [simpl; lra|].
-  apply Rmult_le_reg_r with (bpow radix2 j * bpow radix2 j * bpow radix2 j); [repeat apply Rmult_lt_0_compat; apply bpow_gt_0|].
-  replace (bpow radix2 (14 - (826 + 3 * j)) * (bpow radix2 j * bpow radix2 j * bpow radix2 j)) with (bpow radix2 (- (4 * 203))); [exact H|].
-  rewrite <- !bpow_plus. f_equal. ring.
+  apply (separation_of_quotient_4 F M rho (a + u + t) 14 203 j E); [simpl; lra|exact H].
 Qed.
 
 (* The same, of the law's component with the plane's force W added. *)

@@ -73,11 +73,19 @@ Proof.
         assert (D1 : Rabs (a - u) <= 4000000200000000) by (apply Rle_trans with (1 := minus_size _ _); lra).
         assert (D2 : Rabs (K * (A + Z * d) * S) <= 1000 * 300000000 * 10000) by (apply product_size; [now apply product_size|exact BS]).
         pose proof (product_size _ _ _ _ D1 D1). pose proof (product_size _ _ _ _ D2 D2). lra. }
-  apply (separation_of_quotient F m (Rad * (Rad + d)) (a + u + t) 28 1031 E).
-  { split; [apply Rmult_lt_0_compat; lra|]. apply Rle_trans with (10000 * 20000); [apply Rmult_le_compat; lra|simpl; lra]. }
-  apply Rmult_le_reg_r with (bpow radix2 53 * bpow radix2 53 * bpow radix2 53); [rewrite <- !bpow_plus; apply bpow_gt_0|].
-  replace (bpow radix2 (28 - 1031) * (bpow radix2 53 * bpow radix2 53 * bpow radix2 53)) with (bpow radix2 (- (4 * 211))); [exact Low|].
-  rewrite <- !bpow_plus. f_equal.
+  apply (separation_of_quotient_4 F m (Rad * (Rad + d)) (a + u + t) 28 211 53 E); [|exact Low].
+  split; [apply Rmult_lt_0_compat; lra|]. apply Rle_trans with (10000 * 20000); [apply Rmult_le_compat; lra|simpl; lra].
+Qed.
+
+Lemma gap_2p_is : forall Rad c d X Z, 0 < Rad -> 0 < c -> 0 <= d -> d * d = Rad * Rad - c * c ->
+  (Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z = (c * (c - Rabs X) - Z * Rad - Z * d) / (Rad + d).
+Proof.
+  intros Rad c d X Z HR Hc Hd Hd2.
+  assert (Hcd : (Rad - d) * (Rad + d) = c * c) by (replace ((Rad - d) * (Rad + d)) with (Rad * Rad - d * d) by ring; lra).
+  apply Rmult_eq_reg_r with (Rad + d); [|lra]. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  replace (((Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z) * (Rad + d)) with ((Rad - d) * (Rad + d) * (1 - Rabs X / c) - Z * (Rad + d)) by
+    (field; lra).
+  rewrite Hcd. field. lra.
 Qed.
 
 Theorem bump_2p_shaded_is_separated : forall R w K x y z m, parameters R w K -> valid x y z = true -> is_tie m ->
@@ -106,12 +114,7 @@ Proof.
   set (A := c * (c - Rabs X) - Z * Rad).
   assert (MabsX : multiple 53 (Rabs X)) by (unfold Rabs; destruct (Rcase_abs X); [now apply multiple_opp|exact MX]).
   assert (MA : multiple 87 A) by (unfold A; multiple).
-  assert (Hgap : (Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z = (A - Z * d) / (Rad + d)).
-  { assert (Hcd : (Rad - d) * (Rad + d) = c * c) by (replace ((Rad - d) * (Rad + d)) with (Rad * Rad - d * d) by ring; lra).
-    apply Rmult_eq_reg_r with (Rad + d); [|lra]. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    replace (((Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z) * (Rad + d)) with ((Rad - d) * (Rad + d) * (1 - Rabs X / c) - Z * (Rad + d)) by
-      (field; lra).
-    rewrite Hcd. unfold A. field. lra. }
+  assert (Hgap : (Rad - d) * (1 - 2 * Rabs X / (2 * c)) - Z = (A - Z * d) / (Rad + d)) by (apply gap_2p_is; lra).
   rewrite Hgap.
   pose proof (Rabs_pos X) as PX. assert (BcX : 0 <= c * (c - Rabs X) <= 10000 * 10000).
   { split; [apply Rmult_le_pos; lra|apply Rmult_le_compat; lra]. }

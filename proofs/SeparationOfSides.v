@@ -49,10 +49,7 @@ Proof.
     { apply product_size; [now apply product_size|]. apply product_size; rewrite Rabs_pos_eq; lra. }
     lra. }
   pose proof (separation_of_degree_4 181 a u p v t _ Ma Mu Mp Muv Mv Ht Hne2 HC C1 C2 C3) as H.
-  apply (separation_of_quotient F m psi (a + u + t) 15 859 E); [simpl; lra|].
-  apply Rmult_le_reg_r with (bpow radix2 40 * bpow radix2 40 * bpow radix2 40); [rewrite <- !bpow_plus; apply bpow_gt_0|].
-  replace (bpow radix2 (15 - 859) * (bpow radix2 40 * bpow radix2 40 * bpow radix2 40)) with (bpow radix2 (- (4 * 181))); [exact H|].
-  rewrite <- !bpow_plus. f_equal.
+  apply (separation_of_quotient_4 F m psi (a + u + t) 15 181 40 E); [simpl; lra|exact H].
 Qed.
 
 Theorem bump_2p_is_separated : forall R w K x y z m, parameters R w K -> valid x y z = true -> is_tie m ->
