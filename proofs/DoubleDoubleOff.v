@@ -69,7 +69,7 @@ Proof.
   { replace (h + h') with ((x + x') + (h + l - x) + (h' + l' - x') - (l + l')) by ring. apply Rle_trans with (1 := minus_size _ _).
     pose proof (Rabs_triang (x + x' + (h + l - x)) (h' + l' - x')). pose proof (Rabs_triang (x + x') (h + l - x)).
     pose proof (Rabs_triang l l'). lra. }
-  destruct (sum_of_is_off _ _ _ _ h l h' l' S L H L1 H' L' ltac:(lra) ltac:(lra) Hhh ltac:(lra) ltac:(lra)) as (p & q & P & Q & Epq & Bp & Bq & T).
+  destruct (sum_of_is_off _ _ _ _ h l h' l' S L H L1 H' L' ltac:(lra) ltac:(lra) Hhh ltac:(lra) ltac:(lra)) as (p & q & P & Q & Epq & Bp & Bq & _ & T).
   assert (I : is64 (plus (error a) (error b)) (nearest64 (k + k'))).
   { apply plus_is; try assumption. apply big_enough. rewrite Rabs_pos_eq; lra. }
   pose proof (rounded_sum_of_errors k k' (g + g') ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as R.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* Double-double where terms cancel: sums, products and quotients of either sign, how far they are off in absolute numbers. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
-From Flocq Require Import Core BinarySingleNaN Binary Bits.
+From Flocq Require Import Core BinarySingleNaN Binary Bits Plus_error Relative.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap Polygons.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds.
 Open Scope R_scope.
@@ -92,12 +92,23 @@ Proof.
   replace (x + y - s) with (nearest64 (q + r)) by lra. exact I6.
 Qed.
 
+(* What rounding a sum takes, as a share of the result, however small that is. *)
+Lemma sum_rest : forall v w, in_binary64 v -> in_binary64 w -> Rabs (v + w - nearest64 (v + w)) <= unit53 * Rabs (nearest64 (v + w)).
+Proof.
+  intros v w Gv Gw. destruct (FLT_plus_error_N_round_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) v w Gv Gw) as (eps & He & E).
+  change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n))) (v + w)) with (nearest64 (v + w)) in E.
+  rewrite E at 1. replace (nearest64 (v + w) * (1 + eps) - nearest64 (v + w)) with (nearest64 (v + w) * eps) by ring.
+  rewrite Rabs_mult, (Rmult_comm unit53). apply Rmult_le_compat_l; [apply Rabs_pos|].
+  replace unit53 with (u_ro radix2 53) by (unfold u_ro, unit53; simpl; lra). exact He.
+Qed.
+
 (* x + l and h + k, of which x and h may cancel; together the small terms are no larger than L. *)
 Lemma sum_of_cancels : forall a a_lo b b_lo x l h k L, let S := Rabs (x + h) in is64 a x -> is64 a_lo l -> is64 b h -> is64 b_lo k ->
   Rabs x <= 100000000 -> Rabs h <= 100000000 -> Rabs l + Rabs k <= L -> L <= 1000 ->
   exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\
     Rabs (p + q - (x + l + (h + k))) <= 21 / 10 * unit53 * (unit53 * S + L) /\ Rabs p <= 11 / 10 * (S + L) /\
     Rabs q <= unit53 * (11 / 10 * S + 5 * L) /\
+    (L <= / 1000000 * S -> Rabs q <= unit53 * Rabs p) /\
     (/ 100000000000000000000 <= x + h -> L <= / 1000000 * (x + h) -> Rabs q <= unit53 * p).
 Proof.
   intros a a_lo b b_lo x l h k L S Ha Hal Hb Hbl Bx Bh HL HL2. pose proof unit_is_small as Hu. pose proof (Rabs_triang x h) as HS2.
@@ -142,7 +153,7 @@ Proof.
   assert (Uvw : unit53 * Rabs (v + w) <= unit53 * (1001 / 1000 * (S + L) + (1002 / 1000 * US + 33 / 10 * UL))) by
     (apply unit_times_compat; lra).
   pose proof (unit_times _ (Rabs_pos (v + w))) as Uvw2.
-  split; [|split; [lra|split; [unfold US, UL in *; lra|]]].
+  split; [|split; [lra|split; [unfold US, UL in *; lra|split]]].
   - replace (p + q - (x + l + (h + k))) with ((p + q - (v + w)) + (w - (tl + vl)) + (v + vl - (s + c)) + (c - (sl + t)))
       by (unfold sl, tl; ring).
     assert (Fin : Rabs (p + q - (v + w)) + Rabs (v + vl - (s + c)) <= 103 / 100 * UL).
@@ -164,6 +175,12 @@ Proof.
         lra. }
     apply Rle_trans with (1 := Rabs_triang _ _). pose proof (Rabs_triang (p + q - (v + w) + (w - (tl + vl))) (v + vl - (s + c))) as R1.
     pose proof (Rabs_triang (p + q - (v + w)) (w - (tl + vl))) as R2. unfold US, UL in *. lra.
+  - intro HLlow. assert (Hs : S <= Rabs s + US).
+    { unfold S at 1. replace (x + h) with (s + sl) by (unfold sl; ring). apply Rle_trans with (1 := Rabs_triang _ _). lra. }
+    pose proof (size_by s (s + c)) as S1. replace (s - (s + c)) with (- c) in S1 by ring. rewrite Rabs_Ropp in S1.
+    pose proof (size_by (s + c) v) as S2. rewrite (Rabs_minus_sym (s + c)) in S2. pose proof (unit_times _ (Rabs_pos (s + c))) as S3.
+    destruct Dp as [[_ Hp]|[Hvw _]]; [|exfalso; lra].
+    replace q with (v + w - p) by lra. rewrite Ep. apply sum_rest; [now apply format_of in I9|now apply format_of in I17].
   - intros Hlow HLlow. assert (HSx : S = x + h) by (apply Rabs_pos_eq; lra). rewrite <- HSx in *.
     assert (Hs : 999 / 1000 * S <= Rabs s).
     { assert (S <= Rabs s + US); [|lra]. unfold S at 1. replace (x + h) with (s + sl) by (unfold sl; ring).
@@ -179,6 +196,7 @@ Lemma sum_of_is_off : forall a a_lo b b_lo x l h k S L, is64 a x -> is64 a_lo l 
   exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\
     Rabs (p + q - (x + l + (h + k))) <= 21 / 10 * unit53 * (unit53 * S + L) /\ Rabs p <= 11 / 10 * (S + L) /\
     Rabs q <= unit53 * (11 / 10 * S + 5 * L) /\
+    (L <= / 1000000 * Rabs (x + h) -> Rabs q <= unit53 * Rabs p) /\
     (/ 100000000000000000000 <= x + h -> L <= / 1000000 * (x + h) -> Rabs q <= unit53 * p).
 Proof.
   intros a a_lo b b_lo x l h k S L Ha Hal Hb Hbl Bx Bh HS HL HL2. pose proof unit_is_small as Hu.
@@ -201,23 +219,23 @@ Proof. intros t v w a b c Ht Hv Hw H. split; [|apply product_is_close]. apply fu
 Lemma product_size : forall a b A B, Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
 Proof. intros a b A B Ha Hb. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption. Qed.
 
-Lemma tiny_is_tinier : 0 <= tiny <= / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000.
+Lemma tiny_is_tinier : 0 <= tiny <= / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000.
 Proof. unfold tiny. split; [apply bpow_ge_0|]. simpl. lra. Qed.
 
 (* What rounding takes, as a share of the result. *)
-Lemma rounding_rest : forall x, / 1000000000000000000000000000000000000000000000000000000000000 <= Rabs (nearest64 x) ->
+Lemma rounding_rest : forall x, / 100000000000000000000000000000000000000000000000000000000000000000000000000000000 <= Rabs (nearest64 x) ->
   Rabs (x - nearest64 x) <= unit53 * Rabs (nearest64 x).
 Proof.
   intros x Hx. rewrite Rabs_minus_sym. pose proof (error_le_half_ulp_round radix2 fexp64 (fun n => negb (Z.even n)) x) as U.
   pose proof (ulp_FLT_le radix2 (-1074) 53 (nearest64 x)) as V. change (bpow radix2 (1 - 53)) with (/ 4503599627370496) in V.
   assert (bpow radix2 (-1074 + 53 - 1) <= Rabs (nearest64 x)).
-  { apply Rle_trans with (bpow radix2 (-200)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hx). simpl. lra. }
+  { apply Rle_trans with (bpow radix2 (-300)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hx). simpl. lra. }
   specialize (V H). change (Znearest (fun n => negb (Z.even n))) with ZnearestE in U. unfold unit53. lra.
 Qed.
 
 Lemma product_of_parts : forall a a_lo b b_lo h l c k H K, let M := H * K in is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
   Rabs h <= H -> Rabs c <= K -> Rabs l <= 101 / 100 * (unit53 * H) -> Rabs k <= 101 / 100 * (unit53 * K) ->
-  / 10000000000000000000000000000000000000000 <= M <= 1000000000 -> / 1000 * M <= Rabs (h * c) ->
+  / 10000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000 -> / 1000 * M <= Rabs (h * c) ->
   exists p q, is64 (fst (product_of a a_lo b b_lo)) p /\ is64 (snd (product_of a a_lo b b_lo)) q /\
     Rabs (p + q - (h + l) * (c + k)) <= 7 * (unit53 * (unit53 * M)) /\ Rabs p <= 101 / 100 * M /\ Rabs q <= 101 / 100 * (unit53 * M) /\
     Rabs q <= unit53 * Rabs p.
@@ -233,7 +251,7 @@ Proof.
   assert (Ge : in_binary64 (m - p0)).
   { pose proof (two_product_is_exact h c Gh Gc) as E. cbv zeta in E. fold m p0 in E.
     assert (Hs : m = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs m).
-    { right. apply Rle_trans with (bpow radix2 (-150)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hlow). simpl. lra. }
+    { right. apply Rle_trans with (bpow radix2 (-300)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hlow). simpl. lra. }
     replace (m - p0) with (nearest64 (m - p0)) by (specialize (E Hs); lra). apply generic_format_round; auto with typeclass_instances. }
   assert (C1' : Rabs (m - p0) <= 1001 / 1000 * um) by (rewrite Rabs_minus_sym; lra).
   assert (Blc : Rabs (l * c) <= 101 / 100 * um).
