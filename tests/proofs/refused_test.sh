@@ -125,7 +125,7 @@ refuses proofs/NewtonThird.v "(unit53 * t)) + 24 * (unit53 * (rho * t)))" "(unit
 refuses proofs/NewtonRest.v "is_off (rest_slope a) (12 * y * (1 - y))" "is_off (rest_slope a) (12 * y * (1 + y))" "Error"
 refuses proofs/SineOfThird.v "holds 70 (/ 10000) (sine_of_third R w)" "holds 60 (/ 10000) (sine_of_third R w)" "Error"
 refuses proofs/DoubleDoubleTerms.v "<= 7 * (unit53 * (unit53 * M)) /\\ Rabs p <= 101 / 100 * M /\\ Rabs q <= 101 / 100 * (unit53 * M) /\\" "<= 5 * (unit53 * (unit53 * M)) /\\ Rabs p <= 101 / 100 * M /\\ Rabs q <= 101 / 100 * (unit53 * M) /\\" "Error"
-refuses proofs/DoubleDoubleTerms.v "- (h + l) / (c + k)) <= 20 * (unit53 * Q)" "- (h + l) / (c + k)) <= 10 * (unit53 * Q)" "Error"
+refuses proofs/DoubleDoubleOff.v "- (h + l) / (c + k)) <= 20 * (unit53 * Q)" "- (h + l) / (c + k)) <= 10 * (unit53 * Q)" "Error"
 refuses proofs/DoubleDoubleOff.v "(101 / 100 * (m' * e) + Rabs x * e' + 7 " "(101 / 100 * (m' * e) + 7 " "Error"
 refuses proofs/ExactSign.v "first_sign (rev (expansion terms))" "first_sign (expansion terms)" "Error"
 refuses proofs/ExactSign.v "sum_low carry x :: grow (plus carry x) rest" "plus carry x :: grow (sum_low carry x) rest" "Error"
