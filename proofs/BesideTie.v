@@ -18,15 +18,15 @@ Definition sign_of (a : double_double) : Sign :=
   else if negb (is_less (error a) (times (absolute (hi a)) almost_one)) then is_unknown
   else if is_less zero64 (hi a) then is_positive else is_negative.
 
-(* What a sign needs: terms that do not overlap by much more than a rounding. *)
+(* What a sign needs. The bound may be larger than the first term. *)
 Definition contains (a : double_double) (x : R) : Prop :=
-  exists h l e, is64 (hi a) h /\ is64 (lo a) l /\ is64 (error a) e /\ Rabs l <= 3 / 2 * (unit53 * Rabs h) /\ 0 <= e /\
+  exists h l e, is64 (hi a) h /\ is64 (lo a) l /\ is64 (error a) e /\ Rabs l <= unit53 * Rabs h /\ 0 <= e /\
     Rabs (h + l - x) <= e /\ Rabs h <= 1000000000000.
 
 Lemma enclosed_is_contained : forall s a x, encloses s a x -> 0 <= s <= / 1000 -> Rabs x <= 100000000000 -> contains a x.
 Proof.
   intros s a x (h & l & e & H & L & E & Bl & Be & B) Hs Hx. pose proof (enclosed_size _ _ _ _ _ Bl Be B Hs) as S.
-  pose proof (unit_times _ (Rabs_pos h)) as U. exists h, l, e. repeat (split; [assumption|]). split; [lra|]. split; [lra|]. split; [exact
+  pose proof (unit_times _ (Rabs_pos h)) as U. exists h, l, e. repeat (split; [assumption|]). split; [lra|]. split; [exact
     B|lra].
 Qed.
 
@@ -40,7 +40,7 @@ Proof.
 Qed.
 
 (* A bound below the size that the code computes leaves the sign to the first term. *)
-Lemma bound_below_size : forall h l e, in_binary64 h -> in_binary64 l -> Rabs l <= 3 / 2 * (unit53 * Rabs h) -> 0 <= e ->
+Lemma bound_below_size : forall h l e, in_binary64 h -> in_binary64 l -> Rabs l <= unit53 * Rabs h -> 0 <= e ->
   e < nearest64 (Rabs h * (1 - 8 * unit53)) -> e + Rabs l < Rabs h.
 Proof.
   intros h l e Gh Gl Bl He Hless. pose proof unit_is_small as Hu. pose proof (Rabs_pos h) as Ph. pose proof (unit_times _ Ph) as Uh.
@@ -121,8 +121,8 @@ Qed.
 (* Where the first terms are near each other, nothing is rounded. *)
 Lemma sum_of_near : forall a a_lo b b_lo h l t, is64 a h -> is64 a_lo l -> is64 b (- t) -> is64 b_lo 0 -> in_binary64 (h - t) ->
   h - t = 0 \/ Rabs l <= Rabs (h - t) -> Rabs h <= 1000000000 -> Rabs t <= 10000000000 -> Rabs l <= 1000 ->
-  exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\ p + q = h + l - t /\ Rabs q <= 3 / 2 * (unit53
-    * Rabs p) /\
+  exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\ p + q = h + l - t /\ Rabs q <= unit53 *
+    Rabs p /\
     Rabs p <= 100000000000.
 Proof.
   intros a a_lo b b_lo h l t Ha Hl Hb Hbl Gd Hor Bh Bt Blow. pose proof unit_is_small as Hu. set (d := h - t) in *.
@@ -175,21 +175,17 @@ Proof.
   exists v, vl. split; [exact I18|]. split.
   { apply (minus_exact _ _ vl 0); [exact I17|exact I19|ring|exact Gvl|apply small; lra]. }
   split; [unfold vl, d; ring|]. split; [|lra].
-  pose proof (size_by (d + l) v) as S2. rewrite (Rabs_minus_sym (d + l)) in S2.
-  assert (unit53 * Rabs (d + l) <= unit53 * (11 / 10 * Rabs v)) by (apply unit_times_compat; lra). pose proof (unit_times _ (Rabs_pos v)).
-    lra.
+  apply sum_rest; [exact Gd|exact Gl].
 Qed.
 
-(* The difference contains that of the exact number. *)
-Theorem difference_contains : forall s a x tv t N k, encloses s a x -> 0 <= s <= / 1000000000000000 -> is64 tv t -> t = IZR N * bpow radix2
-  k ->
-  (Z.abs N < 2 ^ 26)%Z -> (-150 <= k)%Z -> Rabs t <= 100000000 -> x = 0 \/ / 1000000000000000000000000000000 <= Rabs x <= 20000000 ->
+(* The difference contains that of the exact number, however large its bound is. *)
+Theorem difference_contains : forall s a x tv t N k, encloses s a x -> 0 <= s <= 100 -> is64 tv t -> t = IZR N * bpow radix2 k ->
+  N <> 0%Z -> (Z.abs N < 2 ^ 26)%Z -> (-150 <= k)%Z -> Rabs t <= 100000000 -> Rabs (value64 (hi a)) <= 100000000 ->
   contains (add a (negated (exactly64 tv))) (x - t).
 Proof.
-  intros s a x tv t N k (h & l & e & H & L & E & Bl & Be & B) Hs Ht Et HN Hk Bt Hx. pose proof unit_is_small as Hu.
-  pose proof (enclosed_size _ _ _ _ _ Bl Be B ltac:(lra)) as Sh. pose proof (Rabs_pos h) as Ph. pose proof (unit_times _ Ph) as Uh.
-  assert (Hx2 : Rabs x <= 20000000) by (destruct Hx as [-> |Hx]; [rewrite Rabs_R0|]; lra).
-  assert (sh : s * Rabs h <= / 1000000000000000 * Rabs h) by (apply Rmult_le_compat_r; lra).
+  intros s a x tv t N k (h & l & e & H & L & E & Bl & Be & B) Hs Ht Et HN0 HN Hk Bt Bh. pose proof unit_is_small as Hu.
+  rewrite (proj1 H) in Bh. pose proof (Rabs_pos h) as Ph. pose proof (unit_times _ Ph) as Uh.
+  assert (sh : s * Rabs h <= 100 * Rabs h) by (apply Rmult_le_compat_r; lra).
   pose proof (opp_is _ _ Ht) as Hneg. assert (Hz : is64 (opp zero64) 0) by (rewrite <- Ropp_0 at 1; apply opp_is, zero_is).
   assert (Ie : is64 (plus (error a) zero64) e).
   { apply (plus_exact _ _ e 0); try assumption; [ring|now apply format_of in E|apply big_enough; rewrite Rabs_pos_eq; lra]. }
@@ -202,19 +198,18 @@ Proof.
     replace (p + q - (x - t)) with (h + l - x) by lra. lra.
   - set (S := Rabs (h - t)) in *. pose proof (minus_size h t) as BS. fold S in BS.
     assert (HSlow : / 1000000000000000000000000000000000000000000000000 <= S).
-    { destruct Hx as [-> |Hx]; [|lra]. rewrite Rabs_R0 in Sh. assert (h = 0) as H0 by (apply no_size; lra).
-      assert (HN0 : N <> 0%Z).
-      { intros ->. unfold S in Hfar. rewrite Et, H0, Rmult_0_l, Rminus_0_r, Rabs_R0 in Hfar. lra. }
-      unfold S. rewrite H0, Rminus_0_l, Rabs_Ropp, Et, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0.
-      apply Rle_trans with (1 * bpow radix2 (-150)); [simpl; lra|]. apply Rmult_le_compat; [lra|apply bpow_ge_0| |now apply bpow_le].
-      rewrite <- abs_IZR. apply IZR_le. lia. }
+    { assert (Lt : bpow radix2 (-150) <= Rabs t).
+      { rewrite Et, Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0. apply Rle_trans with (1 * bpow radix2 (-150)); [lra|].
+        apply Rmult_le_compat; [lra|apply bpow_ge_0| |now apply bpow_le]. rewrite <- abs_IZR. apply IZR_le. lia. }
+      pose proof (size_by t h) as St. rewrite Rabs_minus_sym in St. fold S in St.
+      apply Rle_trans with (/ 3 * bpow radix2 (-150)); [simpl; lra|lra]. }
     pose proof (unit_times S ltac:(lra)) as US. pose proof (unit_times _ (proj1 US)) as UUS.
     assert (Bl2 : Rabs l + Rabs 0 <= 2 * (unit53 * S)).
     { rewrite Rabs_R0, Rplus_0_r. apply Rle_trans with (1 := Bl). replace (2 * (unit53 * S)) with (unit53 * (2 * S)) by ring. apply
       unit_times_compat. lra. }
     destruct (sum_of_is_off _ _ _ _ h l (- t) 0 S (2 * (unit53 * S)) H L Hneg Hz ltac:(lra) ltac:(rewrite Rabs_Ropp; lra) ltac:(unfold S;
       right; f_equal; ring)
-      Bl2 ltac:(lra)) as (p & q & P & Q & Off & Bp & Bq & _).
+      Bl2 ltac:(lra)) as (p & q & P & Q & Off & Bp & Bq0 & Bq & _).
     assert (Off2 : Rabs (p + q - (h + l - t)) <= 64 / 10 * (unit53 * (unit53 * S))) by (replace (h + l - t) with (h + l + (- t + 0)) by
       ring; lra).
     assert (Hp : 99 / 100 * S <= Rabs p).
@@ -223,8 +218,8 @@ Proof.
         eapply Rle_trans; [apply minus_size|apply Rplus_le_compat_r]. eapply Rle_trans; [apply minus_size|apply Rplus_le_compat_r]. apply
           Rabs_triang. }
       pose proof (unit_times _ (proj1 UUS)). rewrite Rabs_R0 in Bl2. lra. }
-    assert (Bq2 : Rabs q <= 3 / 2 * (unit53 * Rabs p)).
-    { assert (unit53 * (99 / 100 * S) <= unit53 * Rabs p) by (apply unit_times_compat; lra). lra. }
+    assert (Bq2 : Rabs q <= unit53 * Rabs p).
+    { apply Bq. replace (h + - t) with (h - t) by ring. fold S. lra. }
     destruct (error_covers _ p _ e e P Ie ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg).
     pose proof (unit_times e ltac:(lra)) as Ue.
     assert (Hshare_p : 31 * (unit53 * (unit53 * S)) <= 98 / 100 * (share101 * Rabs p)).

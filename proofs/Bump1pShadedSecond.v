@@ -6,19 +6,8 @@ From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs Shaded ErrorFree Gap.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds DoubleDoubleTerms Enclosures EnclosedProducts
   EnclosedQuotients.
-From Forceshade Require Import BesideTie SecondStage Separation.
+From Forceshade Require Import BesideTie SecondStage SecondAlong Separation.
 Open Scope R_scope.
-
-(* a < b of C++. *)
-Definition is_less32 (a b : binary32) : bool := match Bcompare 24 128 a b with Some Lt => true | _ => false end.
-Definition two32 : binary32 := B754_finite 24 128 false 8388608 (-22) eq_refl.
-
-(* 2|x| > w *)
-Definition is_beside (w x : binary32) : bool := is_less32 w (b32_mult mode_NE two32 (b32_abs x)).
-
-(* along(gap, K, normal_x, normal_z), where the second stage can decide. *)
-Definition decide_along (K : binary32) (gap normal_x normal_z : double_double) : option evaluation :=
-  let magnitude := multiply (exactly64 (to64 K)) gap in decide (sign_of gap) (multiply magnitude normal_x) (multiply magnitude normal_z).
 
 Definition bump_1p_shaded_second (R w K x z : binary32) : option evaluation :=
   let gap := exactly64 (opp (to64 z)) in
@@ -27,29 +16,6 @@ Definition bump_1p_shaded_second (R w K x z : binary32) : option evaluation :=
     let radius := exactly64 (to64 R) in
     let X := exactly64 (to64 x) in
     decide_along K (divide gap radius) X (root_of (multiply (add radius (negated X)) (add radius X))).
-
-Lemma is_beside_is : forall w x, is_finite 24 128 w = true -> is_finite 24 128 x = true -> Rabs (value32 x) <= 10000 ->
-  is_beside w x = negb (Rle_bool (Rabs (value32 x)) (value32 w / 2)).
-Proof.
-  intros w x Fw Fx Bx. unfold is_beside. set (a := b32_abs x).
-  assert (Ea : value32 a = Rabs (value32 x)) by apply B2R_Babs. assert (Fa : is_finite 24 128 a = true) by (unfold a, b32_abs; now rewrite
-    is_finite_Babs).
-  assert (E2 : value32 two32 = 2) by (unfold two32, B2R, F2R; simpl; lra).
-  assert (P : value32 (b32_mult mode_NE two32 a) = 2 * Rabs (value32 x) /\ is_finite 24 128 (b32_mult mode_NE two32 a) = true).
-  { unfold b32_mult. match goal with |- context [Bmult _ _ ?p ?q ?nan _ _ _] => pose proof (Bmult_correct 24 128 p q nan mode_NE two32 a)
-    as C end.
-    cbv zeta in C. change (round radix2 (SpecFloat.fexp 24 128) (round_mode mode_NE)) with nearest32 in C. rewrite E2, Ea in C.
-    rewrite round_generic in C.
-    - rewrite Rlt_bool_true in C.
-      + destruct C as (C1 & C2 & _). rewrite Fa in C2. now split.
-      + rewrite Rabs_pos_eq by (pose proof (Rabs_pos (value32 x)); lra). apply Rle_lt_trans with (bpow radix2 20); [simpl; lra|apply
-        bpow_lt; lia].
-    - auto with typeclass_instances.
-    - replace (2 * Rabs (value32 x)) with (Rabs (value32 x) * bpow radix2 1) by (change (bpow radix2 1) with 2; ring).
-      apply Mult_error.mult_bpow_pos_exact_FLT; [apply generic_format_abs, (generic_format_B2R 24 128)|lia]. }
-  destruct P as [P1 P2]. unfold is_less32. rewrite Bcompare_correct by assumption. rewrite P1.
-  case Rcompare_spec; case Rle_bool_spec; intros; try reflexivity; exfalso; lra.
-Qed.
 
 (* x is on the circle, or a little off it. *)
 Lemma inside_of_circle : forall R w K xv X, parameters R w K -> coordinate xv X -> Rabs X <= value32 R ->
@@ -68,9 +34,6 @@ Proof.
   intros xv X [H F B S]. split; [now apply opp_is|now apply generic_format_opp|now rewrite Rabs_Ropp|].
   destruct S as [->|S]; [left; ring|right]. unfold size in *. now rewrite Rabs_Ropp.
 Qed.
-
-Lemma share_is_small : 0 < share101 <= / 1000000000000000000000000000000.
-Proof. unfold share101. lra. Qed.
 
 (* The root of (R - x)(R + x), which may be 0. *)
 Lemma shading_root_enclosed : forall R w K xv X, parameters R w K -> coordinate xv X -> Rabs X <= value32 R ->
@@ -109,40 +72,6 @@ Proof.
     + replace 10000 with (sqrt (10000 * 10000)) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra.
 Qed.
 
-(* K M (normal_x, normal_z) from a gap M that is enclosed. *)
-Lemma along_is_right : forall R w K gap M s nx NX t nz NZ u touches answer, parameters R w K -> encloses s gap M -> 0 <= s <= 10 * share101
-  ->
-  (0 < M <-> touches) -> Rabs M <= 100000000 -> (touches -> / 100000000000000 <= M <= 100000) ->
-  encloses t nx NX -> 0 <= t <= 70 * share101 -> encloses u nz NZ -> 0 <= u <= 70 * share101 ->
-  NX = 0 \/ / 10000000000 <= Rabs NX -> NZ = 0 \/ / 10000000000 <= Rabs NZ ->
-  (touches -> Rabs (value32 K * M * NX) <= 20000000 /\ Rabs (value32 K * M * NZ) <= 20000000) ->
-  decide_along K gap nx nz = Some answer -> is_answer answer touches (value32 K * M * NX) (value32 K * M * NZ).
-Proof.
-  intros R w K gap M s nx NX t nz NZ u touches answer Hp Egap Hs Htouch BM HM Ex Ht Ez Hu LX LZ Bforce H. pose proof share_is_small as Hsh.
-  destruct Hp as ((_ & _ & FK) & _ & _ & HK). assert (IK : encloses 0 (exactly64 (to64 K)) (value32 K)).
-  { apply encloses_exact, exactly_is. now apply to64_is_exact. }
-  apply (decided_is_right gap M (multiply (multiply (exactly64 (to64 K)) gap) nx) (multiply (multiply (exactly64 (to64 K)) gap) nz) (400 *
-    share101));
-    [apply (enclosed_is_contained s); [exact Egap|lra|lra]|exact Htouch|lra| |exact H].
-  intro T. specialize (HM T). destruct (Bforce T) as [Fx Fz]. clear Bforce H.
-  assert (BKM : / 100000000000000000 <= value32 K * M <= 100000000).
-  { split; [apply Rle_trans with (/ 1000 * / 100000000000000); [lra|]|apply Rle_trans with (1000 * 100000); [|lra]]; apply Rmult_le_compat;
-    lra. }
-  pose proof (encloses_multiply _ _ _ _ _ _ IK Egap ltac:(lra) ltac:(lra) ltac:(right; right; rewrite Rabs_pos_eq; lra)) as Em.
-  assert (one : forall n N v, encloses v n N -> 0 <= v <= 70 * share101 -> N = 0 \/ / 10000000000 <= Rabs N -> Rabs (value32 K * M * N) <=
-    20000000 ->
-    encloses (400 * share101) (multiply (multiply (exactly64 (to64 K)) gap) n) (value32 K * M * N) /\ component (value32 K * M * N)).
-  { intros n N v En Hv LN BN.
-    assert (Size : N = 0 \/ / 1000000000000000000000000000000 <= Rabs (value32 K * M * N)).
-    { destruct LN as [LN|LN]; [now left|right]. rewrite Rabs_mult, (Rabs_pos_eq (value32 K * M)) by lra.
-      apply Rle_trans with (/ 100000000000000000 * / 10000000000); [lra|apply Rmult_le_compat; lra]. }
-    split.
-    - apply encloses_more with (3 * ((3 * (0 + s) + 3 * share101) + v) + 3 * share101); [|lra].
-      apply encloses_multiply; [exact Em|exact En|lra|lra|]. destruct Size as [Size|Size]; [right; now left|right; right; lra].
-    - destruct Size as [->|Size]; [left; ring|right; lra]. }
-  split; [now apply (one nx NX t)|now apply (one nz NZ u)].
-Qed.
-
 Theorem bump_1p_shaded_second_stage_answers_right : forall R w K x y z answer, parameters R w K -> valid x y z = true ->
   let X := read (value32 x) in let Z := read (value32 z) in
   bump_1p_shaded_second R w K (quantised x) (quantised z) = Some answer ->
@@ -155,58 +84,55 @@ Proof.
     now apply quantised_is_right. }
   destruct Qx as [Vx Fx]. pose proof Hp as ((FR & Fw & _) & HR & Hw & HK). pose proof (coordinate_range _ _ Cx) as BX. pose proof
     (coordinate_range _ _ Cz) as BZ.
-  destruct (bump_1p_shaded_size (value32 R) (value32 w) (value32 K) X Z ltac:(lra) ltac:(lra) ltac:(lra) BZ) as [Sx Sz].
   assert (LZ : Z = 0 \/ / 2000000000 <= Rabs Z).
   { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }
   assert (LX : X = 0 \/ / 10000000000 <= Rabs X).
   { destruct (coordinate_not_tiny _ _ Cx) as [L|L]; [now left|right]. simpl in L. lra. }
   pose proof (exactly_is _ _ (opp_is _ _ (coordinate_is _ _ Cz))) as Igap. pose proof (coordinate_is _ _ Cx) as Ix.
   unfold bump_1p_shaded_second in H. cbv zeta in H. rewrite is_beside_is in H by (rewrite ?Vx; assumption). rewrite Vx in H.
-  unfold shaded_x, shaded_z in *. apply Rabs_le_inv in BZ.
-  set (gap := exactly64 (opp (to64 (quantised z)))) in *. set (xv := to64 (quantised x)) in *. revert H Sx Sz. case Rle_bool_spec; intros
-    Hin H Sx Sz.
-  - (* over the bump *)
-    cbn [negb] in H. assert (HXR : Rabs X <= value32 R) by lra.
-    destruct (shading_root_enclosed R w K _ X Hp Cx HXR) as [Er Lr]. fold xv in Er. set (P := (value32 R - X) * (value32 R + X)) in *.
-    assert (EP : Rsqr (value32 R) - Rsqr X = P) by (unfold P, Rsqr; ring). rewrite EP in *.
-    assert (EX : value32 K * (- Z / value32 R) * X = value32 K * - Z * (X / value32 R)) by (field; lra).
-    assert (EZ : value32 K * (- Z / value32 R) * sqrt P = value32 K * - Z * (sqrt P / value32 R)) by (field; lra).
-    rewrite <- EX, <- EZ in *.
-    assert (IR : encloses 0 (exactly64 (to64 R)) (value32 R)) by (apply encloses_exact, exactly_is; now apply to64_is_exact).
-    assert (HRinv : / 10000 <= / value32 R <= 10) by (split; [apply Rinv_le; lra|replace 10 with (/ (/ 10)) by field; apply Rinv_le; lra]).
-    assert (BM : Rabs (- Z / value32 R) <= 100000).
-    { unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ value32 R)), Rabs_Ropp by lra. replace 100000 with (10000 * 10) by ring.
-      apply Rmult_le_compat; try lra; [apply Rabs_pos|apply Rabs_le; lra]. }
-    assert (Egap : encloses (3 * (0 + 0) + 3 * share101) (divide gap (exactly64 (to64 R))) (- Z / value32 R)).
-    { apply encloses_divide; try lra; [now apply encloses_exact|exact IR| |rewrite Rabs_pos_eq; lra].
-      destruct LZ as [LZ|LZ]; [left; rewrite LZ; ring|right]. rewrite Rabs_Ropp. split; [lra|apply Rabs_le; lra]. }
-    assert (Htouch : 0 < - Z / value32 R <-> Z < 0).
-    { split; intro T; [|unfold Rdiv; apply Rmult_lt_0_compat; lra]. apply Rmult_lt_reg_r with (/ value32 R); [lra|]. unfold Rdiv in T. lra.
-      }
-    assert (HM : Z < 0 -> / 100000000000000 <= - Z / value32 R <= 100000).
-    { intro T. assert (Hz : / 2000000000 <= - Z) by (destruct LZ as [LZ|LZ]; [lra|rewrite Rabs_left in LZ; lra]). unfold Rdiv. split.
-      - apply Rle_trans with (/ 2000000000 * / 10000); [lra|apply Rmult_le_compat; lra].
-      - apply Rle_trans with (10000 * 10); [apply Rmult_le_compat; lra|lra]. }
-    assert (LP : sqrt P = 0 \/ / 10000000000 <= Rabs (sqrt P)) by (destruct Lr as [Lr|Lr]; [now left|right; rewrite Rabs_pos_eq; lra]).
-    assert (HB : Z < 0 -> Rabs (value32 K * (- Z / value32 R) * X) <= 20000000 /\ Rabs (value32 K * (- Z / value32 R) * sqrt P) <=
-      20000000).
-    { intros _. clear -Sx Sz. split; [apply Rle_trans with (1 := Sx)|apply Rle_trans with (1 := Sz)]; lra. }
-    exact (along_is_right R w K _ (- Z / value32 R) _ _ X 0 _ (sqrt P) (66 * share101) (Z < 0) answer Hp Egap ltac:(lra) Htouch ltac:(lra)
-      HM
-      (encloses_exact _ _ (exactly_is _ _ Ix)) ltac:(lra) Er ltac:(lra) LX LP HB H).
-  - (* beside it *)
-    cbn [negb] in H.
-    assert (E0 : 0 = value32 K * - Z * 0) by ring. rewrite E0 in Sx.
-    assert (I1 : is64 (two_to 0) 1) by (apply (two_to_is 0); lia).
-    assert (HM : Z < 0 -> / 100000000000000 <= - Z <= 100000).
-    { intro T. assert (Hz : / 2000000000 <= - Z) by (destruct LZ as [LZ|LZ]; [lra|rewrite Rabs_left in LZ; lra]). split; lra. }
-    assert (HB : Z < 0 -> Rabs (value32 K * - Z * 0) <= 20000000 /\ Rabs (value32 K * - Z * 1) <= 20000000).
-    { intros _. clear -Sx Sz. split; [apply Rle_trans with (1 := Sx)|apply Rle_trans with (1 := Sz)]; lra. }
-    pose proof (along_is_right R w K gap (- Z) 0 _ 0 0 _ 1 0 (Z < 0) answer Hp (encloses_exact _ _ Igap) ltac:(lra) ltac:(split; lra)
-      ltac:(apply Rabs_le; lra) HM (encloses_exact _ _ (exactly_is _ _ zero_is)) ltac:(lra) (encloses_exact _ _ (exactly_is _ _ I1))
-        ltac:(lra)
-      ltac:(now left) ltac:(right; rewrite Rabs_R1; lra) HB H) as A.
-    rewrite <- E0 in A. exact A.
+  unfold shaded_x, shaded_z. revert H. case Rle_bool_spec; intros Hin H; cbn [negb] in H.
+  2: { enough (A : is_answer answer (Z < 0) 0 (value32 K * - Z)) by (rewrite Rmult_1_r; exact A).
+    exact (on_plane_is_right R w K _ Z answer Hp Cz H). }
+  assert (HXR : Rabs X <= value32 R) by lra. apply Rabs_le_inv in BZ.
+  destruct (shading_root_enclosed R w K _ X Hp Cx HXR) as [Er Lr]. set (P := (value32 R - X) * (value32 R + X)) in *.
+  assert (EP : Rsqr (value32 R) - Rsqr X = P) by (unfold P, Rsqr; ring). rewrite EP.
+  assert (EX : value32 K * (- Z / value32 R) * X = value32 K * - Z * (X / value32 R)) by (field; lra).
+  assert (EZ : value32 K * (- Z / value32 R) * sqrt P = value32 K * - Z * (sqrt P / value32 R)) by (field; lra).
+  rewrite <- EX, <- EZ. clear EX EZ.
+  assert (IR : encloses 0 (exactly64 (to64 R)) (value32 R)) by (apply encloses_exact, exactly_is; now apply to64_is_exact).
+  assert (HRinv : / 10000 <= / value32 R <= 10) by (split; [apply Rinv_le; lra|replace 10 with (/ (/ 10)) by field; apply Rinv_le; lra]).
+  set (M := - Z / value32 R). assert (BM : Rabs M <= 100000).
+  { unfold M, Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ value32 R)), Rabs_Ropp by lra. replace 100000 with (10000 * 10) by ring.
+    apply Rmult_le_compat; try lra; [apply Rabs_pos|apply Rabs_le; lra]. }
+  assert (Egap : encloses (3 * (0 + 0) + 3 * share101) (divide (exactly64 (opp (to64 (quantised z)))) (exactly64 (to64 R))) M).
+  { apply encloses_divide; try lra; [now apply encloses_exact|exact IR| | |].
+    - destruct LZ as [LZ|LZ]; [left; rewrite LZ; ring|right]. rewrite Rabs_Ropp. split; [lra|apply Rabs_le; lra].
+    - rewrite Rabs_pos_eq; lra.
+    - fold M. lra. }
+  assert (Htouch : 0 < M <-> Z < 0).
+  { unfold M. split; intro T; [|unfold Rdiv; apply Rmult_lt_0_compat; lra].
+    apply Rmult_lt_reg_r with (/ value32 R); [lra|]. unfold Rdiv in T. lra. }
+  assert (BP : 0 <= sqrt P <= value32 R).
+  { split; [apply sqrt_pos|]. rewrite <- (sqrt_square (value32 R)) by lra. apply sqrt_le_1_alt. unfold P.
+    pose proof (Rle_0_sqr X) as S. unfold Rsqr in S. lra. }
+  assert (along : forall n, 0 <= n <= value32 R -> Z < 0 -> M * n <= 10000).
+  { intros n Hn T. unfold M. replace (- Z / value32 R * n) with (- Z * (n / value32 R)) by (field; lra).
+    assert (0 <= n / value32 R <= 1).
+    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+    apply Rle_trans with (10000 * 1); [apply Rmult_le_compat; lra|lra]. }
+  refine (along_is_right R w K _ M _ X 0 _ (sqrt P) (66 * share101) (Z < 0) answer Hp _ Htouch (encloses_exact _ _ (exactly_is _ _ Ix)) _ Er _ _ H);
+    try lra.
+  - apply (enclosed_is_contained (3 * (0 + 0) + 3 * share101)); [exact Egap|lra|lra].
+  - intros _ T. assert (HM : / 100000000000000 <= M).
+    { unfold M, Rdiv. apply Rle_trans with (/ 2000000000 * / 10000); [lra|apply Rmult_le_compat; try lra].
+      destruct LZ as [LZ|LZ]; [lra|rewrite Rabs_left in LZ; lra]. }
+    rewrite (Rabs_pos_eq M) in BM by lra. split.
+    + eapply (enclosed_is_directed _ _ M 0 _ X Egap); [lra|now apply encloses_exact, exactly_is|lra|lra| |].
+      * destruct LX as [LX|LX]; [now left|right; lra].
+      * apply Rle_trans with 10000; [apply along; [pose proof (Rabs_pos X); lra|exact T]|lra].
+    + eapply (enclosed_is_directed _ _ M _ _ (sqrt P) Egap); [lra|exact Er|lra|lra| |].
+      * rewrite (Rabs_pos_eq (sqrt P)) by lra. destruct Lr as [Lr|Lr]; [now left|right; lra].
+      * rewrite (Rabs_pos_eq (sqrt P)) by lra. apply Rle_trans with 10000; [now apply along|lra].
 Qed.
 
 (* Every answer of the first two stages is right, for every input of the domain. *)

@@ -4,10 +4,11 @@ From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Poly
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
-From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
+From Forceshade Require Import DoubleDoubleTerms DoubleDoubleOff NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
 From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
-From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage Bump1pShadedSecond.
+From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
+From Forceshade Require Import TwoPolygonsGap Bump2pSecond.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -95,6 +96,7 @@ Print Assumptions cylinder_contact_is_separated.
 Print Assumptions bump_2p_contact_is_separated.
 Print Assumptions bump_3p_contact_is_separated.
 Print Assumptions encloses_sum.
+Print Assumptions multiply_encloses.
 Print Assumptions encloses_multiply.
 Print Assumptions encloses_divide.
 Print Assumptions encloses_root.
@@ -105,8 +107,13 @@ Print Assumptions encloses_add.
 Print Assumptions difference_contains.
 Print Assumptions rounded_to_binary32_is_nearest.
 Print Assumptions decided_is_right.
+Print Assumptions along_is_right.
+Print Assumptions on_plane_is_right.
 Print Assumptions bump_1p_shaded_second_stage_answers_right.
 Print Assumptions bump_1p_shaded_two_stages_answer_right.
+Print Assumptions positive_difference.
+Print Assumptions bump_2p_second_stage_answers_right.
+Print Assumptions bump_2p_two_stages_answer_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.

@@ -7,6 +7,97 @@ From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleH
 From Forceshade Require Import DoubleDoubleTerms.
 Open Scope R_scope.
 
+Lemma quotient_of_is_off : forall a a_lo b b_lo h l c k Q, is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
+  Rabs h <= Q * Rabs c -> Rabs l <= Q * Rabs c -> Rabs k <= 2 * (unit53 * Rabs c) -> 0 < Rabs c <= 1000 ->
+  / 1000000000000000000000000000000000000 <= Q * Rabs c -> Q <= 1000 ->
+  exists p q, is64 (fst (quotient_of a a_lo b b_lo)) p /\ is64 (snd (quotient_of a a_lo b b_lo)) q /\
+    Rabs (p + q - (h + l) / (c + k)) <= 20 * (unit53 * Q) /\ Rabs p <= 3 * Q /\ Rabs q <= 5 * (unit53 * Q).
+Proof.
+  intros a a_lo b b_lo h l c k Q Ha Hl Hb Hk Bh Bl Bk Bc HQc HQ. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
+  set (C := Rabs c) in *. assert (Hc0 : c <> 0) by (intro E; unfold C in Bc; rewrite E, Rabs_R0 in Bc; lra).
+  assert (HQ0 : 0 < Q) by (apply Rmult_lt_reg_r with C; lra).
+  set (uQ := unit53 * Q). assert (EuQ : unit53 * Q = uQ) by reflexivity. pose proof (unit_times Q ltac:(lra)) as BuQ. fold uQ in BuQ.
+  assert (QC1 : Q * C <= Q * 1000) by (apply Rmult_le_compat_l; lra).
+  set (W := uQ * C). assert (EW : unit53 * (Q * C) = W) by (unfold W, uQ; ring).
+  assert (EW2 : uQ * C = W) by reflexivity.
+  assert (BW : 0 <= W <= / 1000000000000 * (Q * C)) by (rewrite <- EW; apply unit_times; lra).
+  assert (TW : tiny <= / 1000 * W) by (rewrite <- EW; unfold unit53; lra).
+  assert (WQ : W <= 1000 * uQ) by (unfold W; rewrite (Rmult_comm 1000); apply Rmult_le_compat_l; lra).
+  assert (TQ : tiny <= / 1000 * uQ).
+  { unfold uQ, unit53. assert (/ 1000000000000000000000000000000000000000 <= Q) by lra. lra. }
+  assert (TC : tiny * C <= / 1000 * W).
+  { apply Rle_trans with (tiny * 1000); [apply Rmult_le_compat_l; lra|]. rewrite <- EW. unfold unit53. lra. }
+  unfold quotient_of. cbv zeta. cbn [fst snd].
+  pose proof (quotient_size h c Q ltac:(fold C; lra) Bh) as BX. pose proof (quotient_size l c Q ltac:(fold C; lra) Bl) as BY.
+  destruct (over_close _ _ _ _ Ha Hb Hc0 ltac:(lra)) as [I1 C1]. set (t1 := over a b) in *. set (q0 := nearest64 (h / c)) in *.
+  pose proof (unit_times_compat _ _ BX) as U1. pose proof (size_by q0 (h / c)) as S1.
+  assert (C1' : Rabs (q0 * c - h) <= 1001 / 1000 * W + tiny * C).
+  { replace (q0 * c - h) with ((q0 - h / c) * c) by (field; exact Hc0). rewrite Rabs_mult. fold C.
+    apply Rle_trans with ((uQ + tiny) * C); [apply Rmult_le_compat_r; lra|lra]. }
+  set (m := q0 * c) in *. pose proof (size_by m h) as Sm.
+  destruct (times_close _ _ _ _ I1 Hb ltac:(fold m; lra)) as [I2 C2]. fold m in I2, C2. set (t2 := times t1 b) in *.
+  set (p0 := nearest64 m) in *.
+  assert (U2 : unit53 * Rabs m <= unit53 * (1001 / 1000 * (Q * C))) by (apply unit_times_compat; lra).
+  assert (C2' : Rabs (p0 - m) <= 1003 / 1000 * W) by lra. pose proof (size_by p0 m) as Sp.
+  destruct (minus_close _ _ _ _ Ha I2 ltac:(lra)) as [I3 C3]. set (t3 := minus a t2) in *. set (d := nearest64 (h - p0)) in *.
+  assert (Bd : Rabs (h - p0) <= 201 / 100 * W).
+  { replace (h - p0) with (- (m - h) - (p0 - m)) by ring. apply Rle_trans with (1 := minus_size _ _). rewrite Rabs_Ropp. lra. }
+  pose proof (unit_times _ (Rabs_pos (h - p0))) as U3. pose proof (size_by d (h - p0)) as S3.
+  pose proof (opp_is _ _ I2) as I4. set (t4 := opp t2) in *.
+  assert (E5 : q0 * c + - p0 = - (p0 - m)) by (unfold m; ring).
+  assert (B5 : Rabs (q0 * c + - p0) <= 1003 / 1000 * W) by (rewrite E5, Rabs_Ropp; exact C2').
+  destruct (fused_close _ _ _ _ _ _ I1 Hb I4 ltac:(lra)) as [I5 C5]. set (t5 := fused t1 b t4) in *.
+  set (e := nearest64 (q0 * c + - p0)) in *.
+  pose proof (unit_times _ (Rabs_pos (q0 * c + - p0))) as U5. pose proof (size_by e (q0 * c + - p0)) as S5.
+  destruct (minus_close _ _ _ _ I3 I5 ltac:(lra)) as [I6 C6]. set (t6 := minus t3 t5) in *. set (r1 := nearest64 (d - e)) in *.
+  pose proof (minus_size d e) as M6. pose proof (unit_times _ (Rabs_pos (d - e))) as U6. pose proof (size_by r1 (d - e)) as S6.
+  assert (B6 : Rabs r1 <= 303 / 100 * W) by lra.
+  pose proof (opp_is _ _ I1) as I7. set (t7 := opp t1) in *.
+  assert (B7 : Rabs (- q0 * k) <= 203 / 100 * W).
+  { rewrite Rabs_mult, Rabs_Ropp. apply Rle_trans with (1001 / 1000 * Q * (2 * (unit53 * C))).
+    - apply Rmult_le_compat; try apply Rabs_pos; lra.
+    - replace (1001 / 1000 * Q * (2 * (unit53 * C))) with (2002 / 1000 * W) by (rewrite <- EW; field). lra. }
+  pose proof (Rabs_triang (- q0 * k) l) as T8.
+  destruct (fused_close _ _ _ _ _ _ I7 Hk Hl ltac:(lra)) as [I8 C8]. set (t8 := fused t7 b_lo a_lo) in *.
+  set (r2 := nearest64 (- q0 * k + l)) in *.
+  assert (U8 : unit53 * Rabs (- q0 * k + l) <= unit53 * (1001 / 1000 * (Q * C))) by (apply unit_times_compat; lra).
+  assert (B8 : Rabs (r2 - l) <= 304 / 100 * W).
+  { replace (r2 - l) with ((r2 - (- q0 * k + l)) + - q0 * k) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
+  pose proof (size_by r2 l) as S8. pose proof (Rabs_triang r1 r2) as T9.
+  destruct (plus_close _ _ _ _ I6 I8 ltac:(lra)) as [I9 C9]. set (t9 := plus t6 t8) in *. set (r := nearest64 (r1 + r2)) in *.
+  assert (U9 : unit53 * Rabs (r1 + r2) <= unit53 * (1001 / 1000 * (Q * C))) by (apply unit_times_compat; lra).
+  assert (B9 : Rabs (r - l) <= 709 / 100 * W).
+  { replace (r - l) with ((r - (r1 + r2)) + r1 + (r2 - l)) by ring. apply Rle_trans with (1 := Rabs_triang _ _).
+    pose proof (Rabs_triang (r - (r1 + r2)) r1). lra. }
+  pose proof (size_by r l) as S9.
+  pose proof (quotient_size r c (1001 / 1000 * Q) ltac:(fold C; lra) ltac:(fold C; lra)) as BZ.
+  destruct (over_close _ _ _ _ I9 Hb Hc0 ltac:(lra)) as [I10 C10]. set (t10 := over t9 b) in *. set (y := nearest64 (r / c)) in *.
+  pose proof (unit_times_compat _ _ BZ) as U10.
+  assert (B10 : Rabs (y - l / c) <= 82 / 10 * uQ).
+  { replace (y - l / c) with ((y - r / c) + (r - l) / c) by (field; exact Hc0). apply Rle_trans with (1 := Rabs_triang _ _).
+    assert (Rabs ((r - l) / c) <= 709 / 100 * uQ) by (apply quotient_size; fold C; lra). lra. }
+  pose proof (size_by y (l / c)) as S10.
+  destruct (fast_two_sum_terms t1 t10 q0 y I1 I10 ltac:(lra) ltac:(lra)) as (p & q & I11 & I13 & Ep & Cp & Bq & D).
+  exists p, q. split; [exact I11|]. split; [exact I13|].
+  pose proof (Rabs_triang q0 y) as T11. pose proof (size_by p (q0 + y)) as S11.
+  assert (U11 : unit53 * Rabs (q0 + y) <= unit53 * (21 / 10 * Q)) by (apply unit_times_compat; lra).
+  assert (U12 : unit53 * Rabs y <= unit53 * (1001 / 1000 * Q)) by (apply unit_times_compat; lra).
+  split; [|split; lra].
+  assert (Z1 : Rabs (p + q - (q0 + y)) <= 102 / 100 * uQ) by (destruct D as [[_ D]|[_ D]]; [rewrite (nothing_off _ _ D)|]; lra).
+  assert (Z2 : Rabs ((h + l) / c - (h + l) / (c + k)) <= 43 / 10 * uQ).
+  { assert (Bkc : Rabs k <= / 1000 * C) by (pose proof (unit_times C ltac:(lra)); lra).
+    pose proof (size_by c (c + k)) as Sck. fold C in Sck. replace (c - (c + k)) with (- k) in Sck by ring. rewrite Rabs_Ropp in Sck.
+    assert (Hck : c + k <> 0) by (intro E; rewrite E, Rabs_R0 in Sck; lra).
+    replace ((h + l) / c - (h + l) / (c + k)) with ((h / c + l / c) * k / (c + k)) by (field; split; assumption).
+    apply quotient_size; [lra|]. apply Rle_trans with (2 * Q * (2 * (unit53 * C))).
+    - apply product_size; [apply Rle_trans with (1 := Rabs_triang _ _); lra|exact Bk].
+    - replace (2 * Q * (2 * (unit53 * C))) with (uQ * (4 * C)) by (unfold uQ; ring).
+      replace (43 / 10 * uQ * Rabs (c + k)) with (uQ * (43 / 10 * Rabs (c + k))) by ring. apply Rmult_le_compat_l; lra. }
+  replace (p + q - (h + l) / (c + k)) with
+    ((p + q - (q0 + y)) + (q0 - h / c) + (y - l / c) + ((h + l) / c - (h + l) / (c + k))) by (unfold Rdiv; ring).
+  absolute_values. apply Rabs_le. lra.
+Qed.
+
 (* a is at most e off x; its terms are no larger than b and c, its bound of the error no larger than g. *)
 Definition is_off (a : double_double) (x e b c g : R) : Prop :=
   exists h l k, is64 (hi a) h /\ is64 (lo a) l /\ is64 (error a) k /\ Rabs (h + l - x) <= e /\ Rabs h <= b /\ Rabs l <= c /\ 0 <= k <= g.
@@ -69,7 +160,7 @@ Proof.
   { replace (h + h') with ((x + x') + (h + l - x) + (h' + l' - x') - (l + l')) by ring. apply Rle_trans with (1 := minus_size _ _).
     pose proof (Rabs_triang (x + x' + (h + l - x)) (h' + l' - x')). pose proof (Rabs_triang (x + x') (h + l - x)).
     pose proof (Rabs_triang l l'). lra. }
-  destruct (sum_of_is_off _ _ _ _ h l h' l' S L H L1 H' L' ltac:(lra) ltac:(lra) Hhh ltac:(lra) ltac:(lra)) as (p & q & P & Q & Epq & Bp & Bq & T).
+  destruct (sum_of_is_off _ _ _ _ h l h' l' S L H L1 H' L' ltac:(lra) ltac:(lra) Hhh ltac:(lra) ltac:(lra)) as (p & q & P & Q & Epq & Bp & Bq & _ & T).
   assert (I : is64 (plus (error a) (error b)) (nearest64 (k + k'))).
   { apply plus_is; try assumption. apply big_enough. rewrite Rabs_pos_eq; lra. }
   pose proof (rounded_sum_of_errors k k' (g + g') ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as R.

@@ -38,10 +38,18 @@ Proof.
   split; [assumption|]. exact_step minus_exact.
 Qed.
 
-Lemma multiply_with_zero : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 -> x = 0 \/ y = 0 ->
+(* Nothing is assumed of the size of a number's error where its first term is 0. *)
+Lemma nothing_enclosed : forall s a x, encloses s a x -> value64 (hi a) = 0 -> is_exactly a 0 /\ x = 0.
+Proof.
+  intros s a x (h & l & e & H & L & E & Bl & Be & B) Hz. rewrite (proj1 H) in Hz. subst h. rewrite Rabs_R0, !Rmult_0_r in *.
+  pose proof (no_size l Bl). subst l. assert (e = 0) by lra. subst e. pose proof (no_size _ B).
+  split; [exact (conj H (conj L E))|lra].
+Qed.
+
+Lemma multiply_with_zero : forall s t a b x y, encloses s a x -> encloses t b y -> value64 (hi a) = 0 \/ value64 (hi b) = 0 ->
   is_exactly (multiply a b) 0.
 Proof.
-  intros s t a b x y Ea Eb Hs Ht Hxy. unfold multiply, rounded.
+  intros s t a b x y Ea Eb Hxy. unfold multiply, rounded.
   assert (Z0 : forall v w, is64 v 0 -> is64 w 0 -> is64 (plus v w) 0) by (intros v w Hv Hw; exact_step plus_exact).
   assert (zero : forall h l e c k f, is64 (hi a) h -> is64 (lo a) l -> is64 (error a) e -> is64 (hi b) c -> is64 (lo b) k -> is64 (error b)
     f ->
@@ -54,33 +62,38 @@ Proof.
     - apply (times_exact _ _ (Rabs c) e); trivial; [now apply absolute_is|destruct Hz as [[_ ->]|[[-> _] _]]; rewrite ?Rabs_R0; ring|
         apply generic_format_0|apply zero_is_not_too_large].
     - apply (times_exact _ _ e f); trivial; [destruct Hz as [[_ ->]|[_ ->]]; ring|apply generic_format_0|apply zero_is_not_too_large]. }
-  destruct Hxy as [-> | ->].
-  - destruct (enclosed_zero _ _ Ea Hs) as (H & L & E). destruct Eb as (c & k & f & H' & L' & E' & _).
+  destruct Hxy as [Hz|Hz].
+  - destruct (nothing_enclosed _ _ _ Ea Hz) as ((H & L & E) & _). destruct Eb as (c & k & f & H' & L' & E' & _).
     apply (zero 0 0 0 c k f); try assumption. left. now repeat split.
-  - destruct (enclosed_zero _ _ Eb Ht) as (H' & L' & E'). destruct Ea as (h & l & e & H & L & E & _).
+  - destruct (nothing_enclosed _ _ _ Eb Hz) as ((H' & L' & E') & _). destruct Ea as (h & l & e & H & L & E & _).
     apply (zero h l e 0 0 0); try assumption. right. now repeat split.
 Qed.
 
-Theorem encloses_multiply : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000000000000000 -> 0 <= t <= /
-  1000000000000000 ->
-  x = 0 \/ y = 0 \/ / 1000000000000000000000000000000 <= Rabs (x * y) <= 100000000 -> encloses (3 * (s + t) + 3 * share101) (multiply a b)
-    (x * y).
+(* The bound is at least what the operation itself is charged. *)
+Definition charged (a : double_double) : Prop := 98 / 100 * (share101 * Rabs (value64 (hi a))) <= value64 (error a).
+
+(* Sizes are those of the first terms: an operand may have cancelled so far that its error is as large as it is. *)
+Theorem multiply_encloses : forall s t a b x y, let M := Rabs (value64 (hi a)) * Rabs (value64 (hi b)) in
+  encloses s a x -> encloses t b y -> 0 <= s <= 100 -> 0 <= t <= 100 -> s * t <= / 1000 * (s + t) ->
+  M = 0 \/ / 10000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000 ->
+  encloses (3 * (s + t) + 3 * share101) (multiply a b) (x * y) /\ charged (multiply a b) /\
+    99 / 100 * M <= Rabs (value64 (hi (multiply a b))) <= 101 / 100 * M.
 Proof.
-  intros s t a b x y Ea Eb Hs Ht Hxy. assert (Hshare : 0 < share101) by (unfold share101; lra).
-  destruct (Req_dec (x * y) 0) as [H0|Hne].
-  { rewrite H0. apply encloses_more with 0; [|lra]. apply encloses_exact, (multiply_with_zero s t a b x y); try assumption; try lra.
-    now apply Rmult_integral. }
-  assert (Hsize : / 1000000000000000000000000000000 <= Rabs (x * y) <= 100000000).
-  { destruct Hxy as [E|[E|H]]; [| |exact H]; exfalso; apply Hne; rewrite E; ring. }
+  intros s t a b x y M Ea Eb Hs Ht Hst HM. assert (Hshare : 0 < share101) by (unfold share101; lra).
+  destruct (Req_dec M 0) as [H0|Hne].
+  { assert (Hz : value64 (hi a) = 0 \/ value64 (hi b) = 0).
+    { unfold M in H0. rewrite <- Rabs_mult in H0. destruct (Req_dec (value64 (hi a) * value64 (hi b)) 0) as [E|E]; [now apply Rmult_integral|].
+      pose proof (Rabs_pos_lt _ E). lra. }
+    pose proof (multiply_with_zero s t a b x y Ea Eb Hz) as I.
+    assert (Exy : x * y = 0).
+    { destruct Hz as [Hz|Hz]; [destruct (nothing_enclosed _ _ _ Ea Hz) as [_ ->]|destruct (nothing_enclosed _ _ _ Eb Hz) as [_ ->]]; ring. }
+    rewrite Exy. split; [apply encloses_more with 0; [now apply encloses_exact|lra]|]. destruct I as ([V _] & _ & [V' _]).
+    unfold charged. rewrite V, V', H0, Rabs_R0. lra. }
+  assert (Hsize : / 10000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000) by (destruct HM; [contradiction|assumption]). clear HM Hne.
   destruct Ea as (h & l & e & H & L & E & Bl & Be & B), Eb as (c & k & f & H' & L' & E' & Bk & Bf & B').
+  assert (EM : M = Rabs h * Rabs c) by (unfold M; now rewrite (proj1 H), (proj1 H')). clearbody M. subst M.
   pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
-  pose proof (enclosed_size _ _ _ _ _ Bl Be B ltac:(lra)) as Sh. pose proof (enclosed_size _ _ _ _ _ Bk Bf B' ltac:(lra)) as Sc.
-  pose proof (Rabs_pos h) as Ph. pose proof (Rabs_pos c) as Pc. pose proof (Rabs_pos x) as Px. pose proof (Rabs_pos y) as Py.
-  set (M := Rabs h * Rabs c). rewrite Rabs_mult in Hsize.
-  assert (HM : 98 / 100 * (Rabs x * Rabs y) <= M <= 103 / 100 * (Rabs x * Rabs y)).
-  { split.
-    - apply Rle_trans with ((99 / 100 * Rabs x) * (99 / 100 * Rabs y)); [lra|apply Rmult_le_compat; lra].
-    - apply Rle_trans with ((101 / 100 * Rabs x) * (101 / 100 * Rabs y)); [apply Rmult_le_compat; lra|lra]. }
+  pose proof (Rabs_pos h) as Ph. pose proof (Rabs_pos c) as Pc. set (M := Rabs h * Rabs c) in *.
   pose proof (unit_times tiny (proj1 Htiny)) as Utiny.
   set (uM := unit53 * M). pose proof (unit_times M ltac:(lra)) as UM. fold uM in UM. pose proof (unit_times uM (proj1 UM)) as UUM.
   pose proof (unit_times _ Ph) as Uh. pose proof (unit_times _ Pc) as Uc.
@@ -105,11 +118,12 @@ Proof.
   assert (B2 : 0 <= P2 <= s * M).
   { unfold P2. split; [apply Rmult_le_pos; lra|]. replace (s * M) with (Rabs c * (s * Rabs h)) by (unfold M; ring). apply
     Rmult_le_compat_l; lra. }
-  assert (B3 : 0 <= P3 <= / 1000 * (s * M)).
-  { unfold P3. split; [apply Rmult_le_pos; lra|]. replace (/ 1000 * (s * M)) with (s * Rabs h * (/ 1000 * Rabs c)) by (unfold M; ring).
-    assert (t * Rabs c <= / 1000 * Rabs c) by (apply Rmult_le_compat_r; lra). apply Rmult_le_compat; lra. }
-  assert (BsM : 0 <= s * M <= / 1000000000000000 * M) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
-  assert (BtM : 0 <= t * M <= / 1000000000000000 * M) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (B3 : 0 <= P3 <= / 1000 * (s * M + t * M)).
+  { unfold P3. split; [apply Rmult_le_pos; lra|]. apply Rle_trans with ((s * Rabs h) * (t * Rabs c)); [apply Rmult_le_compat; lra|].
+    replace ((s * Rabs h) * (t * Rabs c)) with (s * t * M) by (unfold M; ring).
+    replace (/ 1000 * (s * M + t * M)) with (/ 1000 * (s + t) * M) by ring. apply Rmult_le_compat_r; lra. }
+  assert (BsM : 0 <= s * M <= 100 * M) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (BtM : 0 <= t * M <= 100 * M) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   pose proof (times_is _ _ _ _ (absolute_is _ _ H) E' ltac:(apply big_enough; fold P1; rewrite Rabs_pos_eq; lra)) as J1.
   pose proof (times_is _ _ _ _ (absolute_is _ _ H') E ltac:(apply big_enough; fold P2; rewrite Rabs_pos_eq; lra)) as J2.
   pose proof (times_is _ _ _ _ E E' ltac:(apply big_enough; fold P3; rewrite Rabs_pos_eq; lra)) as J3.
@@ -139,6 +153,9 @@ Proof.
   { rewrite share_is. replace (32 * (unit53 * unit53) * Rabs p) with (unit53 * (unit53 * (32 * Rabs p))) by ring.
     replace (99 / 100 * (32 * (unit53 * uM))) with (unit53 * (unit53 * (32 * (99 / 100 * M)))) by (unfold uM; ring).
     apply unit_times_compat, unit_times_compat. lra. }
+  assert (Hcharged : charged (multiply a b)).
+  { unfold charged, multiply, rounded. cbn [hi lo error]. rewrite (proj1 P), (proj1 G). pose proof (unit_times v N5). lra. }
+  split; [|split; [exact Hcharged|unfold multiply, rounded; cbn [hi]; rewrite (proj1 P); lra]].
   exists p, q, g. unfold multiply, rounded. cbn [hi lo error].
   split; [exact P|]. split; [exact Q|]. split; [exact G|]. split; [exact Bq|]. split.
   - assert (s * M <= s * (102 / 100 * Rabs p)) by (apply Rmult_le_compat_l; lra).
@@ -159,4 +176,18 @@ Proof.
       apply Rle_trans with (1 := Rabs_triang _ _). lra. }
     assert (D5 : Rabs ((h + l - x) * (c + k - y)) <= P3) by (now apply product_size).
     assert (unit53 * (6 * tiny) <= tiny) by lra. unfold PP in *. lra.
+Qed.
+
+(* The same where the operands are good, in terms of the exact numbers. *)
+Theorem encloses_multiply : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
+  x = 0 \/ y = 0 \/ / 1000000000000000000000000000000 <= Rabs (x * y) <= 100000000 -> encloses (3 * (s + t) + 3 * share101) (multiply a b)
+    (x * y).
+Proof.
+  intros s t a b x y Ea Eb Hs Ht Hxy. pose proof (first_size _ _ _ Ea Hs) as Sa. pose proof (first_size _ _ _ Eb Ht) as Sb.
+  pose proof (Rabs_pos x) as Px. pose proof (Rabs_pos y) as Py. rewrite Rabs_mult in Hxy.
+  apply multiply_encloses; trivial; [lra|lra|assert (s * t <= s * / 1000) by (apply Rmult_le_compat_l; lra); lra|]. set (h := Rabs (value64 (hi a))) in *. set (c := Rabs (value64 (hi b))) in *.
+  destruct Hxy as [->|[->|Hxy]]; [left; rewrite Rabs_R0 in Sa; replace h with 0 by lra; ring|
+    left; rewrite Rabs_R0 in Sb; replace c with 0 by lra; ring|right]. split.
+  - apply Rle_trans with ((99 / 100 * Rabs x) * (99 / 100 * Rabs y)); [lra|apply Rmult_le_compat; lra].
+  - apply Rle_trans with ((101 / 100 * Rabs x) * (101 / 100 * Rabs y)); [apply Rmult_le_compat; lra|lra].
 Qed.

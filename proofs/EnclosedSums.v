@@ -86,11 +86,11 @@ Proof.
   { intros p q g Hg _. replace (p + q - (x + y)) with ((p + q - (h + l + (c + k))) + (h + l - x) + (c + k - y)) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _). pose proof (Rabs_triang (p + q - (h + l + (c + k))) (h + l - x)). lra. }
   assert (inexact : forall p q, is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) p -> is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) q ->
-    Rabs q <= 3 / 2 * (unit53 * Rabs p) -> / 100000000000000000000000000000000000000000000000000 <= Rabs p <= 1000000000 ->
+    Rabs q <= unit53 * Rabs p -> / 100000000000000000000000000000000000000000000000000 <= Rabs p <= 1000000000 ->
     Rabs (p + q - (h + l + (c + k))) <= 30 * (unit53 * (unit53 * Rabs p)) -> exists h l e0,
     is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) h /\ is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) l /\
     is64 (error_of (fst (sum_of (hi a) (lo a) (hi b) (lo b))) (plus (error a) (error b))) e0 /\
-    Rabs l <= 3 / 2 * (unit53 * Rabs h) /\ 0 <= e0 /\ Rabs (h + l - (x + y)) <= e0 /\ Rabs h <= 1000000000000).
+    Rabs l <= unit53 * Rabs h /\ 0 <= e0 /\ Rabs (h + l - (x + y)) <= e0 /\ Rabs h <= 1000000000000).
   { intros p q P Q Bq Bp Off. destruct (plus_close _ _ _ _ E E' ltac:(rewrite !Rabs_pos_eq; lra)) as [I C].
     rewrite (Rabs_pos_eq (e + f)) in C by lra. apply Rabs_le_inv in C. pose proof (unit_times (e + f) ltac:(lra)) as U.
     set (r := nearest64 (e + f)) in *. assert (Ur : unit53 * (99 / 100 * (e + f)) <= unit53 * r) by (apply unit_times_compat; lra).
@@ -101,10 +101,10 @@ Proof.
     pose proof (close p q _ Off ltac:(lra)) as D. exists p, q, g. repeat (split; [assumption|]). split; [pose proof (Rabs_pos (p + q - (x + y))); lra|].
     split; lra. }
   assert (exactly : forall p q, is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) p -> is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) q ->
-    Rabs q <= 3 / 2 * (unit53 * Rabs p) -> Rabs p <= 1000000000 -> p + q = h + l + (c + k) -> exists h l e0,
+    Rabs q <= unit53 * Rabs p -> Rabs p <= 1000000000 -> p + q = h + l + (c + k) -> exists h l e0,
     is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) h /\ is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) l /\
     is64 (error_of (fst (sum_of (hi a) (lo a) (hi b) (lo b))) (plus (error a) (error b))) e0 /\
-    Rabs l <= 3 / 2 * (unit53 * Rabs h) /\ 0 <= e0 /\ Rabs (h + l - (x + y)) <= e0 /\ Rabs h <= 1000000000000).
+    Rabs l <= unit53 * Rabs h /\ 0 <= e0 /\ Rabs (h + l - (x + y)) <= e0 /\ Rabs h <= 1000000000000).
   { intros p q P Q Bq Bp Eq. destruct (error_of_two _ p _ _ e f P ltac:(lra) E E' ltac:(lra) ltac:(lra)) as (g & G & Bg).
     pose proof (close p q 0 ltac:(rewrite nothing_off by exact Eq; lra) ltac:(lra)) as D.
     exists p, q, g. repeat (split; [assumption|]). split; [lra|]. split; lra. }
@@ -115,7 +115,7 @@ Proof.
     { assert (unit53 * Rabs h <= unit53 * (4 * S)) by (apply unit_times_compat; lra).
       assert (unit53 * Rabs c <= unit53 * (4 * S)) by (apply unit_times_compat; lra). lra. }
     destruct (sum_of_is_off _ _ _ _ h l c k S (8 * (unit53 * S)) H L H' L' ltac:(lra) ltac:(lra) (Rle_refl _) HL ltac:(lra))
-      as (p & q & P & Q & Off & Bp & Bq & _).
+      as (p & q & P & Q & Off & Bp & Bq0 & Bq & _).
     assert (Off2 : Rabs (p + q - (h + l + (c + k))) <= 19 * (unit53 * (unit53 * S))) by lra.
     assert (Hp : 99 / 100 * S <= Rabs p).
     { assert (Gs : S <= Rabs p + Rabs q + Rabs (p + q - (h + l + (c + k))) + Rabs l + Rabs k).
@@ -123,7 +123,7 @@ Proof.
         repeat (eapply Rle_trans; [apply minus_size|apply Rplus_le_compat_r]). apply Rabs_triang. }
       pose proof (unit_times _ (proj1 UUS)). lra. }
     assert (Up : unit53 * (99 / 100 * S) <= unit53 * Rabs p) by (apply unit_times_compat; lra).
-    assert (Bq2 : Rabs q <= 3 / 2 * (unit53 * Rabs p)) by lra.
+    assert (Bq2 : Rabs q <= unit53 * Rabs p) by (apply Bq; fold S; lra).
     assert (UUp : unit53 * (unit53 * (99 / 100 * S)) <= unit53 * (unit53 * Rabs p)) by (apply unit_times_compat; exact Up).
     destruct (Req_dec S 0) as [H0|H0].
     + apply (exactly p q); trivial; [lra|]. rewrite H0, !Rmult_0_r in Off2. pose proof (no_size _ Off2). lra.
@@ -182,7 +182,7 @@ Proof.
   pose proof (unit_times S ltac:(unfold S; lra)) as US. pose proof (unit_times _ (proj1 US)) as UUS.
   assert (HL : Rabs l + Rabs k <= unit53 * S) by (unfold S; lra).
   destruct (sum_of_is_off _ _ _ _ h l c k S (unit53 * S) H L H' L' ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_pos_eq; lra)
-    ltac:(lra) HL ltac:(unfold S in *; lra)) as (p & q & P & Q & Off & Bp & Bq & T).
+    ltac:(lra) HL ltac:(unfold S in *; lra)) as (p & q & P & Q & Off & Bp & Bq & _ & T).
   assert (Off2 : Rabs (p + q - (h + l + (c + k))) <= 5 * (unit53 * (unit53 * S))) by lra.
   destruct (plus_close _ _ _ _ E E' ltac:(rewrite !Rabs_pos_eq; lra)) as [I C]. rewrite (Rabs_pos_eq (e + f)) in C by lra.
   apply Rabs_le_inv in C. pose proof (unit_times (e + f) ltac:(lra)) as U. unfold add, rounded. set (r := nearest64 (e + f)) in *.

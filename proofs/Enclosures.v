@@ -34,6 +34,11 @@ Proof.
   pose proof (size_by h x) as S1. pose proof (size_by x h) as S2. rewrite (Rabs_minus_sym x h) in S2. lra.
 Qed.
 
+Lemma first_size : forall s a x, encloses s a x -> 0 <= s <= / 1000 -> 99 / 100 * Rabs x <= Rabs (value64 (hi a)) <= 101 / 100 * Rabs x.
+Proof.
+  intros s a x (h & l & e & [<- _] & _ & _ & Bl & Be & B) Hs. exact (enclosed_size _ _ _ _ _ Bl Be B Hs).
+Qed.
+
 Lemma no_size : forall a, Rabs a <= 0 -> a = 0.
 Proof. intros a H. destruct (Req_dec a 0) as [|Hne]; [assumption|]. pose proof (Rabs_pos_lt a Hne). lra. Qed.
 
@@ -49,8 +54,8 @@ Proof. intros v a b [<- _] [<- _]. reflexivity. Qed.
 
 (* ---- The bound covers what it is charged for ---- *)
 
-Lemma error_covers : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b -> b <= 1000000 ->
-  / 100000000000000000000000000000000000000000000000000 <= Rabs x <= 1000000000000 ->
+Lemma error_covers : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b -> b <= 1000000000000 ->
+  / 1000000000000000000000000000000000000000000000000000000000000000000000000000 <= Rabs x <= 1000000000000 ->
   exists e, is64 (error_of v propagated) e /\ p + 2000 * (unit53 * p) + 98 / 100 * (share101 * Rabs x) <= e <= 201 / 100 * (b + share101 *
     Rabs x).
 Proof.
@@ -80,7 +85,7 @@ Proof.
 Qed.
 
 (* It is never smaller than what is propagated. *)
-Lemma error_is_at_least : forall v x propagated p, is64 v x -> is64 propagated p -> 0 <= p <= 1000000 -> Rabs x <= 1000000000000 ->
+Lemma error_is_at_least : forall v x propagated p, is64 v x -> is64 propagated p -> 0 <= p <= 1000000000000 -> Rabs x <= 1000000000000 ->
   exists e, is64 (error_of v propagated) e /\ p <= e.
 Proof.
   intros v x propagated p Hv Hp Hpb Hx. pose proof unit_is_small as Hu.
@@ -92,7 +97,7 @@ Proof.
   pose proof (times_is _ _ _ _ I1 (absolute_is _ _ Hv) ltac:(apply big_enough; fold sx; rewrite Rabs_pos_eq; lra)) as I2. fold sx in I2.
   pose proof (nonneg sx 1 Hsx) as B1. set (t := nearest64 sx) in *.
   pose proof (plus_is _ _ _ _ Hp I2 ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as I3.
-  pose proof (nonneg (p + t) 1000003 ltac:(lra)) as B2.
+  pose proof (nonneg (p + t) 1000000000003 ltac:(lra)) as B2.
   assert (L1 : p <= nearest64 (p + t)).
   { rewrite <- (round_generic radix2 fexp64 ZnearestE p) at 1 by (now apply format_of in Hp). apply round_le; auto with
     typeclass_instances. lra. }
@@ -124,7 +129,7 @@ Theorem encloses_sum : forall a b x y, is_exactly a x -> is_exactly b y -> Rabs 
 Proof.
   intros a b x y (H & L & E) (H' & L' & E') Bx By Hxy. pose proof unit_is_small as Hu.
   assert (B0 : Rabs 0 + Rabs 0 <= 0) by (rewrite Rabs_R0; lra).
-  destruct (sum_of_cancels _ _ _ _ x 0 y 0 0 H L H' L' Bx By B0 ltac:(lra)) as (p & q & P & Q & Off & Bp & Bq & T).
+  destruct (sum_of_cancels _ _ _ _ x 0 y 0 0 H L H' L' Bx By B0 ltac:(lra)) as (p & q & P & Q & Off & Bp & Bq & _ & T).
   replace (x + 0 + (y + 0)) with (x + y) in Off by ring. rewrite !Rplus_0_r in *. rewrite Rmult_0_r, Rplus_0_r in Bq.
   assert (Ie : is64 (plus (error a) (error b)) 0) by exact_step plus_exact. unfold add, rounded.
   set (S := x + y) in *. destruct Hxy as [HS|HS].

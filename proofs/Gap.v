@@ -57,7 +57,7 @@ Qed.
 Lemma difference_is_close : forall a b, in_binary64 a -> in_binary64 b -> Rabs (nearest64 (a - b) - (a - b)) <= unit53 * Rabs (a - b).
 Proof. intros a b Ha Hb. exact (sum_is_close a (- b) Ha (generic_format_opp radix2 fexp64 b Hb)). Qed.
 
-Definition tiny : R := bpow radix2 (-300).
+Definition tiny : R := bpow radix2 (-400).
 Lemma product_is_close : forall a, Rabs (nearest64 a - a) <= unit53 * Rabs a + tiny.
 Proof.
   intro a. destruct (error_N_FLT radix2 (-1074) 53 (eq_refl _) (fun n => negb (Z.even n)) a) as (e & f & He & Hf & _ & E). rewrite E.

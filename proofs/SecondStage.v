@@ -14,10 +14,10 @@ Open Scope R_scope.
 Definition tie_of (c d : binary32) : binary64 := times (two_to (-1)) (plus (to64 c) (to64 d)).
 
 (* A middle has few bits, and so has twice it. *)
-Lemma middle_above : forall c, in_binary32 c -> exists N k, c + succ radix2 fexp32 c = IZR N * bpow radix2 k /\ (Z.abs N < 2 ^ 26)%Z /\
+Lemma middle_above : forall c, in_binary32 c -> exists N k, c + succ radix2 fexp32 c = IZR N * bpow radix2 k /\ (0 < Z.abs N < 2 ^ 26)%Z /\
   (-149 <= k)%Z.
 Proof.
-  assert (up : forall c, in_binary32 c -> 0 <= c -> exists N k, c + succ radix2 fexp32 c = IZR N * bpow radix2 k /\ (Z.abs N < 2 ^ 26)%Z /\
+  assert (up : forall c, in_binary32 c -> 0 <= c -> exists N k, c + succ radix2 fexp32 c = IZR N * bpow radix2 k /\ (0 < Z.abs N < 2 ^ 26)%Z /\
     (-149 <= k)%Z).
   { intros c Gc Hc. rewrite succ_eq_pos by exact Hc. destruct (Req_dec c 0) as [->|Hne].
     { exists 1%Z, (-149)%Z. rewrite ulp_FLT_0 by (auto with typeclass_instances). split; [ring|lia]. }
@@ -36,7 +36,7 @@ Proof.
   exists (- N)%Z, k. rewrite opp_IZR. split; [lra|]. split; [lia|exact Hk].
 Qed.
 
-Lemma middle_below : forall c, in_binary32 c -> exists N k, c + pred radix2 fexp32 c = IZR N * bpow radix2 k /\ (Z.abs N < 2 ^ 26)%Z /\
+Lemma middle_below : forall c, in_binary32 c -> exists N k, c + pred radix2 fexp32 c = IZR N * bpow radix2 k /\ (0 < Z.abs N < 2 ^ 26)%Z /\
   (-149 <= k)%Z.
 Proof.
   intros c Gc. destruct (middle_above (pred radix2 fexp32 c)) as (N & k & E & H); [apply generic_format_pred; auto with
@@ -142,10 +142,10 @@ Proof.
   - exfalso. simpl in C1. apply eq_0_F2R in C1. now destruct s.
 Qed.
 
-(* Numbers that a component may be. *)
-Definition component (x : R) : Prop := x = 0 \/ / 1000000000000000000000000000000 <= Rabs x <= 20000000.
+(* First terms that a component may have. *)
+Definition fits (value : double_double) : Prop := Rabs (value64 (hi value)) <= 26214400.
 
-Lemma rounded_from_is_nearest : forall s value x, encloses s value x -> 0 <= s <= / 1000000000000000 -> component x ->
+Lemma rounded_from_is_nearest : forall s value x, encloses s value x -> 0 <= s <= 100 -> fits value ->
   forall n c j f, (0 <= j)%Z -> (j + Z.of_nat n <= 30)%Z -> is_finite 24 128 c = true -> Rabs (value32 c) <= IZR j * 1048576 ->
   rounded_from n value c = Some f -> is_nearest32 f x.
 Proof.
@@ -159,12 +159,12 @@ Proof.
   pose proof (generic_format_B2R 24 128 c) as Gc. change (SpecFloat.fexp 24 128) with fexp32 in Gc.
   assert (beside : forall d N k, is_finite 24 128 d = true -> Rabs (value32 d) <= IZR (j + 1) * 1048576 -> value32 c + value32 d = IZR N *
     bpow radix2 k ->
-    (Z.abs N < 2 ^ 26)%Z -> (-149 <= k)%Z -> let t := (value32 c + value32 d) / 2 in
+    (0 < Z.abs N < 2 ^ 26)%Z -> (-149 <= k)%Z -> let t := (value32 c + value32 d) / 2 in
     match sign_beside value (tie_of c d) with is_negative => x < t | is_zero => x = t | is_positive => t < x | is_unknown => True end).
   { intros d N k Fd Bd E HN Hk t. pose proof (Rabs_triang (value32 c) (value32 d)) as T.
-    destruct (tie_is c d N k Fc Fd E HN Hk ltac:(lra)) as [It Et]. fold t in It, Et.
+    destruct (tie_is c d N k Fc Fd E (proj2 HN) Hk ltac:(lra)) as [It Et]. fold t in It, Et.
     assert (Bt : Rabs t <= 100000000) by (unfold t, Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 2)) by lra; lra).
-    pose proof (sign_is_right _ _ (difference_contains s value x _ t N (k - 1) Hvalue Hs It Et HN ltac:(lia) Bt Hx)) as S.
+    pose proof (sign_is_right _ _ (difference_contains s value x _ t N (k - 1) Hvalue Hs It Et ltac:(lia) (proj2 HN) ltac:(lia) Bt ltac:(unfold fits in Hx; lra))) as S.
     unfold sign_beside. destruct (sign_of _); try exact Logic.I; lra. }
   destruct (middle_above _ Gc) as (N & k & E & HN & Hk). rewrite <- Ea in E. pose proof (beside _ N k Fa Ba E HN Hk) as Sup. cbv zeta in
     Sup.
@@ -184,14 +184,12 @@ Proof.
       refine (accepted _ _ H); first [left; exact Sup|left; exact Sdown|right; exact (conj Sup eq_refl)|right; exact (conj Sdown eq_refl)]].
 Qed.
 
-Theorem rounded_to_binary32_is_nearest : forall s value x f, encloses s value x -> 0 <= s <= / 1000000000000000 -> component x ->
+Theorem rounded_to_binary32_is_nearest : forall s value x f, encloses s value x -> 0 <= s <= 100 -> fits value ->
   rounded_to_binary32 value = Some f -> is_nearest32 f x.
 Proof.
   intros s value x f Hvalue Hs Hx H. pose proof Hvalue as (h & l & e & [Vh Fh] & _ & _ & Bl & Be & B).
-  pose proof (enclosed_size _ _ _ _ _ Bl Be B ltac:(lra)) as Sh.
-  assert (Bx : Rabs x <= 20000000) by (destruct Hx as [->|Hx]; [rewrite Rabs_R0|]; lra).
   assert (Bn : Rabs (nearest32 h) <= 26214400).
-  { apply abs_round_le_generic; auto with typeclass_instances; [|lra].
+  { apply abs_round_le_generic; auto with typeclass_instances; [|unfold fits in Hx; rewrite Vh in Hx; exact Hx].
     apply generic_format_FLT. exists (Float radix2 25 20); [unfold F2R; simpl; lra|reflexivity|cbn [Fexp]; lia]. }
   destruct (to32_rounds_once (hi value) Fh) as [V F]; [rewrite Vh; apply Rle_lt_trans with (1 := Bn); apply Rlt_le_trans with (bpow radix2
     25); [simpl; lra|apply bpow_le; lia]|].
@@ -218,16 +216,15 @@ Definition is_answer (answer : evaluation) (touches : Prop) (Fx Fz : R) : Prop :
   ~ touches /\ answer = no_force free \/
   touches /\ exists fx fz, answer = (contact, (fx, zero32, fz)) /\ is_nearest32 fx Fx /\ is_nearest32 fz Fz.
 
-Theorem decided_is_right : forall gap G fx fz s Fx Fz touches answer, contains gap G -> (0 < G <-> touches) -> 0 <= s <= / 1000000000000000
-  ->
-  (touches -> (encloses s fx Fx /\ component Fx) /\ (encloses s fz Fz /\ component Fz)) ->
+Theorem decided_is_right : forall gap G fx fz s Fx Fz touches answer, contains gap G -> (0 < G <-> touches) -> 0 <= s <= 100 ->
+  (sign_of gap = is_positive -> touches -> (encloses s fx Fx /\ fits fx) /\ (encloses s fz Fz /\ fits fz)) ->
   decide (sign_of gap) fx fz = Some answer -> is_answer answer touches Fx Fz.
 Proof.
   intros gap G fx fz s Fx Fz touches answer Hgap Ht Hs Hforce H. pose proof (sign_is_right gap G Hgap) as S. unfold decide in H.
-  destruct (sign_of gap); [| | |discriminate].
+  destruct (sign_of gap) eqn:Hsign; [| | |discriminate].
   - left. injection H as <-. split; [intro T; apply Ht in T; lra|reflexivity].
   - left. injection H as <-. split; [intro T; apply Ht in T; lra|reflexivity].
-  - right. apply Ht in S. split; [exact S|]. destruct (Hforce S) as [[Ex Cx] [Ez Cz]].
+  - right. apply Ht in S. split; [exact S|]. destruct (Hforce eq_refl S) as [[Ex Cx] [Ez Cz]].
     destruct (rounded_to_binary32 fx) as [f|] eqn:Hx; [|discriminate]. destruct (rounded_to_binary32 fz) as [g|] eqn:Hz; [|discriminate].
     injection H as <-. exists f, g. split; [reflexivity|]. split.
     + now apply (rounded_to_binary32_is_nearest s fx).

@@ -99,7 +99,7 @@ Lemma sum_of_cancelling : forall a a_lo b b_lo h l c k, is64 a h -> is64 a_lo l 
   Rabs l <= unit53 * Rabs h -> Rabs k <= unit53 * Rabs c -> Rabs h <= 100000000 -> Rabs c <= 100000000 ->
   Rabs (h + c) <= Rabs h -> Rabs (h + c) <= Rabs c -> Rabs h <= 2 * Rabs c -> Rabs c <= 2 * Rabs h ->
   / 10000000000000000000000000000000 <= Rabs h -> / 10000000000000000000000000000000 <= Rabs c ->
-  exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\ Rabs q <= 3 / 2 * (unit53 * Rabs p) /\
+  exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\ Rabs q <= unit53 * Rabs p /\
     Rabs p <= 1000000000 /\
     (p + q = h + l + (c + k) \/ / 10000000000000000000000000000000000000000000000000 <= Rabs p /\
       Rabs (p + q - (h + l + (c + k))) <= 3 * (unit53 * (unit53 * Rabs p))).
@@ -160,12 +160,10 @@ Proof.
   assert (Bv : Rabs v <= 200000000) by (pose proof (size_by v (s + t)); lra).
   assert (B900 : 1000000000 <= bpow radix2 900) by (apply Rle_trans with (bpow radix2 30); [simpl; lra|apply bpow_le; lia]).
   assert (tail : forall w, in_binary64 v -> in_binary64 w -> Rabs w <= 1000000 -> let p := nearest64 (v + w) in
-    Rabs (v + w - p) <= 3 / 2 * (unit53 * Rabs p) /\ Rabs p <= 1000000000 /\ 99 / 100 * Rabs (v + w) <= Rabs p).
-  { intros w Fv Fw Bw p. pose proof (sum_is_close v w Fv Fw) as C. fold p in C. pose proof (unit_times _ (Rabs_pos (v + w))) as U.
-    pose proof (size_by (v + w) p) as S1. pose proof (size_by p (v + w)) as S2. rewrite (Rabs_minus_sym (v + w)) in *.
-    pose proof (Rabs_triang v w) as T.
-    assert (unit53 * Rabs (v + w) <= unit53 * (11 / 10 * Rabs p)) by (apply unit_times_compat; lra). pose proof (unit_times _ (Rabs_pos p)).
-    lra. }
+    Rabs (v + w - p) <= unit53 * Rabs p /\ Rabs p <= 1000000000 /\ 99 / 100 * Rabs (v + w) <= Rabs p).
+  { intros w Fv Fw Bw p. split; [now apply sum_rest|]. pose proof (sum_is_close v w Fv Fw) as C. fold p in C.
+    pose proof (unit_times _ (Rabs_pos (v + w))) as U. pose proof (size_by (v + w) p) as S1. pose proof (size_by p (v + w)) as S2.
+    rewrite (Rabs_minus_sym (v + w)) in *. pose proof (Rabs_triang v w) as T. lra. }
   pose proof (format_of _ _ I9) as Fv.
   destruct (Rle_lt_dec (Rabs (s + t)) (bpow radix2 (53 + G))) as [Hst|Hst].
   - assert (Mst : multiple (- G) (s + t)) by (pose proof (multiple_plus _ _ _ _ Gs Gt) as M; now rewrite Z.max_id in M).

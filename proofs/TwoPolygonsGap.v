@@ -1,0 +1,156 @@
+(* SPDX-License-Identifier: BSD-3-Clause *)
+(* The face of two polygons and the gap beside it, as the second stage computes them in double-double: side_gap() of
+   fast/laws/polygon_gap.h. The gap may cancel, however far. *)
+From Coq Require Import ZArith Reals Lia Lra Bool.
+From Flocq Require Import Core BinarySingleNaN Binary Bits Mult_error.
+From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs Shaded ErrorFree Gap Polygons.
+From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants DoubleDoubleTerms Enclosures.
+From Forceshade Require Import EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
+Open Scope R_scope.
+
+(* ---- The face ---- *)
+
+Lemma half_width_coordinate : forall R w K, parameters R w K -> coordinate (half_width w) (value32 w / 2).
+Proof.
+  intros R w K Hp. pose proof (half_width_is _ _ _ Hp) as I. destruct Hp as (_ & HR & Hw & _). split.
+  - exact I.
+  - replace (value32 w / 2) with (value32 w * bpow radix2 (-1)) by (change (bpow radix2 (-1)) with (/ 2); field).
+    apply mult_bpow_exact_FLT; [apply (generic_format_B2R 24 128)|].
+    assert (-10 < mag radix2 (value32 w))%Z; [|lia]. apply mag_gt_bpow. rewrite Rabs_pos_eq by lra. simpl. lra.
+  - rewrite Rabs_pos_eq; lra.
+  - right. apply size_of; simpl; lra.
+Qed.
+
+Lemma depth_enclosed : forall R w K, parameters R w K -> let d := axis_depth (value32 R) (value32 w) in
+  encloses (66 * share101) (computed_depth R w) d /\ (d = 0 \/ / 1000000 <= d <= 10000).
+Proof.
+  intros R w K Hp d. pose proof (half_width_coordinate _ _ _ Hp) as Hc. pose proof Hp as (_ & HR & Hw & _).
+  pose proof (shading_root_enclosed R w K _ _ Hp Hc ltac:(rewrite Rabs_pos_eq; lra)) as E. cbv zeta in E.
+  replace ((value32 R - value32 w / 2) * (value32 R + value32 w / 2)) with (Rsqr (value32 R) - Rsqr (value32 w / 2)) in E
+    by (unfold Rsqr; ring). exact E.
+Qed.
+
+(* The slope, the sine and the cosine of the face. *)
+Lemma face_enclosed : forall R w K, parameters R w K -> let slope := slope_2p (value32 R) (value32 w) in
+  (encloses (606 * share101) (tangent_2p R w) slope /\ / 40000000 <= slope <= 1) /\
+  (encloses (17000 * share101) (face_sine_2p R w) (sine_of slope) /\ / 40000000 <= sine_of slope <= 1) /\
+  (encloses (1850 * share101) (face_cosine_2p R w) (cosine_of slope) /\ 7 / 10 <= cosine_of slope <= 1).
+Proof.
+  intros R w K Hp slope. pose proof share_is_small as Hsh. destruct (depth_enclosed _ _ _ Hp) as [Ed Bd].
+  pose proof (encloses_exact _ _ (exactly_is _ _ (half_width_is _ _ _ Hp))) as Ec.
+  destruct Hp as ((FR & _) & HR & Hw & _). pose proof (exactly_is _ _ (to64_is_exact R FR)) as IR. pose proof (encloses_exact _ _ IR) as ER.
+  destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (HS & HcS & ET & _ & EC & ES). fold slope in ET, EC, ES.
+  set (d := axis_depth (value32 R) (value32 w)) in *. set (Rad := value32 R) in *. set (c := value32 w / 2) in *. set (S := Rad + d) in *.
+  assert (Hc : / 2000 <= c <= Rad) by (unfold c; lra).
+  assert (Esum : encloses (201 * share101) (sum_2p R w) S).
+  { apply encloses_more with (3 * (0 + 66 * share101) + 3 * share101); [|lra]. apply encloses_add; trivial; lra. }
+  assert (Ediam : encloses (3 * share101) (diameter R) (2 * Rad)).
+  { replace (2 * Rad) with (Rad + Rad) by ring. apply encloses_sum; trivial; try (rewrite Rabs_pos_eq; lra); try (right; lra). }
+  assert (BT : / 40000000 <= c / S <= 1).
+  { split; apply Rmult_le_reg_r with S; try lra; replace (c / S * S) with c by (field; lra); lra. }
+  assert (Etan : encloses (606 * share101) (tangent_2p R w) (c / S)).
+  { apply encloses_more with (3 * (0 + 201 * share101) + 3 * share101); [|lra].
+    apply encloses_divide; trivial; try lra; try (rewrite Rabs_pos_eq; lra). }
+  assert (BQ : / 2 <= S / (2 * Rad) <= 1).
+  { split; apply Rmult_le_reg_r with (2 * Rad); try lra; replace (S / (2 * Rad) * (2 * Rad)) with S by (field; lra); lra. }
+  assert (Ecos : encloses (1850 * share101) (face_cosine_2p R w) (sqrt (S / (2 * Rad)))).
+  { apply encloses_more with (3 * (3 * (201 * share101 + 3 * share101) + 3 * share101) + 3 * share101); [|lra].
+    apply encloses_root; [|lra|right; lra].
+    apply encloses_divide; trivial; try lra; try (rewrite Rabs_pos_eq; lra). }
+  assert (BC : 7 / 10 <= sqrt (S / (2 * Rad)) <= 1).
+  { split; [|rewrite <- sqrt_1; apply sqrt_le_1_alt; lra].
+    replace (7 / 10) with (sqrt (7 / 10 * (7 / 10))) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
+  rewrite <- EC in Ecos, BC. rewrite <- EC in ES. set (cosine := cosine_of slope) in *.
+  assert (BD : 7 / 10 * (2 * Rad) <= 2 * Rad * cosine <= 2 * Rad).
+  { split; [rewrite (Rmult_comm (2 * Rad)); apply Rmult_le_compat_r; lra|]. rewrite <- (Rmult_1_r (2 * Rad)) at 2. apply Rmult_le_compat_l; lra. }
+  assert (BS : / 40000000 <= c / (2 * Rad * cosine) <= 1).
+  { split; apply Rmult_le_reg_r with (2 * Rad * cosine); try lra; replace (c / (2 * Rad * cosine) * (2 * Rad * cosine)) with c by (field; lra); lra. }
+  assert (Esin : encloses (17000 * share101) (face_sine_2p R w) (c / (2 * Rad * cosine))).
+  { apply encloses_more with (3 * (0 + (3 * (3 * share101 + 1850 * share101) + 3 * share101)) + 3 * share101); [|lra].
+    apply encloses_divide; trivial; try lra; try (rewrite Rabs_pos_eq; lra).
+    apply encloses_multiply; trivial; try lra. right. right. rewrite Rabs_pos_eq; lra. }
+  rewrite <- ET in Etan, BT. rewrite <- ES in Esin, BS. repeat split; try assumption; lra.
+Qed.
+
+(* ---- The gap ---- *)
+
+(* Where the difference is found positive, it is not so small that products of it are lost: the terms that cancel are charged. *)
+Lemma positive_difference : forall s a A b Z, let gap := add a (negated b) in encloses s a A -> 0 <= s <= / 1000 -> charged a ->
+  is_exactly b Z -> A = 0 \/ / 1000000000000000000000000000 <= A <= 20000 -> Z = 0 \/ / 10000000000 <= Rabs Z <= 10000 ->
+  contains gap (A - Z) /\ Rabs (value64 (hi gap)) <= 112 / 100 * (A + Rabs Z) /\
+  (sign_of gap = is_positive -> / 1000000000000000000000000000000000000000000000000 <= value64 (hi gap)).
+Proof.
+  intros s a A b Z gap Ea Hs Ca Ib BA BZ. pose proof unit_is_small as Hu.
+  assert (C : contains gap (A - Z)).
+  { apply (difference_of_two_contains s 0); trivial; [now apply encloses_exact|lra| |].
+    - destruct BA as [BA|BA]; [now left|right; rewrite Rabs_pos_eq; lra].
+    - destruct BZ as [BZ|BZ]; [now left|right; lra]. }
+  split; [exact C|]. destruct Ea as (h & l & e & H & L & E & Bl & Be & B), Ib as (H' & L' & E').
+  pose proof (enclosed_size _ _ _ _ _ Bl Be B Hs) as Sh. assert (A0 : 0 <= A) by lra. rewrite (Rabs_pos_eq A) in Sh by exact A0.
+  assert (BZ2 : 0 <= Rabs Z <= 10000) by (split; [apply Rabs_pos|destruct BZ as [->|BZ]; [rewrite Rabs_R0|]; lra]).
+  pose proof (unit_times _ (Rabs_pos h)) as Uh. assert (A2 : A <= 20000) by lra.
+  assert (sh : s * Rabs h <= / 1000 * Rabs h) by (apply Rmult_le_compat_r; [apply Rabs_pos|lra]).
+  assert (First : Rabs (value64 (hi gap)) <= 112 / 100 * (A + Rabs Z)).
+  { assert (N0 : Rabs l + Rabs (- 0) <= unit53 * Rabs h) by (rewrite Ropp_0, Rabs_R0; lra). pose proof (Rabs_triang h (- Z)) as T.
+    rewrite Rabs_Ropp in T.
+    destruct (sum_of_is_off _ _ _ _ h l (- Z) (- 0) (Rabs h + Rabs Z) (unit53 * Rabs h) H L (opp_is _ _ H') (opp_is _ _ L') ltac:(lra)
+      ltac:(rewrite Rabs_Ropp; lra) T N0 ltac:(lra)) as (p & q & P & _ & _ & Bp & _).
+    change (hi gap) with (fst (sum_of (hi a) (lo a) (opp (hi b)) (opp (lo b)))). rewrite (proj1 P). lra. }
+  split; [exact First|]. intro Pos. destruct (positive_is _ _ C Pos) as (g & m & f & G & M & F & Bm & Hf & D & Bg).
+  rewrite (proj1 G) in First |- *. destruct (error_of_two (hi gap) g (error a) (error (negated b)) e 0 G ltac:(lra) E E' ltac:(lra) ltac:(lra))
+    as (f' & F' & Bf). change (error_of (hi gap) (plus (error a) (error (negated b)))) with (error gap) in F'.
+  rewrite (is64_same _ _ _ F' F) in Bf. unfold charged in Ca. rewrite (proj1 H), (proj1 E) in Ca. clear C Pos G M F F' H L E H' L' E'.
+  assert (Range : 0 < A - Z < 2 * g /\ f <= g).
+  { apply Rabs_le_inv in Bg. pose proof (Rle_abs m). pose proof (Rle_abs (- m)) as N. rewrite Rabs_Ropp in N. lra. }
+  clear Bg D Bm First. destruct BA as [->|BA].
+  - destruct BZ as [->|BZ]; [lra|]. rewrite (Rabs_left1 Z) in BZ by lra. lra.
+  - destruct (Rle_lt_dec Z (A / 2)) as [HZ|HZ]; [lra|]. destruct BZ as [->|BZ]; [lra|]. rewrite (Rabs_pos_eq Z) in BZ by lra.
+    unfold share101 in Ca. lra.
+Qed.
+
+Definition side_gap_2p (R w x z : binary32) : double_double :=
+  add (multiply (tangent_2p R w) (add (exactly64 (half_width w)) (negated (exactly64 (to64 (b32_abs x)))))) (negated (exactly64 (to64 z))).
+
+Lemma side_gap_is : forall R w K x X z Z, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
+  coordinate (to64 z) Z -> Rabs X <= value32 w / 2 -> let gap := side_gap_2p R w x z in
+  contains gap (penetration_2p (value32 R) (value32 w) X Z) /\ Rabs (value64 (hi gap)) <= 22400 /\
+  (sign_of gap = is_positive -> / 1000000000000000000000000000000000000000000000000 <= value64 (hi gap)).
+Proof.
+  intros R w K x X z Z Hp Fx Vx Cx Cz Hin gap. pose proof share_is_small as Hsh. destruct (face_enclosed _ _ _ Hp) as ([Et BT] & _).
+  pose proof (half_width_coordinate _ _ _ Hp) as Cc. destruct Hp as (_ & HR & Hw & _).
+  destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & ET & EH & _).
+  set (T := slope_2p (value32 R) (value32 w)) in *.
+  assert (Ix : is64 (to64 (b32_abs x)) (Rabs X)).
+  { assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs). destruct (to64_is_exact _ Fa) as [V F].
+    split; [|exact F]. rewrite V, <- Vx. apply B2R_Babs. }
+  pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *. assert (Hc : / 2000 <= c <= 10000) by (unfold c; lra).
+  set (u := c + - Rabs X) in *.
+  assert (Bu : u = 0 \/ / 10000000000000000 <= u <= 10000).
+  { destruct (Req_dec u 0) as [|Hne]; [now left|right]. split; [|unfold u; lra].
+    apply Rle_trans with (bpow radix2 (-53)); [simpl; lra|]. rewrite <- (Rabs_pos_eq u) by (unfold u; lra).
+    apply difference_is_not_tiny; [exact (coordinate_format _ _ Cc)|apply generic_format_abs; exact (coordinate_format _ _ Cx)| | |exact Hne].
+    - right. rewrite Rabs_pos_eq by lra. simpl. lra.
+    - rewrite Rabs_Rabsolu. destruct (coordinate_not_tiny _ _ Cx) as [->|L]; [left; apply Rabs_R0|now right]. }
+  pose proof (encloses_sum _ _ _ _ (exactly_is _ _ (coordinate_is _ _ Cc)) (negated_is _ _ (exactly_is _ _ Ix)) ltac:(rewrite Rabs_pos_eq; lra)
+    ltac:(rewrite Rabs_Ropp, Rabs_pos_eq; lra) ltac:(fold u; destruct Bu; [now left|right; lra])) as Eu. fold u in Eu.
+  pose proof (first_size _ _ _ Et ltac:(lra)) as St. rewrite (Rabs_pos_eq T) in St by lra. pose proof (first_size _ _ _ Eu ltac:(lra)) as Su.
+  rewrite (Rabs_pos_eq u) in Su by (destruct Bu; lra).
+  assert (H2 : 606 * share101 * (3 * share101) <= / 1000 * (606 * share101 + 3 * share101)).
+  { apply Rle_trans with (606 * share101 * / 1000); [apply Rmult_le_compat_l; lra|lra]. }
+  destruct (multiply_encloses _ _ _ _ _ _ Et Eu ltac:(lra) ltac:(lra) H2) as (Ea & Ca & _).
+  { set (v := Rabs (value64 (hi (tangent_2p R w)))) in *. set (y := Rabs (value64 (hi (add _ _)))) in *.
+    destruct Bu as [Bu|Bu]; [left; rewrite Bu in Su; replace y with 0 by lra; ring|right]. split.
+    - apply Rle_trans with (/ 100000000 * (/ 2 * / 10000000000000000)); [lra|apply Rmult_le_compat; lra].
+    - apply Rle_trans with (2 * 20000); [apply Rmult_le_compat; lra|lra]. }
+  assert (BTu : T * u = 0 \/ / 1000000000000000000000000000 <= T * u <= 10000).
+  { destruct Bu as [->|Bu]; [left; ring|right]. split.
+    - apply Rle_trans with (/ 40000000 * / 10000000000000000); [lra|apply Rmult_le_compat; lra].
+    - apply Rle_trans with (1 * 10000); [apply Rmult_le_compat; lra|lra]. }
+  pose proof (coordinate_range _ _ Cz) as RZ.
+  assert (BZ : Z = 0 \/ / 10000000000 <= Rabs Z <= 10000).
+  { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }
+  destruct (positive_difference _ _ _ _ _ Ea ltac:(lra) Ca (exactly_is _ _ (coordinate_is _ _ Cz)) ltac:(lra) BZ) as (C & F & P).
+  replace (penetration_2p (value32 R) (value32 w) X Z) with (T * u - Z).
+  - split; [exact C|]. split; [|exact P]. apply Rle_trans with (1 := F). lra.
+  - unfold penetration_2p. rewrite Rle_bool_true by exact Hin. rewrite EH, <- ET. unfold u, c. field. lra.
+Qed.
