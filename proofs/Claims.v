@@ -8,6 +8,7 @@ From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfTh
 From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage Bump1pShadedSecond.
+From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -107,6 +108,19 @@ Print Assumptions rounded_to_binary32_is_nearest.
 Print Assumptions decided_is_right.
 Print Assumptions bump_1p_shaded_second_stage_answers_right.
 Print Assumptions bump_1p_shaded_two_stages_answer_right.
+Print Assumptions big_negated_contains.
+Print Assumptions big_scaled_contains.
+Print Assumptions big_midpoint_contains.
+Print Assumptions big_widened_contains.
+Print Assumptions big_exactly_contains.
+Print Assumptions big_converted_contains.
+Print Assumptions big_sum_contains.
+Print Assumptions big_difference_contains.
+Print Assumptions big_product_contains.
+Print Assumptions big_quotient_contains.
+Print Assumptions big_root_contains.
+Print Assumptions big_sign_is_right.
+Print Assumptions big_proved_sign_is_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.
