@@ -194,5 +194,7 @@ refuses proofs/BigFloat.v "(exponent a + error b - 2 * exponent b) + 4)%Z in" "(
 refuses proofs/BigFloat.v "(error a - exponent root + 2) + 1)." "(error a - exponent root) + 1)." "Error"
 refuses proofs/BigFloatProducts.v "(error a < - s - 1)%Z" "(error a < - s)%Z" "Error"
 refuses proofs/BigFloatQuotients.v "(error a < boundless)%Z ->" "True ->" "Error"
+refuses proofs/BigFloatNarrow.v "(exponent a) (exponent b) - width + 1)) + 2)%Z." "(exponent a) (exponent b) - width + 1)) + 1)%Z." "Error"
+refuses proofs/BigFloatNarrow.v "inverse * value width inverse) <= 2) ->" "inverse * value width inverse) <= 4) ->" "Error"
 echo "$planted planted, $wrong not refused"
 [ "$wrong" = 0 ]
