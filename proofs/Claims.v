@@ -8,7 +8,8 @@ From Forceshade Require Import DoubleDoubleTerms NewtonThird NewtonRest SineOfTh
 From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage Bump1pShadedSecond.
-From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow.
+From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
+  BigFloatNarrowQuotient.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -122,6 +123,7 @@ Print Assumptions big_root_contains.
 Print Assumptions big_root_contains_for.
 Print Assumptions big_sum_is_narrow.
 Print Assumptions big_product_is_narrow.
+Print Assumptions big_quotient_is_narrow.
 Print Assumptions big_sign_is_right.
 Print Assumptions big_proved_sign_is_right.
 Print Assumptions distance_in_cube.

@@ -196,5 +196,6 @@ refuses proofs/BigFloatProducts.v "(error a < - s - 1)%Z" "(error a < - s)%Z" "E
 refuses proofs/BigFloatQuotients.v "(error a < boundless)%Z ->" "True ->" "Error"
 refuses proofs/BigFloatNarrow.v "(exponent a) (exponent b) - width + 1)) + 2)%Z." "(exponent a) (exponent b) - width + 1)) + 1)%Z." "Error"
 refuses proofs/BigFloatNarrow.v "inverse * value width inverse) <= 2) ->" "inverse * value width inverse) <= 4) ->" "Error"
+refuses proofs/BigFloatNarrowQuotient.v "(width - 4 <= 2 * j)%Z" "(width - 5 <= 2 * j)%Z" "Error"
 echo "$planted planted, $wrong not refused"
 [ "$wrong" = 0 ]
