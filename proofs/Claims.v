@@ -9,6 +9,8 @@ From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolyg
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
 From Forceshade Require Import TwoPolygonsGap Bump2pSecond.
+From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
+  BigFloatNarrowQuotient.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -114,6 +116,23 @@ Print Assumptions bump_1p_shaded_two_stages_answer_right.
 Print Assumptions positive_difference.
 Print Assumptions bump_2p_second_stage_answers_right.
 Print Assumptions bump_2p_two_stages_answer_right.
+Print Assumptions big_negated_contains.
+Print Assumptions big_scaled_contains.
+Print Assumptions big_midpoint_contains.
+Print Assumptions big_widened_contains.
+Print Assumptions big_exactly_contains.
+Print Assumptions big_converted_contains.
+Print Assumptions big_sum_contains.
+Print Assumptions big_difference_contains.
+Print Assumptions big_product_contains.
+Print Assumptions big_quotient_contains.
+Print Assumptions big_root_contains.
+Print Assumptions big_root_contains_for.
+Print Assumptions big_sum_is_narrow.
+Print Assumptions big_product_is_narrow.
+Print Assumptions big_quotient_is_narrow.
+Print Assumptions big_sign_is_right.
+Print Assumptions big_proved_sign_is_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.
