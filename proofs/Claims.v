@@ -8,7 +8,7 @@ From Forceshade Require Import DoubleDoubleTerms DoubleDoubleOff NewtonThird New
 From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
-From Forceshade Require Import TwoPolygonsGap Bump2pSecond.
+From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -111,9 +111,14 @@ Print Assumptions along_is_right.
 Print Assumptions on_plane_is_right.
 Print Assumptions bump_1p_shaded_second_stage_answers_right.
 Print Assumptions bump_1p_shaded_two_stages_answer_right.
-Print Assumptions positive_difference.
+Print Assumptions difference_is_settled.
+Print Assumptions settled_positive.
+Print Assumptions quotient_of_settled.
+Print Assumptions along_shaded_is_right.
 Print Assumptions bump_2p_second_stage_answers_right.
 Print Assumptions bump_2p_two_stages_answer_right.
+Print Assumptions bump_2p_shaded_second_stage_answers_right.
+Print Assumptions bump_2p_shaded_two_stages_answer_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.
