@@ -8,7 +8,7 @@ From Forceshade Require Import DoubleDoubleTerms DoubleDoubleOff NewtonThird New
 From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
-From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond.
+From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond ThreePolygonsEnclosed.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -119,6 +119,8 @@ Print Assumptions bump_2p_second_stage_answers_right.
 Print Assumptions bump_2p_two_stages_answer_right.
 Print Assumptions bump_2p_shaded_second_stage_answers_right.
 Print Assumptions bump_2p_shaded_two_stages_answer_right.
+Print Assumptions encloses_subtract.
+Print Assumptions face_3p_enclosed.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.
