@@ -28,13 +28,13 @@ Proof.
 Qed.
 
 (* On the face. *)
-Lemma on_face_is_right : forall R w K gap M slope is_left answer, parameters R w K -> contains gap M -> Rabs (value64 (hi gap)) <= 22400 ->
-  (sign_of gap = is_positive -> / 1000000000000000000000000000000000000000000000000 <= value64 (hi gap)) ->
+Lemma on_face_is_right : forall R w K gap M slope is_left answer, parameters R w K -> settled gap M ->
   slope = slope_2p (value32 R) (value32 w) ->
   decide_along K gap (if is_left : bool then negated (face_sine_2p R w) else face_sine_2p R w) (face_cosine_2p R w) = Some answer ->
   is_answer answer (0 < M) (value32 K * M * (if is_left then - sine_of slope else sine_of slope)) (value32 K * M * cosine_of slope).
 Proof.
-  intros R w K gap M slope is_left answer Hp Cg Bg Pg Eslope H. pose proof share_is_small as Hsh.
+  intros R w K gap M slope is_left answer Hp Sg Eslope H. pose proof share_is_small as Hsh.
+  pose proof (settled_positive gap M Sg) as Pg. destruct Sg as (Cg & Bg & _).
   destruct (face_enclosed R w K Hp) as (_ & [Es Bs] & [Ec Bc]). rewrite <- Eslope in Es, Bs, Ec, Bc.
   assert (En : encloses (17000 * share101) (if is_left then negated (face_sine_2p R w) else face_sine_2p R w)
     (if is_left then - sine_of slope else sine_of slope)) by (destruct is_left; [now apply encloses_negated|exact Es]).
@@ -65,8 +65,8 @@ Lemma bump_2p_second_is_right : forall R w K x X z Z answer, parameters R w K ->
 Proof.
   intros R w K x X z Z answer Hp Fx Vx Cx Cz M S H. pose proof (coordinate_range _ _ Cx) as BX. pose proof Hp as ((_ & Fw & _) & _).
   rewrite (second_2p_is R w K x X z Fw Fx Vx BX) in H. destruct (Rle_lt_dec (Rabs X) (value32 w / 2)) as [Hin|Hin].
-  - destruct (side_gap_is R w K x X z Z Hp Fx Vx Cx Cz Hin) as (Cg & Bg & Pg). unfold side_x, side_z.
-    rewrite Rle_bool_true in H |- * by exact Hin. exact (on_face_is_right R w K _ M S _ answer Hp Cg Bg Pg eq_refl H).
+  - pose proof (side_gap_is R w K x X z Z Hp Fx Vx Cx Cz Hin) as Sg. unfold side_x, side_z.
+    rewrite Rle_bool_true in H |- * by exact Hin. exact (on_face_is_right R w K _ M S _ answer Hp Sg eq_refl H).
   - assert (EM : M = - Z) by (unfold M, penetration_2p; now rewrite Rle_bool_false by exact Hin). unfold side_x, side_z. rewrite EM.
     rewrite Rle_bool_false in H |- * by exact Hin. rewrite Rmult_1_r.
     apply is_answer_same with (Z < 0); [split; lra|]. exact (on_plane_is_right R w K _ Z answer Hp Cz H).

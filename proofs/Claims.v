@@ -8,7 +8,7 @@ From Forceshade Require Import DoubleDoubleTerms DoubleDoubleOff NewtonThird New
 From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
-From Forceshade Require Import TwoPolygonsGap Bump2pSecond.
+From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond ThreePolygonsEnclosed.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
@@ -113,9 +113,16 @@ Print Assumptions along_is_right.
 Print Assumptions on_plane_is_right.
 Print Assumptions bump_1p_shaded_second_stage_answers_right.
 Print Assumptions bump_1p_shaded_two_stages_answer_right.
-Print Assumptions positive_difference.
+Print Assumptions difference_is_settled.
+Print Assumptions settled_positive.
+Print Assumptions quotient_of_settled.
+Print Assumptions along_shaded_is_right.
 Print Assumptions bump_2p_second_stage_answers_right.
 Print Assumptions bump_2p_two_stages_answer_right.
+Print Assumptions bump_2p_shaded_second_stage_answers_right.
+Print Assumptions bump_2p_shaded_two_stages_answer_right.
+Print Assumptions encloses_subtract.
+Print Assumptions face_3p_enclosed.
 Print Assumptions big_negated_contains.
 Print Assumptions big_scaled_contains.
 Print Assumptions big_midpoint_contains.

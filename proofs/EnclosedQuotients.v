@@ -10,7 +10,8 @@ Open Scope R_scope.
 
 Lemma quotient_of_parts : forall a a_lo b b_lo h l c k, let Q := Rabs (h / c) in is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
   Rabs l <= 101 / 100 * (unit53 * Rabs h) -> Rabs k <= 101 / 100 * (unit53 * Rabs c) -> / 1000 <= Rabs c <= 1000000 ->
-  / 10000000000000000000000000000000000000000 <= Q <= 1000000000 -> / 10000000000000000000000000000000000000000 <= Rabs h <= 10000000000 ->
+  / 1000000000000000000000000000000000000000000000000000000000000 <= Q <= 1000000000 ->
+  / 1000000000000000000000000000000000000000000000000000000000000 <= Rabs h <= 10000000000 ->
   exists p q, is64 (fst (quotient_of a a_lo b b_lo)) p /\ is64 (snd (quotient_of a a_lo b b_lo)) q /\
     Rabs (p + q - (h + l) / (c + k)) <= 16 * (unit53 * (unit53 * Q)) /\ 99 / 100 * Q <= Rabs p <= 101 / 100 * Q /\ Rabs q <= unit53 * Rabs
       p.
@@ -44,7 +45,7 @@ Proof.
   assert (Ge : in_binary64 (m - p0)).
   { pose proof (two_product_is_exact q0 c (format_of _ _ I1) Gc) as E. cbv zeta in E. fold m p0 in E.
     assert (Hs : m = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs m).
-    { right. apply Rle_trans with (bpow radix2 (-150)); [apply bpow_le; lia|]. apply Rle_trans with (/ 2 * Rabs h); [simpl; lra|lra]. }
+    { right. apply Rle_trans with (bpow radix2 (-250)); [apply bpow_le; lia|]. apply Rle_trans with (/ 2 * Rabs h); [simpl; lra|lra]. }
     replace (m - p0) with (nearest64 (m - p0)) by (specialize (E Hs); lra). apply generic_format_round; auto with typeclass_instances. }
   pose proof (size_by p0 m) as Sp.
   destruct (minus_close _ _ _ _ Ha I2 ltac:(lra)) as [I3 C3]. set (t3 := minus a t2) in *. set (d := nearest64 (h - p0)) in *.

@@ -16,31 +16,46 @@ Definition two32 : binary32 := B754_finite 24 128 false 8388608 (-22) eq_refl.
 (* 2|x| > w *)
 Definition is_beside (w x : binary32) : bool := is_less32 w (b32_mult mode_NE two32 (b32_abs x)).
 
+(* 2|x| == w *)
+Definition is_at_foot (w x : binary32) : bool :=
+  match Bcompare 24 128 (b32_mult mode_NE two32 (b32_abs x)) w with Some Eq => true | _ => false end.
+
 (* along(gap, K, normal_x, normal_z), where the second stage can decide. *)
 Definition decide_along (K : binary32) (gap normal_x normal_z : double_double) : option evaluation :=
   let magnitude := multiply (exactly64 (to64 K)) gap in decide (sign_of gap) (multiply magnitude normal_x) (multiply magnitude normal_z).
 
+Lemma twice_is : forall x, Rabs (value32 x) <= 10000 -> is_finite 24 128 x = true ->
+  value32 (b32_mult mode_NE two32 (b32_abs x)) = 2 * Rabs (value32 x) /\ is_finite 24 128 (b32_mult mode_NE two32 (b32_abs x)) = true.
+Proof.
+  intros x Bx Fx. set (a := b32_abs x).
+  assert (Ea : value32 a = Rabs (value32 x)) by apply B2R_Babs.
+  assert (Fa : is_finite 24 128 a = true) by (unfold a, b32_abs; now rewrite is_finite_Babs).
+  assert (E2 : value32 two32 = 2) by (unfold two32, B2R, F2R; simpl; lra).
+  unfold b32_mult. match goal with |- context [Bmult _ _ ?p ?q ?nan _ _ _] => pose proof (Bmult_correct 24 128 p q nan mode_NE two32 a)
+  as C end.
+  cbv zeta in C. change (round radix2 (SpecFloat.fexp 24 128) (round_mode mode_NE)) with nearest32 in C. rewrite E2, Ea in C.
+  rewrite round_generic in C.
+  - rewrite Rlt_bool_true in C.
+    + destruct C as (C1 & C2 & _). rewrite Fa in C2. now split.
+    + rewrite Rabs_pos_eq by (pose proof (Rabs_pos (value32 x)); lra). apply Rle_lt_trans with (bpow radix2 20); [simpl; lra|apply
+      bpow_lt; lia].
+  - auto with typeclass_instances.
+  - replace (2 * Rabs (value32 x)) with (Rabs (value32 x) * bpow radix2 1) by (change (bpow radix2 1) with 2; ring).
+    apply Mult_error.mult_bpow_pos_exact_FLT; [apply generic_format_abs, (generic_format_B2R 24 128)|lia].
+Qed.
+
 Lemma is_beside_is : forall w x, is_finite 24 128 w = true -> is_finite 24 128 x = true -> Rabs (value32 x) <= 10000 ->
   is_beside w x = negb (Rle_bool (Rabs (value32 x)) (value32 w / 2)).
 Proof.
-  intros w x Fw Fx Bx. unfold is_beside. set (a := b32_abs x).
-  assert (Ea : value32 a = Rabs (value32 x)) by apply B2R_Babs. assert (Fa : is_finite 24 128 a = true) by (unfold a, b32_abs; now rewrite
-    is_finite_Babs).
-  assert (E2 : value32 two32 = 2) by (unfold two32, B2R, F2R; simpl; lra).
-  assert (P : value32 (b32_mult mode_NE two32 a) = 2 * Rabs (value32 x) /\ is_finite 24 128 (b32_mult mode_NE two32 a) = true).
-  { unfold b32_mult. match goal with |- context [Bmult _ _ ?p ?q ?nan _ _ _] => pose proof (Bmult_correct 24 128 p q nan mode_NE two32 a)
-    as C end.
-    cbv zeta in C. change (round radix2 (SpecFloat.fexp 24 128) (round_mode mode_NE)) with nearest32 in C. rewrite E2, Ea in C.
-    rewrite round_generic in C.
-    - rewrite Rlt_bool_true in C.
-      + destruct C as (C1 & C2 & _). rewrite Fa in C2. now split.
-      + rewrite Rabs_pos_eq by (pose proof (Rabs_pos (value32 x)); lra). apply Rle_lt_trans with (bpow radix2 20); [simpl; lra|apply
-        bpow_lt; lia].
-    - auto with typeclass_instances.
-    - replace (2 * Rabs (value32 x)) with (Rabs (value32 x) * bpow radix2 1) by (change (bpow radix2 1) with 2; ring).
-      apply Mult_error.mult_bpow_pos_exact_FLT; [apply generic_format_abs, (generic_format_B2R 24 128)|lia]. }
-  destruct P as [P1 P2]. unfold is_less32. rewrite Bcompare_correct by assumption. rewrite P1.
+  intros w x Fw Fx Bx. destruct (twice_is x Bx Fx) as [P1 P2]. unfold is_beside, is_less32. rewrite Bcompare_correct by assumption. rewrite P1.
   case Rcompare_spec; case Rle_bool_spec; intros; try reflexivity; exfalso; lra.
+Qed.
+
+Lemma is_at_foot_is : forall w x, is_finite 24 128 w = true -> is_finite 24 128 x = true -> Rabs (value32 x) <= 10000 ->
+  is_at_foot w x = Req_bool (Rabs (value32 x)) (value32 w / 2).
+Proof.
+  intros w x Fw Fx Bx. destruct (twice_is x Bx Fx) as [P1 P2]. unfold is_at_foot. rewrite Bcompare_correct by assumption. rewrite P1.
+  case Rcompare_spec; case Req_bool_spec; intros; try reflexivity; exfalso; lra.
 Qed.
 
 Lemma share_is_small : 0 < share101 <= / 1000000000000000000000000000000.

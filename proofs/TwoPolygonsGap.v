@@ -74,18 +74,34 @@ Qed.
 
 (* ---- The gap ---- *)
 
-(* Where the difference is found positive, it is not so small that products of it are lost: the terms that cancel are charged. *)
-Lemma positive_difference : forall s a A b Z, let gap := add a (negated b) in encloses s a A -> 0 <= s <= / 1000 -> charged a ->
-  is_exactly b Z -> A = 0 \/ / 1000000000000000000000000000 <= A <= 20000 -> Z = 0 \/ / 10000000000 <= Rabs Z <= 10000 ->
-  contains gap (A - Z) /\ Rabs (value64 (hi gap)) <= 112 / 100 * (A + Rabs Z) /\
-  (sign_of gap = is_positive -> / 1000000000000000000000000000000000000000000000000 <= value64 (hi gap)).
+(* A gap that is enclosed. It is 0, or it is not tiny, or the bound of its error is not. *)
+Definition settled (gap : double_double) (M : R) : Prop :=
+  contains gap M /\ Rabs (value64 (hi gap)) <= 22400 /\ value64 (error gap) <= 1000 /\
+  (is_exactly gap 0 \/ / 100000000000000000000000000000 <= Rabs (value64 (hi gap)) \/
+   / 1000000000000000000000000000000000000000000 <= value64 (error gap)).
+
+(* So where it is found positive, it is not so small that products of it are lost. *)
+Lemma settled_positive : forall gap M, settled gap M -> sign_of gap = is_positive ->
+  / 1000000000000000000000000000000000000000000000000 <= value64 (hi gap).
 Proof.
-  intros s a A b Z gap Ea Hs Ca Ib BA BZ. pose proof unit_is_small as Hu.
+  intros gap M (C & _ & _ & D) Pos. destruct (positive_is _ _ C Pos) as (g & m & f & G & M' & F & Bm & Hf & Dm & _). pose proof (Rabs_pos m).
+  rewrite (proj1 G), (proj1 F) in D. rewrite (proj1 G). destruct D as [([Z _] & _)|D].
+  - rewrite (proj1 G) in Z. lra.
+  - rewrite (Rabs_pos_eq g) in D by lra. lra.
+Qed.
+
+(* The terms that cancel are charged. *)
+Lemma difference_is_settled : forall s a A b Z, let gap := add a (negated b) in encloses s a A -> 0 <= s <= / 1000 -> charged a ->
+  is_exactly b Z -> A = 0 \/ / 1000000000000000000000000000 <= A <= 20000 -> Z = 0 \/ / 10000000000 <= Rabs Z <= 10000 ->
+  A + Rabs Z <= 20000 -> settled gap (A - Z).
+Proof.
+  intros s a A b Z gap Ea Hs Ca Ib BA BZ BAZ. pose proof unit_is_small as Hu.
   assert (C : contains gap (A - Z)).
   { apply (difference_of_two_contains s 0); trivial; [now apply encloses_exact|lra| |].
     - destruct BA as [BA|BA]; [now left|right; rewrite Rabs_pos_eq; lra].
     - destruct BZ as [BZ|BZ]; [now left|right; lra]. }
-  split; [exact C|]. destruct Ea as (h & l & e & H & L & E & Bl & Be & B), Ib as (H' & L' & E').
+  assert (Zero : A = 0 -> is_exactly a 0) by (intro A0; rewrite A0 in Ea; now apply (enclosed_zero s)).
+  destruct Ea as (h & l & e & H & L & E & Bl & Be & B), Ib as (H' & L' & E').
   pose proof (enclosed_size _ _ _ _ _ Bl Be B Hs) as Sh. assert (A0 : 0 <= A) by lra. rewrite (Rabs_pos_eq A) in Sh by exact A0.
   assert (BZ2 : 0 <= Rabs Z <= 10000) by (split; [apply Rabs_pos|destruct BZ as [->|BZ]; [rewrite Rabs_R0|]; lra]).
   pose proof (unit_times _ (Rabs_pos h)) as Uh. assert (A2 : A <= 20000) by lra.
@@ -96,27 +112,41 @@ Proof.
     destruct (sum_of_is_off _ _ _ _ h l (- Z) (- 0) (Rabs h + Rabs Z) (unit53 * Rabs h) H L (opp_is _ _ H') (opp_is _ _ L') ltac:(lra)
       ltac:(rewrite Rabs_Ropp; lra) T N0 ltac:(lra)) as (p & q & P & _ & _ & Bp & _).
     change (hi gap) with (fst (sum_of (hi a) (lo a) (opp (hi b)) (opp (lo b)))). rewrite (proj1 P). lra. }
-  split; [exact First|]. intro Pos. destruct (positive_is _ _ C Pos) as (g & m & f & G & M & F & Bm & Hf & D & Bg).
-  rewrite (proj1 G) in First |- *. destruct (error_of_two (hi gap) g (error a) (error (negated b)) e 0 G ltac:(lra) E E' ltac:(lra) ltac:(lra))
-    as (f' & F' & Bf). change (error_of (hi gap) (plus (error a) (error (negated b)))) with (error gap) in F'.
-  rewrite (is64_same _ _ _ F' F) in Bf. unfold charged in Ca. rewrite (proj1 H), (proj1 E) in Ca. clear C Pos G M F F' H L E H' L' E'.
-  assert (Range : 0 < A - Z < 2 * g /\ f <= g).
-  { apply Rabs_le_inv in Bg. pose proof (Rle_abs m). pose proof (Rle_abs (- m)) as N. rewrite Rabs_Ropp in N. lra. }
-  clear Bg D Bm First. destruct BA as [->|BA].
-  - destruct BZ as [->|BZ]; [lra|]. rewrite (Rabs_left1 Z) in BZ by lra. lra.
-  - destruct (Rle_lt_dec Z (A / 2)) as [HZ|HZ]; [lra|]. destruct BZ as [->|BZ]; [lra|]. rewrite (Rabs_pos_eq Z) in BZ by lra.
-    unfold share101 in Ca. lra.
+  pose proof C as (g & m & f & G & M & F & Bm & Hf & D & Bg). rewrite (proj1 G) in First.
+  destruct (error_of_two (hi gap) g (error a) (error (negated b)) e 0 G ltac:(lra) E E' ltac:(lra) ltac:(lra)) as (f' & F' & Bf).
+  change (error_of (hi gap) (plus (error a) (error (negated b)))) with (error gap) in F'. rewrite (is64_same _ _ _ F' F) in Bf.
+  unfold charged in Ca. rewrite (proj1 H), (proj1 E) in Ca.
+  split; [exact C|]. rewrite (proj1 G), (proj1 F). split; [lra|].
+  assert (Ie : is64 (plus (error a) (error (negated b))) e).
+  { apply (plus_exact _ _ e 0); trivial; [ring|exact (format_of _ _ E)|apply big_enough; rewrite Rabs_pos_eq; lra]. }
+  destruct (error_of_is _ g _ e e G Ie ltac:(lra) ltac:(lra) ltac:(lra)) as (f2 & F2 & Bf2 & Zf).
+  change (error_of (hi gap) (plus (error a) (error (negated b)))) with (error gap) in F2. rewrite (is64_same _ _ _ F2 F) in *.
+  pose proof share_is_small as Hsh. pose proof tiny_is_tinier as Htiny.
+  assert (Bsg : share101 * Rabs g <= / 1000 * Rabs g) by (apply Rmult_le_compat_r; [apply Rabs_pos|lra]). split; [lra|].
+  pose proof (unit_times _ (Rabs_pos g)) as Ug. pose proof (size_by (A - Z) (g + m)) as S. rewrite (Rabs_minus_sym (A - Z)) in S.
+  pose proof (Rabs_triang g m) as T.
+  destruct (Rle_lt_dec (/ 1000000000000000000000000000000000000000000) f) as [Lf|Lf]; [now right; right|].
+  destruct BA as [BA|BA].
+  - destruct (Zero BA) as (H0 & L0 & E0). pose proof (opp_is _ _ L') as L1. rewrite Ropp_0 in L1. pose proof (opp_is _ _ H') as H1.
+    assert (S0 : 0 + - Z = - Z) by ring. assert (BS : Rabs (- Z) <= bpow radix2 1000) by (apply big_enough; rewrite Rabs_Ropp; lra).
+    destruct (sum_of_exact _ _ _ _ 0 (- Z) H0 L0 H1 L1 ltac:(rewrite S0; exact (format_of _ _ H1)) zero_is_not_too_large BS
+      ltac:(rewrite S0; exact BS)) as [P Q].
+    rewrite S0 in P. pose proof (is64_same _ _ _ P G) as Eg. destruct BZ as [BZ|BZ].
+    + left. rewrite BZ, Ropp_0 in P. split; [exact P|split; [exact Q|]]. replace 0 with f; [exact F|].
+      apply Zf; [|rewrite <- Eg, BZ; ring]. rewrite (is64_same _ _ _ E E0). reflexivity.
+    + right. left. rewrite <- Eg, Rabs_Ropp. lra.
+  - right. left. unfold share101 in Ca. assert (Far : / 10000000000000000000000000000 <= Rabs (A - Z)); [|lra].
+    destruct (Rle_lt_dec Z (A / 2)) as [HZ|HZ]; [rewrite Rabs_pos_eq; lra|]. destruct BZ as [->|BZ]; [lra|].
+    rewrite (Rabs_pos_eq Z) in BZ by lra. rewrite Rabs_left; lra.
 Qed.
 
 Definition side_gap_2p (R w x z : binary32) : double_double :=
   add (multiply (tangent_2p R w) (add (exactly64 (half_width w)) (negated (exactly64 (to64 (b32_abs x)))))) (negated (exactly64 (to64 z))).
 
 Lemma side_gap_is : forall R w K x X z Z, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
-  coordinate (to64 z) Z -> Rabs X <= value32 w / 2 -> let gap := side_gap_2p R w x z in
-  contains gap (penetration_2p (value32 R) (value32 w) X Z) /\ Rabs (value64 (hi gap)) <= 22400 /\
-  (sign_of gap = is_positive -> / 1000000000000000000000000000000000000000000000000 <= value64 (hi gap)).
+  coordinate (to64 z) Z -> Rabs X <= value32 w / 2 -> settled (side_gap_2p R w x z) (penetration_2p (value32 R) (value32 w) X Z).
 Proof.
-  intros R w K x X z Z Hp Fx Vx Cx Cz Hin gap. pose proof share_is_small as Hsh. destruct (face_enclosed _ _ _ Hp) as ([Et BT] & _).
+  intros R w K x X z Z Hp Fx Vx Cx Cz Hin. pose proof share_is_small as Hsh. destruct (face_enclosed _ _ _ Hp) as ([Et BT] & _).
   pose proof (half_width_coordinate _ _ _ Hp) as Cc. destruct Hp as (_ & HR & Hw & _).
   destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & ET & EH & _).
   set (T := slope_2p (value32 R) (value32 w)) in *.
@@ -149,8 +179,7 @@ Proof.
   pose proof (coordinate_range _ _ Cz) as RZ.
   assert (BZ : Z = 0 \/ / 10000000000 <= Rabs Z <= 10000).
   { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }
-  destruct (positive_difference _ _ _ _ _ Ea ltac:(lra) Ca (exactly_is _ _ (coordinate_is _ _ Cz)) ltac:(lra) BZ) as (C & F & P).
   replace (penetration_2p (value32 R) (value32 w) X Z) with (T * u - Z).
-  - split; [exact C|]. split; [|exact P]. apply Rle_trans with (1 := F). lra.
+  - apply (difference_is_settled _ _ _ _ _ Ea ltac:(lra) Ca (exactly_is _ _ (coordinate_is _ _ Cz)) ltac:(lra) BZ). lra.
   - unfold penetration_2p. rewrite Rle_bool_true by exact Hin. rewrite EH, <- ET. unfold u, c. field. lra.
 Qed.
