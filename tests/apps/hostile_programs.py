@@ -31,7 +31,7 @@ def patience(words):
     """A busy machine may be slow to start a program, so that only those that do not answer or end get little time."""
     if words.startswith(LATE + " 10 s"):
         return []  # which is as long as without the option
-    return ["--answer-timeout", "1" if LATE in words else "2" if NO_END in words else "60"]
+    return ["--answer-timeout", "1" if LATE in words else "10" if NO_END in words else "60"]
 
 
 class Door:
