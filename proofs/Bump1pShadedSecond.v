@@ -79,10 +79,7 @@ Theorem bump_1p_shaded_second_stage_answers_right : forall R w K x y z answer, p
 Proof.
   intros R w K x y z answer Hp Hv X Z H. pose proof share_is_small as Hsh. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx.
     fold Z in Cz.
-  assert (Qx : value32 (quantised x) = X /\ is_finite 24 128 (quantised x) = true).
-  { unfold valid in Hv. destruct (andb_prop _ _ Hv) as [Hxy _]. destruct (andb_prop _ _ Hxy) as [Hx _]. apply in_domain_is_right in Hx.
-    now apply quantised_is_right. }
-  destruct Qx as [Vx Fx]. pose proof Hp as ((FR & Fw & _) & HR & Hw & HK). pose proof (coordinate_range _ _ Cx) as BX. pose proof
+  destruct (quantised_x_is _ _ _ Hv) as [Vx Fx]. fold X in Vx. pose proof Hp as ((FR & Fw & _) & HR & Hw & HK). pose proof (coordinate_range _ _ Cx) as BX. pose proof
     (coordinate_range _ _ Cz) as BZ.
   assert (LZ : Z = 0 \/ / 2000000000 <= Rabs Z).
   { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }

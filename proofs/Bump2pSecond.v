@@ -20,13 +20,6 @@ Qed.
 Lemma is_answer_same : forall answer p q Fx Fz, (p <-> q) -> is_answer answer p Fx Fz -> is_answer answer q Fx Fz.
 Proof. intros answer p q Fx Fz E [[H1 H2]|[H1 H2]]; [left; split; [tauto|exact H2]|right; split; [tauto|exact H2]]. Qed.
 
-Lemma quantised_coordinate : forall x, in_domain x = true ->
-  value32 (quantised x) = read (value32 x) /\ is_finite 24 128 (quantised x) = true /\ coordinate (to64 (quantised x)) (read (value32 x)).
-Proof.
-  intros x Hx. pose proof (coordinates x Hx) as C. apply in_domain_is_right in Hx. destruct (quantised_is_right x (proj1 Hx)) as [V F].
-  split; [exact V|split; [exact F|exact C]].
-Qed.
-
 (* On the face. *)
 Lemma on_face_is_right : forall R w K gap M slope is_left answer, parameters R w K -> settled gap M ->
   slope = slope_2p (value32 R) (value32 w) ->
@@ -78,8 +71,8 @@ Theorem bump_2p_second_stage_answers_right : forall R w K x y z answer, paramete
   bump_2p_second R w K (quantised x) (quantised z) = Some answer ->
   is_answer answer (0 < M) (side_x (value32 w) (value32 K) S X M) (side_z (value32 w) (value32 K) S X M).
 Proof.
-  intros R w K x y z answer Hp Hv. unfold valid in Hv. destruct (andb_prop _ _ Hv) as [Hxy Hz]. destruct (andb_prop _ _ Hxy) as [Hx _].
-  destruct (quantised_coordinate x Hx) as (Vx & Fx & Cx), (quantised_coordinate z Hz) as (_ & _ & Cz).
+  intros R w K x y z answer Hp Hv.
+  destruct (quantised_x_is _ _ _ Hv) as [Vx Fx], (valid_coordinates _ _ _ Hv) as [Cx Cz].
   exact (bump_2p_second_is_right R w K _ _ _ _ answer Hp Fx Vx Cx Cz).
 Qed.
 

@@ -52,8 +52,8 @@ Theorem bump_2p_shaded_second_stage_answers_right : forall R w K x y z answer, p
   bump_2p_shaded_second R w K (quantised x) (quantised z) = Some answer ->
   is_answer answer (0 < M) (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
 Proof.
-  intros R w K x y z answer Hp Hv. unfold valid in Hv. destruct (andb_prop _ _ Hv) as [Hxy Hz]. destruct (andb_prop _ _ Hxy) as [Hx _].
-  destruct (quantised_coordinate x Hx) as (Vx & Fx & Cx), (quantised_coordinate z Hz) as (_ & _ & Cz).
+  intros R w K x y z answer Hp Hv.
+  destruct (quantised_x_is _ _ _ Hv) as [Vx Fx], (valid_coordinates _ _ _ Hv) as [Cx Cz].
   exact (bump_2p_shaded_second_is_right R w K _ _ _ _ answer Hp Fx Vx Cx Cz).
 Qed.
 

@@ -24,6 +24,14 @@ Definition is_at_foot (w x : binary32) : bool :=
 Definition decide_along (K : binary32) (gap normal_x normal_z : double_double) : option evaluation :=
   let magnitude := multiply (exactly64 (to64 K)) gap in decide (sign_of gap) (multiply magnitude normal_x) (multiply magnitude normal_z).
 
+(* What the second stage of a valid position begins with, beside valid_coordinates. *)
+Lemma quantised_x_is : forall x y z, valid x y z = true ->
+  value32 (quantised x) = read (value32 x) /\ is_finite 24 128 (quantised x) = true.
+Proof.
+  intros x y z H. unfold valid in H. destruct (andb_prop _ _ H) as [Hxy _]. destruct (andb_prop _ _ Hxy) as [Hx _].
+  apply in_domain_is_right in Hx. now apply quantised_is_right.
+Qed.
+
 Lemma twice_is : forall x, Rabs (value32 x) <= 10000 -> is_finite 24 128 x = true ->
   value32 (b32_mult mode_NE two32 (b32_abs x)) = 2 * Rabs (value32 x) /\ is_finite 24 128 (b32_mult mode_NE two32 (b32_abs x)) = true.
 Proof.

@@ -146,6 +146,12 @@ Proof. intros v X H. destruct (multiple_of_2_53 X (coordinate_format _ _ H) (coo
 (* A middle of two neighbours in binary32: what a later stage compares with. *)
 Definition is_tie (m : R) : Prop := exists c, in_binary32 c /\ (m = (c + succ radix2 fexp32 c) / 2 \/ m = (c + pred radix2 fexp32 c) / 2).
 
+(* What each theorem of a law begins with. *)
+Ltac multiples_of_inputs Hp Cx Cz :=
+  pose proof (multiple_of_stiffness _ _ _ Hp) as MK; pose proof (multiple_of_radius _ _ _ Hp) as MR;
+  pose proof (multiple_of_half_width _ _ _ Hp) as Mc; pose proof (multiple_of_coordinate _ _ Cx) as MX;
+  pose proof (multiple_of_coordinate _ _ Cz) as MZ.
+
 Lemma multiple_of_tie : forall m, is_tie m -> multiple 150 m.
 Proof.
   assert (all : forall c, in_binary32 c -> multiple 149 c).
@@ -243,9 +249,7 @@ Theorem bump_1p_shaded_is_separated : forall R w K x y z m, parameters R w K -> 
   (Fx <> m -> bpow radix2 (-406) <= Rabs (Fx - m)) /\ (Fz <> m -> bpow radix2 (-406) <= Rabs (Fz - m)).
 Proof.
   intros R w K x y z m Hp Hv Hm X Z Fx Fz. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx. fold Z in Cz.
-  pose proof (multiple_of_stiffness _ _ _ Hp) as MK. pose proof (multiple_of_radius _ _ _ Hp) as MR.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ. pose proof (multiple_of_tie m Hm) as
-    Mm.
+  multiples_of_inputs Hp Cx Cz. pose proof (multiple_of_tie m Hm) as Mm.
   destruct Hp as (_ & HR & Hw & HK). pose proof (coordinate_range _ _ Cz) as BZ.
   destruct (bump_1p_shaded_size (value32 R) (value32 w) (value32 K) X Z ltac:(lra) ltac:(lra) ltac:(lra) BZ) as [Bx Bz].
   fold Fx in Bx. fold Fz in Bz.

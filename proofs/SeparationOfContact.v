@@ -14,8 +14,7 @@ Theorem cylinder_contact_is_separated : forall R w K x y z, parameters R w K -> 
   (v <> 0 -> bpow radix2 (-241) <= Rabs v) /\ (Z + d <> 0 -> bpow radix2 (-121) <= Rabs (Z + d)).
 Proof.
   intros R w K x y z Hp Hv X Z d v. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx. fold Z in Cz.
-  pose proof (multiple_of_radius _ _ _ Hp) as MR. pose proof (multiple_of_half_width _ _ _ Hp) as Mc.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ.
+  multiples_of_inputs Hp Cx Cz.
   destruct Hp as (_ & HR & Hw & _). pose proof (coordinate_range _ _ Cx) as BX. pose proof (coordinate_range _ _ Cz) as BZ.
   destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2]. fold d in Hd0, Hd2. clearbody d X Z.
   unfold v. clear v. set (c := value32 w / 2) in *. assert (Hc : 0 < c) by (unfold c; lra). set (Rad := value32 R) in *. clearbody c Rad.
@@ -49,8 +48,7 @@ Theorem bump_2p_contact_is_separated : forall R w K x y z, parameters R w K -> v
   M <> 0 -> bpow radix2 (-218) <= Rabs M.
 Proof.
   intros R w K x y z Hp Hv X Z M Hne. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx. fold Z in Cz.
-  pose proof (multiple_of_radius _ _ _ Hp) as MR. pose proof (multiple_of_half_width _ _ _ Hp) as Mc.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ.
+  multiples_of_inputs Hp Cx Cz.
   destruct Hp as (_ & HR & Hw & _). pose proof (coordinate_range _ _ Cz) as BZ.
   destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
   unfold M, penetration_2p, bump_height in *. clear M. set (d := axis_depth (value32 R) (value32 w)) in *. clearbody d X Z.
@@ -100,9 +98,7 @@ Theorem bump_3p_contact_is_separated : forall R w K x y z, parameters R w K -> v
   M <> 0 -> bpow radix2 (-909) <= Rabs M.
 Proof.
   intros R w K x y z Hp Hv X Z M Hne. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx. fold Z in Cz.
-  pose proof (multiple_of_radius _ _ _ Hp) as MR. pose proof (multiple_of_half_width _ _ _ Hp) as Mc.
-  pose proof (multiple_of_width _ _ _ Hp) as Mw.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ.
+  multiples_of_inputs Hp Cx Cz. pose proof (multiple_of_width _ _ _ Hp) as Mw.
   destruct Hp as (_ & HR & Hw & _). pose proof (coordinate_range _ _ Cz) as BZ.
   destruct (three_are (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (eta & r2 & r3 & Three).
   unfold M, penetration_3p in *. clear M. set (om := top_width (value32 R) (value32 w)) in *. clearbody X Z.

@@ -100,10 +100,7 @@ Lemma cylinder_is_separated_with_plane : forall R w K xv X zv Z W Bw j m, parame
   (Fx <> m -> bpow radix2 (- (826 + 3 * j)) <= Rabs (Fx - m)) /\ (Fz <> m -> bpow radix2 (- (826 + 3 * j)) <= Rabs (Fz - m)).
 Proof.
   intros R w K xv X zv Z W Bw j m Hp Cx Cz Hm MW HW Hj HC1 HC3 Fx Fz.
-  pose proof (multiple_of_stiffness _ _ _ Hp) as MK. pose proof (multiple_of_radius _ _ _ Hp) as MR.
-  pose proof (multiple_of_half_width _ _ _ Hp) as Mc.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ. pose proof (multiple_of_tie m Hm) as
-    Mm.
+  multiples_of_inputs Hp Cx Cz. pose proof (multiple_of_tie m Hm) as Mm.
   destruct Hp as (_ & HR & Hw & HK). pose proof (coordinate_range _ _ Cz) as BZ. pose proof (coordinate_range _ _ Cx) as BX.
   destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2]. unfold Fx, Fz, cylinder_x, cylinder_z in *.
   destruct (distance_squared (value32 R) (value32 w) X Z) as [Hrho0 Hrho2]. clear Fx Fz. cbv zeta.

@@ -59,10 +59,7 @@ Theorem bump_2p_is_separated : forall R w K x y z m, parameters R w K -> valid x
   (Fx <> m -> bpow radix2 (-859) <= Rabs (Fx - m)) /\ (Fz <> m -> bpow radix2 (-859) <= Rabs (Fz - m)).
 Proof.
   intros R w K x y z m Hp Hv Hm X Z M S Fx Fz. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx. fold Z in Cz.
-  pose proof (multiple_of_stiffness _ _ _ Hp) as MK. pose proof (multiple_of_radius _ _ _ Hp) as MR.
-  pose proof (multiple_of_half_width _ _ _ Hp) as Mc.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ.
-  pose proof (multiple_of_tie m Hm) as Mm.
+  multiples_of_inputs Hp Cx Cz. pose proof (multiple_of_tie m Hm) as Mm.
   destruct Hp as (_ & HR & Hw & HK). pose proof (coordinate_range _ _ Cz) as BZ.
   destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
   destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (HS & HcS & _ & EH & Ecos & Esin).

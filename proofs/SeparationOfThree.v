@@ -184,10 +184,7 @@ Theorem bump_3p_is_separated : forall R w K x y z m, parameters R w K -> valid x
   (Fx <> m -> bpow radix2 (-2033) <= Rabs (Fx - m)) /\ (Fz <> m -> bpow radix2 (-2033) <= Rabs (Fz - m)).
 Proof.
   intros R w K x y z m Hp Hv Hm X Z M S Fx Fz. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx. fold Z in Cz.
-  pose proof (multiple_of_stiffness _ _ _ Hp) as MK. pose proof (multiple_of_radius _ _ _ Hp) as MR.
-  pose proof (multiple_of_half_width _ _ _ Hp) as Mc. pose proof (multiple_of_width _ _ _ Hp) as Mw.
-  pose proof (multiple_of_coordinate _ _ Cx) as MX. pose proof (multiple_of_coordinate _ _ Cz) as MZ.
-  pose proof (multiple_of_tie m Hm) as Mm.
+  multiples_of_inputs Hp Cx Cz. pose proof (multiple_of_width _ _ _ Hp) as Mw. pose proof (multiple_of_tie m Hm) as Mm.
   destruct Hp as (_ & HR & Hw & HK). pose proof (coordinate_range _ _ Cz) as BZ.
   destruct (three_are (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (eta & r2 & r3 & Three).
   unfold Fx, Fz, side_x, side_z, M, S, penetration_3p, slope_at. clear Fx Fz M S.
