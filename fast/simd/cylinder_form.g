@@ -24,9 +24,11 @@ rho any= sqrt(square);
 W_TRUE = R + 1;
 w_sum = R_rho + square;
 
-# The step of Newton, where every number is relative: t = T(1 + delta), K/(2Rρ) good to eta, v to ev, ρ² to es; e1 to e5 are the
-# roundings of t·ρ², t + 2, the fused difference, t·K and the fused sum. tau is T/(2(1 + T)), at most 3/8. Then what the step
-# gives is K·T·(1 + step).
+# The step of Newton, where every number is relative: t = T(1 + delta), v to ev, ρ² to es, K/(2R²) to ec; e1 to e6 are the roundings
+# of t·ρ², t + 2, the fused difference, t·K, the fused sum and K/(2R²)·(1 + t). tau is T/(2(1 + T)), at most 3/10, so that K(1 + t)/(2R²)
+# is K/(2Rρ)·(1 + eta). Then what the step gives is K·T·(1 + step).
+turn = 2 * tau * delta;
+eta = turn + (1 + turn) * (ec + e6 + ec * e6);
 q1 = es + e1 + e2 + es * e1 + es * e2 + e1 * e2 + es * e1 * e2;
 correction = (1 - tau) * (ev - q1) - delta * (1 + q1) * (1 + delta * tau);
 rest = (1 - tau) * (ev - q1) - delta * q1 - delta * delta * (1 + q1) * tau;  # correction + delta
@@ -52,7 +54,7 @@ BOTH = TRUE_SCALE * TRUE_L + plane;
 (q - Q) / q -> ((q - Q) / Q) / (1 + (q - Q) / Q) { Q <> 0, q <> 0 };
 V -> W * (1 - (W - V) / W) { W <> 0 };
 (v - V) / V -> ((v - W) / W + (W - V) / W) / (1 - (W - V) / W) { W <> 0, V <> 0 };
-# The same, as a part of R²: ρ² = R² - v, at least 1/16, is good to 2^-48 and a rounding.
+# The same, as a part of R²: ρ² = R² - v, at least 4/25, is good to 2^-49 and a rounding.
 #! piece part_of_square
 { |z_factor| <= 0x8.01p0 /\ |zt| <= 0x1.01p-27 /\ |zD| <= 0x1.01p-80 /\ v in [1b-24, 0x1.01p0] -> v - V in ? }
 v - V -> (v - W) + (q - Q) + (T - t) + (z_factor - p - e) + zD;
@@ -70,39 +72,42 @@ V -> W * (1 - (W - V) / W) { W <> 0 };
 -> (v - (product - z_true - zt - zD)) / (product - z_true - zt - zD) in ? }
 v - (product - z_true - zt - zD) -> (v - W) + (q - Q) + (T - t) + (z_factor - p - e) + (z_true - z_factor) + zD;
 
-# t and K/(2Rρ) (K = 1), v and ρ² as they are rounded from binary64.
+# ρ² and t in binary32, v rounded from binary64, with ρ = 1. A position beyond the cylinder has R < 1 and T < 0.
 #! piece part_sum
-{ |square - 1| <= 0x1.001p-24 /\ R in [1, 4.01] /\ |rho -/ sqrt(square)| <= 1b-24 /\ |R_rho -/ (R * rho)| <= 1b-24 /\
-  |w_32 -/ w_sum| <= 1b-24
+{ |v_32 -/ (R * R - 1)| <= 0x1.001p-24 /\ |s_32 -/ (R * R - tail - v_32)| <= 1b-24 /\ |square -/ (s_32 + tail)| <= 1b-24 /\
+  |tail| <= 0x1.ap-22 /\ R in [1b-18, 2.51] /\ |rho -/ sqrt(square)| <= 1b-24 /\ |R_rho -/ (R * rho)| <= 1b-24 /\ |w_32 -/ w_sum| <= 1b-24
 -> (w_32 - W_TRUE) / W_TRUE in ? }
+square - 1 -> (square - (s_32 + tail)) + (s_32 - (R * R - tail - v_32)) + ((R * R - 1) - v_32);
 (R_rho - R) / R -> ((R_rho - R * rho) / (R * rho)) * rho + (rho - 1) { R <> 0, rho <> 0 };
 (w_sum - W_TRUE) / W_TRUE -> ((R_rho - R) / R) * (R / W_TRUE) + (square - 1) / W_TRUE { R <> 0, W_TRUE <> 0 };
 R / W_TRUE -> 1 - 1 / W_TRUE { W_TRUE <> 0 };
 (w_32 - W_TRUE) / W_TRUE -> ((w_32 - w_sum) / w_sum) * (1 + (w_sum - W_TRUE) / W_TRUE) + (w_sum - W_TRUE) / W_TRUE { w_sum <> 0, W_TRUE <> 0 };
 $ R in 16;
 #! piece part_quotient
-{ |v_32 -/ (TRUE_T * W_TRUE)| <= 0x1.001p-24 /\ |w_32 -/ W_TRUE| <= 0x3.6p-24 # from cylinder_form part_sum
-/\ |t_32 -/ (v_32 / w_32)| <= 1b-24 /\ TRUE_T in [1b-26, 3.01] /\ R in [1, 4.01]
+{ |v_32 -/ (TRUE_T * W_TRUE)| <= 0x1.001p-24 /\ |w_32 -/ W_TRUE| <= 0x7.3ep-24 # from cylinder_form part_sum
+/\ |t_32 -/ (v_32 / w_32)| <= 1b-24 /\ R in [1b-18, 2.51]
 -> t_32 -/ ((TRUE_T * W_TRUE) / W_TRUE) in ? }
-#! piece part_derivative
-{ |square - 1| <= 0x1.001p-24 /\ R in [1, 4.01] /\ |rho -/ sqrt(square)| <= 1b-24 /\ |R_rho -/ (R * rho)| <= 1b-24 /\
-  |h_32 -/ (0.5 / R_rho)| <= 1b-24
--> h_32 -/ (0.5 / R) in ? }
-(R_rho - R) / R -> ((R_rho - R * rho) / (R * rho)) * rho + (rho - 1) { R <> 0, rho <> 0 };
 #! piece step
-{ |delta| <= 0x5.9p-24 # from cylinder_form part_quotient
-/\ |eta| <= 0x3.9p-24 # from cylinder_form part_derivative
+{ |delta| <= 0x9.41p-24 # from cylinder_form part_quotient
 /\ |ev| <= 0x1p-50 # from cylinder_form v_inside
-/\ |es| <= 0x1.1p-48 /\ |e1| <= 1b-53 /\ |e2| <= 1b-53 /\ |e3| <= 1b-53 /\ |e4| <= 1b-53 /\ |e5| <= 1b-53 /\ tau in [0, 0.376]
+/\ |es| <= 0x1.2p-49 /\ |ec| <= 1b-53 /\ |e1| <= 1b-53 /\ |e2| <= 1b-53 /\ |e3| <= 1b-53 /\ |e4| <= 1b-53 /\ |e5| <= 1b-53 /\
+  |e6| <= 1b-53 /\ tau in [0, 0.301]
+-> step in ? }
+# Beyond the cylinder an error below 1 keeps the sign. There tau is 1/2 - ρ/(2R), and ρ at most 2^18·R.
+#! piece sign_of_step
+{ |delta| <= 0x9.41p-24 # from cylinder_form part_quotient
+/\ |ev| <= 0x1p-46 # from cylinder_form sign_far
+/\ |es| <= 1b-45 /\ |ec| <= 1b-53 /\ |e1| <= 1b-53 /\ |e2| <= 1b-53 /\ |e3| <= 1b-53 /\ |e4| <= 1b-53 /\ |e5| <= 1b-53 /\
+  |e6| <= 1b-53 /\ tau in [-1b17, 0]
 -> step in ? }
 #! piece force_x
-{ |scale -/ TRUE_SCALE| <= 0x8.8p-46 # from cylinder_form step
+{ |scale -/ TRUE_SCALE| <= 0x13.ap-46 # from cylinder_form step
 /\ TRUE_SCALE in [1b-50, 1b50] /\ x in [1b-30, 10000] -> fx -/ FX in ? }
 #! piece force_z
-{ |scale -/ TRUE_SCALE| <= 0x8.8p-46 # from cylinder_form step
+{ |scale -/ TRUE_SCALE| <= 0x13.ap-46 # from cylinder_form step
 /\ |l -/ TRUE_L| <= 0x1.01p-52 # from cylinder l_
 /\ TRUE_SCALE in [1b-50, 1b50] /\ TRUE_L in [1b-43, 10001] -> fz -/ FZ in ? }
 #! piece both_z
-{ |scale -/ TRUE_SCALE| <= 0x8.8p-46 # from cylinder_form step
+{ |scale -/ TRUE_SCALE| <= 0x13.ap-46 # from cylinder_form step
 /\ |l -/ TRUE_L| <= 0x1.01p-52 # from cylinder l_
 /\ TRUE_SCALE in [1b-50, 1b50] /\ TRUE_L in [1b-43, 10001] /\ plane in [0, 1b24] -> both -/ BOTH in ? }

@@ -61,8 +61,7 @@ bool answer(const Form& law, std::size_t count, const float* x, const float* z, 
   staggered(
       count,
       [&](std::size_t i) FORCESHADE_INLINE_BODY {
-        watch.coordinates(absolute(Floats::load(x + i)));
-        watch.coordinates(absolute(Floats::load(z + i)));
+        watch.coordinates(absolute(Floats::load(x + i)), absolute(Floats::load(z + i)));
         return form.components(watch, x + i, z + i);
       },
       [&](std::size_t i, const Components& force) FORCESHADE_INLINE_BODY {

@@ -76,6 +76,7 @@ struct Floats {
   }
 
   FORCESHADE_INLINE friend Floats operator+(Floats a, Floats b) { return _mm256_add_ps(a.lanes, b.lanes); }
+  FORCESHADE_INLINE friend Floats operator-(Floats a, Floats b) { return _mm256_sub_ps(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Floats operator*(Floats a, Floats b) { return _mm256_mul_ps(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Floats operator/(Floats a, Floats b) { return _mm256_div_ps(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Mask operator<(Floats a, Floats b) { return {_mm256_cmp_ps(a.lanes, b.lanes, _CMP_LT_OQ)}; }
@@ -106,13 +107,16 @@ struct Watch {
   __m256 doubtful = _mm256_setzero_ps();
   __m256i nearest = _mm256_set1_epi32(-1);  // of the sizes of distances, as the upper halves of their bits
 
-  // Sizes of coordinates that may be tiny without changing the force.
-  FORCESHADE_INLINE void domain(Floats sizes) { largest = _mm256_max_epu32(largest, _mm256_castps_si256(sizes.lanes)); }
-  // Sizes of coordinates.
-  FORCESHADE_INLINE void coordinates(Floats sizes) {
-    domain(sizes);
-    const __m256i size = _mm256_castps_si256(sizes.lanes);
-    smallest = _mm256_min_epu32(smallest, _mm256_sub_epi32(size, _mm256_set1_epi32(1)));
+  // The sizes of two coordinates. They are compared with each other first, so that each result waits for one operation a turn.
+  FORCESHADE_INLINE void domain(Floats a, Floats b) {
+    largest = _mm256_max_epu32(largest, _mm256_max_epu32(_mm256_castps_si256(a.lanes), _mm256_castps_si256(b.lanes)));
+  }
+  // The size of a coordinate that changes the force however tiny it is.
+  FORCESHADE_INLINE void tiny(Floats size) { smallest = _mm256_min_epu32(smallest, less_one(size)); }
+  // The sizes of two such coordinates.
+  FORCESHADE_INLINE void coordinates(Floats a, Floats b) {
+    domain(a, b);
+    smallest = _mm256_min_epu32(smallest, _mm256_min_epu32(less_one(a), less_one(b)));
   }
 
   // What vanishes on the surface, and is known too roughly where it is small. The upper halves of two packs make one vector.
@@ -148,6 +152,11 @@ struct Watch {
     const __m256i any = _mm256_or_si256(_mm256_or_si256(invalid, tiny),
                                         _mm256_or_si256(_mm256_or_si256(doubt, near), _mm256_castps_si256(doubtful)));
     return _mm256_testz_si256(any, any) != 0;
+  }
+
+ private:
+  FORCESHADE_INLINE static __m256i less_one(Floats size) {
+    return _mm256_sub_epi32(_mm256_castps_si256(size.lanes), _mm256_set1_epi32(1));
   }
 };
 

@@ -81,6 +81,7 @@ struct Floats {
   }
 
   FORCESHADE_INLINE friend Floats operator+(Floats a, Floats b) { return _mm512_add_ps(a.lanes, b.lanes); }
+  FORCESHADE_INLINE friend Floats operator-(Floats a, Floats b) { return _mm512_sub_ps(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Floats operator*(Floats a, Floats b) { return _mm512_mul_ps(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Floats operator/(Floats a, Floats b) { return _mm512_div_ps(a.lanes, b.lanes); }
   FORCESHADE_INLINE friend Mask operator<(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.lanes, b.lanes, _CMP_LT_OQ)}; }
@@ -110,13 +111,16 @@ struct Watch {
   __m512i nearest = _mm512_set1_epi32(-1);   // of the sizes of distances, as the upper halves of their bits
   __mmask16 doubtful = 0;
 
-  // Sizes of coordinates that may be tiny without changing the force.
-  FORCESHADE_INLINE void domain(Floats sizes) { largest = _mm512_max_epu32(largest, _mm512_castps_si512(sizes.lanes)); }
-  // Sizes of coordinates.
-  FORCESHADE_INLINE void coordinates(Floats sizes) {
-    domain(sizes);
-    const __m512i size = _mm512_castps_si512(sizes.lanes);
-    smallest = _mm512_min_epu32(smallest, _mm512_sub_epi32(size, _mm512_set1_epi32(1)));
+  // The sizes of two coordinates. They are compared with each other first, so that each result waits for one operation a turn.
+  FORCESHADE_INLINE void domain(Floats a, Floats b) {
+    largest = _mm512_max_epu32(largest, _mm512_max_epu32(_mm512_castps_si512(a.lanes), _mm512_castps_si512(b.lanes)));
+  }
+  // The size of a coordinate that changes the force however tiny it is.
+  FORCESHADE_INLINE void tiny(Floats size) { smallest = _mm512_min_epu32(smallest, less_one(size)); }
+  // The sizes of two such coordinates.
+  FORCESHADE_INLINE void coordinates(Floats a, Floats b) {
+    domain(a, b);
+    smallest = _mm512_min_epu32(smallest, _mm512_min_epu32(less_one(a), less_one(b)));
   }
 
   // What vanishes on the surface, and is known too roughly where it is small. The upper halves of two packs make one vector.
@@ -149,6 +153,11 @@ struct Watch {
     const int high = static_cast<int>(__builtin_bit_cast(std::uint64_t, least_distance) >> 32);
     const __mmask16 near = _mm512_cmple_epu32_mask(nearest, _mm512_set1_epi32(high));
     return (invalid | tiny | doubt | near | doubtful) == 0;
+  }
+
+ private:
+  FORCESHADE_INLINE static __m512i less_one(Floats size) {
+    return _mm512_sub_epi32(_mm512_castps_si512(size.lanes), _mm512_set1_epi32(1));
   }
 };
 

@@ -84,9 +84,9 @@ TEST_F(batch_doubt, is_on_the_surface_of_a_cylinder_and_around_its_axis) {
     EXPECT_FALSE(answers<Cylinder>(3.7F, static_cast<float>(surface)));
     EXPECT_FALSE(answers<BumpCylinder>(3.7F, static_cast<float>(surface)));
     EXPECT_TRUE(answers<Cylinder>(3.7F, static_cast<float>(surface + sign * 1e-4)));
-    EXPECT_FALSE(answers<Cylinder>(2, near_axis + static_cast<float>(sign * 2)));
-    EXPECT_TRUE(answers<Cylinder>(2, near_axis + static_cast<float>(sign * 4)));
-    EXPECT_EQ(answers<BumpCylinder>(2, near_axis + static_cast<float>(sign * 4)), sign > 0)
+    EXPECT_FALSE(answers<Cylinder>(2, near_axis + static_cast<float>(sign * 5.6)));
+    EXPECT_TRUE(answers<Cylinder>(2, near_axis + static_cast<float>(sign * 5.9)));
+    EXPECT_EQ(answers<BumpCylinder>(2, near_axis + static_cast<float>(sign * 5.9)), sign > 0)
         << "below the axis the forces oppose";
   }
   EXPECT_FALSE(answers<Cylinder>(9, near_axis)) << "where z + d cancels, off the axis";

@@ -60,6 +60,7 @@ struct Floats {
     return Floats(("(" + a.words + operation + b.words + ")").c_str());
   }
   friend Floats operator+(const Floats& a, const Floats& b) { return written(a, " + ", b); }
+  friend Floats operator-(const Floats& a, const Floats& b) { return written(a, " - ", b); }
   friend Floats operator*(const Floats& a, const Floats& b) {
     Floats product = written(a, " * ", b);
     product.value = a.value * b.value;
@@ -82,8 +83,9 @@ struct Floats {
 struct Watch {
   std::optional<Recorded> last_distance;
 
-  void domain(const Floats&) {}
-  void coordinates(const Floats&) {}
+  void domain(const Floats&, const Floats&) {}
+  void tiny(const Floats&) {}
+  void coordinates(const Floats&, const Floats&) {}
   void doubt(Floats::Mask) {}
   void distance(const Pack& first, const Pack&) { last_distance = first.lane; }
   template <int>
@@ -233,41 +235,46 @@ void cylinder(ComparedScript& script) {
   run.bind("factor", (z + form.twice_d_head).first.lane);
   run.bind("twice_tail", form.twice_d_tail.first.lane);
   Watch watch;
-  const Two v = form.v(watch, &kX, &kZ);
+  const Two v = form.v(watch, x, z);
   for (const char* piece : {"v_inside", "part_of_square", "sign_near", "sign_far"}) run.expect(piece, v.first.lane);
   ASSERT_TRUE(watch.last_distance);
   EXPECT_EQ(watch.last_distance->expression(), v.first.lane.expression());
   EXPECT_EQ(form.half_width.first.lane.value(), 0.5 * static_cast<double>(kBump.width));
 
-  // The binary32 part: the script's sum, quotient and derivative, with K in place of its 1.
+  // The binary32 part: the script's square, sum and quotient.
   fast::CylinderForm<Definition> in_words = form;
   in_words.R = fast::Floats("R");
-  in_words.half_K = fast::Floats("K/2");
-  const fast::RoughStep rough = in_words.rough_step(fast::Floats("v"), fast::Floats("square"));
-  EXPECT_EQ(rough.t.words, "(v / ((R * sqrt(square)) + square))");
-  EXPECT_EQ(rough.derivative.words, "(K/2 / (R * sqrt(square)))");
-  script.compared.insert({"part_sum", "part_quotient", "part_derivative"});
+  in_words.R_squared_head = fast::Floats("head");
+  in_words.R_squared_tail = fast::Floats("tail");
+  EXPECT_EQ(in_words.rho_squared(fast::Floats("v")).words, "((head - v) + tail)");
+  EXPECT_EQ(in_words.rough_t(fast::Floats("v"), fast::Floats("square")).words, "(v / ((R * sqrt(square)) + square))");
+  EXPECT_EQ(static_cast<double>(form.R_squared_head.value) + static_cast<double>(form.R_squared_tail.value),
+            form.R_squared.first.lane.value());
+  script.compared.insert({"part_sum", "part_quotient"});
 
-  // The step, whose five roundings the script has as e1 to e5, and that of ρ², which it has in es.
+  // The step, whose six roundings the script has as e1 to e6, and that of ρ², which it has in es.
   const auto number = [&](const char* name, double value) {
     const Recorded result(value, run.expressions.input(name, 53));
     run.bind(name, result);
     return Two(result, result);
   };
-  const Two t = number("t_", 0.2), derivative = number("h_", 1e-9), known_v = number("v_", 0.4);
+  const double R_squared = form.R_squared.first.lane.value();
+  const Two t = number("t_", 0.2), known_v = number("v_", 0.2 * 2.2 / 1.44 * R_squared);  // ρ = R/1.2
   run.bind("K", form.K.first.lane);
   run.bind("R_squared", form.R_squared.first.lane);
-  const Two scale = form.scale(t, derivative, known_v);
-  run.expect_value("rnd(rnd(v_ - rnd(t_ * rnd(R_squared - v_)) * rnd(t_ + 2)) * h_ + rnd(t_ * K))",
+  run.bind("c", form.K_over_2R_squared.first.lane);
+  EXPECT_EQ(form.K_over_2R_squared.first.lane.value(), 0.5 * form.K.first.lane.value() / R_squared);
+  const Two scale = form.scale(t, known_v);
+  run.expect_value("rnd(rnd(v_ - rnd(t_ * rnd(R_squared - v_)) * rnd(t_ + 2)) * rnd(t_ * c + c) + rnd(t_ * K))",
                    scale.first.lane.expression());
-  script.compared.insert("step");
+  script.compared.insert({"step", "sign_of_step"});
 
   run.bind("scale", scale.first.lane);
   run.bind("d_head", form.d_head.first.lane);
   run.bind("d_tail", form.d_tail.first.lane);
   run.bindings["l"] = run.value("rnd(rnd(z + d_head) + d_tail)");
   run.bind("plane", form.K.first.lane * -z.first.lane);
-  const fast::Components force = form.components(scale, &kX, &kZ);
+  const fast::Components force = form.components(scale, x, z);
   run.expect("force_x", force.x.first.lane);
   run.expect(form.kHasPlane ? "both_z" : "force_z", force.z.first.lane);
 }

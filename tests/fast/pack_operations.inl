@@ -127,22 +127,34 @@ const char* wrong_watch() {
   constexpr float kLeast = 0x1p-20F;
   constexpr double kNearest = 0x1p-10;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    const auto coordinate_passes = [&](float value, bool is_watched_for_tiny) {
+    const auto coordinates_pass = [&](float value, bool is_first, bool may_be_tiny) {
       alignas(64) float sizes[kLanes];
       for (float& size : sizes) size = 1;
       sizes[lane] = value;
       Watch watch;
-      if (is_watched_for_tiny)
-        watch.coordinates(Floats::load(sizes));
+      const Floats size = Floats::load(sizes), other(1.0F);
+      if (may_be_tiny)
+        watch.domain(is_first ? size : other, is_first ? other : size);
       else
-        watch.domain(Floats::load(sizes));
+        watch.coordinates(is_first ? size : other, is_first ? other : size);
       return watch.template is_free_of_hazards<kWindow>(kLeast, kNearest);
     };
-    for (const float good : {0.0F, kLeast, 1e4F})
-      if (!coordinate_passes(good, true)) return "Watch: a good coordinate";
-    for (const float bad : {1e-45F, 0x1.fffffep-21F, 0x1.388002p13F, __builtin_inff(), __builtin_nanf("")})
-      if (coordinate_passes(bad, true)) return "Watch: a bad coordinate";
-    if (!coordinate_passes(0x1p-21F, false) || coordinate_passes(0x1.388002p13F, false)) return "Watch: domain";
+    for (const bool is_first : {true, false}) {
+      for (const float good : {0.0F, kLeast, 1e4F})
+        if (!coordinates_pass(good, is_first, false)) return "Watch: a good coordinate";
+      for (const float bad : {1e-45F, 0x1.fffffep-21F, 0x1.388002p13F, __builtin_inff(), __builtin_nanf("")})
+        if (coordinates_pass(bad, is_first, false)) return "Watch: a bad coordinate";
+      if (!coordinates_pass(0x1p-21F, is_first, true) || coordinates_pass(0x1.388002p13F, is_first, true))
+        return "Watch: domain";
+    }
+    const auto tiny_passes = [&](float value) {
+      alignas(64) float sizes[kLanes] = {};
+      sizes[lane] = value;
+      Watch watch;
+      watch.tiny(Floats::load(sizes));
+      return watch.template is_free_of_hazards<kWindow>(kLeast, kNearest);
+    };
+    if (!tiny_passes(0.0F) || !tiny_passes(kLeast) || tiny_passes(1e-45F) || tiny_passes(0x1.fffffep-21F)) return "Watch: tiny";
 
     const auto number_passes = [&](double value, bool is_distance) {
       alignas(64) double all[kLanes];
