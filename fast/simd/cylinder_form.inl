@@ -92,8 +92,8 @@ struct CylinderForm {
         least_distance(0x1p-24 * law.R * law.R) {}
 };
 
-// Has the processor fetch the line that is read or written a block later, so that a block does not wait for memory. The address
-// may lie behind the array: such a fetch does nothing.
+// Has the processor fetch the line that is read or written a block later. It has to follow the loads of this block: before them
+// it misleads the processor's own prefetching. The address may lie behind the array, where it does nothing.
 inline void fetch_for_next_block(const float* at) {
   __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(at) + kBlock * sizeof(float)));
 }
@@ -109,10 +109,10 @@ bool answer(const CylinderForm<Definition>& cylinder, std::size_t count, const f
   staggered(
       count,
       [&](std::size_t i) FORCESHADE_INLINE_BODY {
-        fetch_for_next_block(x + i);
-        fetch_for_next_block(z + i);
         watch.coordinates(absolute(Floats::load(x + i)), absolute(Floats::load(z + i)));
         const Two at_x = Two::load(x + i), at_z = Two::load(z + i), v = form.v(watch, at_x, at_z);
+        fetch_for_next_block(x + i);
+        fetch_for_next_block(z + i);
         at_x.store(kept_at(i).x);
         at_z.store(kept_at(i).z);
         v.store(kept_at(i).v);
