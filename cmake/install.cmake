@@ -95,7 +95,7 @@ if(FORCESHADE_EXACT_SIDE)
   install_pc(forceshade-run DESCRIPTION "Certified runs of the servo loop" REQUIRES "forceshade, libcrypto, sqlite3"
              LIBRARIES "${run_libraries}")
   install_pc(forceshade-properties DESCRIPTION "Properties that a haptic renderer must have, and certificates of them"
-             REQUIRES "forceshade-run, forceshade-meshes"
+             REQUIRES "forceshade-run"
              LIBRARIES "-lforceshade_certify -lforceshade_properties -lforceshade_reference -lmpfi -lmpfr -lgmp")
   install_pc(forceshade-subjects DESCRIPTION "Laws, height maps and meshes from subject files"
              REQUIRES "forceshade-heights, forceshade-meshes" LIBRARIES "-lforceshade_subjects")

@@ -9,8 +9,8 @@
 
 #include "properties/mesh_energy.h"
 #include "properties/rest_regions.h"
+#include "rendering/half_edges.h"
 #include "rendering/mesh_rendering.h"
-#include "rendering/meshes/edges.h"
 
 namespace forceshade::properties {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "properties/mesh_properties.h"
-#include "rendering/meshes/edges.h"
+#include "rendering/half_edges.h"
 
 namespace forceshade::properties {
 namespace {

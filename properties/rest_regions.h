@@ -64,7 +64,7 @@ struct RestRegions {
 RestRegions rest_regions(const MeshRendering& rendering, double depth);
 
 // The sine by which the second triangle rises in front of the plane of the first, seen from their common edge. n: the unit
-// normal of the first. one, other: the half-edges of both along this edge (rendering/meshes/edges.h).
+// normal of the first. one, other: the half-edges of both along this edge (rendering/half_edges.h).
 double rise_beside(const mesh::TriangleMesh& mesh, const Eigen::Vector3d& n, std::uint32_t one, std::uint32_t other);
 
 // Unit vectors along the half-edges.

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "forceshade/meshes.h"
+#include "rendering/half_edges.h"
 #include "rendering/meshes/box_tree.h"
-#include "rendering/meshes/edges.h"
 #include "rendering/meshes/findings.h"
 #include "rendering/meshes/predicates.h"
 #include "rendering/meshes/readers.h"

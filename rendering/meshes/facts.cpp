@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "forceshade/meshes.h"
-#include "rendering/meshes/edges.h"
+#include "rendering/half_edges.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "forceshade/meshes.h"
+#include "rendering/half_edges.h"
 #include "rendering/meshes/creases.h"
 #include "rendering/meshes/doubtful_normals.h"
-#include "rendering/meshes/edges.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "forceshade/meshes.h"
-#include "rendering/meshes/edges.h"
+#include "rendering/half_edges.h"
 #include "rendering/meshes/predicates.h"
 #include "rendering/meshes/readers.h"
 #include "rendering/meshes/weld.h"

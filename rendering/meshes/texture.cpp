@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "rendering/half_edges.h"
 #include "rendering/meshes/creases.h"
-#include "rendering/meshes/edges.h"
 #include "rendering/meshes/interval.h"
 #include "rendering/meshes/readers.h"
 
