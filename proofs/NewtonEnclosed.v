@@ -5,7 +5,8 @@ From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds DoubleDoubleTerms DoubleDoubleOff Enclosures.
-From Forceshade Require Import EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondAlong NewtonThird.
+From Forceshade Require Import EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondAlong NewtonThird
+  NewtonRounded SineOfThird.
 Open Scope R_scope.
 
 Lemma mean_value : forall f f' a b, (forall c, derivable_pt_lim f c (f' c)) -> exists c, f a - f b = f' c * (a - b) /\ Rabs (a - c) <= Rabs (a - b).
@@ -188,4 +189,64 @@ Proof.
     apply Rmult_le_reg_r with t; [lra|]. lra.
   - replace (x + y - t) with ((x + y - (h + l + (- p + - q))) - (p + q - (h + l - t))) by ring.
     apply Rle_trans with (1 := minus_size _ _). lra.
+Qed.
+
+(* ---- The root ---- *)
+
+Lemma whole_enclosed : forall n, (Z.abs n < 1000)%Z -> encloses 0 (whole_dd n) (IZR n).
+Proof. intros n H. apply encloses_exact, exactly_is, whole_is. lia. Qed.
+
+(* The midpoint is exact, and its interval has whatever is near it. *)
+Lemma midpoint_enclosed : forall x h l, is64 (hi x) h -> is64 (lo x) l -> Rabs l <= unit53 * h -> 0 <= h -> encloses 0 (midpoint x) (h + l).
+Proof.
+  intros x h l H L Bl Bh. exists h, l, 0. unfold midpoint. cbn [hi lo error]. split; [exact H|]. split; [exact L|]. split; [apply zero_is|].
+  rewrite nothing_off by reflexivity. rewrite (Rabs_pos_eq h) by exact Bh. split; [exact Bl|]. lra.
+Qed.
+
+Lemma widened_enclosed : forall x h l y, is64 (hi x) h -> is64 (lo x) l -> Rabs l <= unit53 * h -> / 1000000000 <= h <= 1 ->
+  Rabs (h + l - y) <= / 10000000000000 * h -> encloses (/ 1000000000000) (widened (midpoint x)) y.
+Proof.
+  intros x h l y H L Bl Bh B. pose proof tiny_is_tinier as Htiny. pose proof (unit_times h ltac:(lra)) as Uh.
+  assert (K : bpow radix2 (-40) = / 1099511627776) by reflexivity. pose proof (two_to_is (-40) ltac:(lia)) as I. rewrite K in I.
+  pose proof (absolute_is _ _ H) as Ah. rewrite (Rabs_pos_eq h) in Ah by lra.
+  pose proof (times_is _ _ _ _ I Ah ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as J.
+  pose proof (rounded_near (/ 1099511627776 * h) ltac:(lra)) as V. pose proof (unit_times (/ 1099511627776 * h) ltac:(lra)) as UV.
+  exists h, l, (nearest64 (/ 1099511627776 * h)). unfold widened, midpoint. cbn [hi lo error]. rewrite (Rabs_pos_eq h) by lra.
+  split; [exact H|]. split; [exact L|]. split; [exact J|]. split; [exact Bl|]. split; lra.
+Qed.
+
+(* Where a step is good, the root is enclosed: f(m) over the slope anywhere near m. *)
+Lemma newton_root_encloses : forall value slope start q y0 t n kappa f f' E, is64 start y0 -> / 100000000 <= t <= 33 / 100 ->
+  Rabs (y0 - t) <= 8 * (unit53 * t) -> 0 <= n <= 40 -> 0 <= kappa <= 40 -> step_is_good value slope q t n kappa ->
+  (forall c, derivable_pt_lim f c (f' c)) -> f t = 0 ->
+  (forall a m, encloses 0 a m -> Rabs (m - t) <= 400 * (unit53 * (unit53 * t)) -> exists e, within e (value a) (f m) /\ Rabs (f m) <= 38 * e /\
+    / 1000000000000000000000000000000000000000000000000000000000 <= e <= E) ->
+  (forall a y, encloses (/ 1000000000000) a y -> Rabs (y - t) <= 800 * (unit53 * (unit53 * t)) -> exists g, within g (slope a) (f' y) /\
+    g <= / 2000 * Rabs (f' y) /\ / 1000000000 <= Rabs (f' y) <= 900 /\ E <= 1000 * (share101 * t) * Rabs (f' y)) ->
+  encloses (10000 * share101) (newton_root value slope start) t.
+Proof.
+  intros value slope start q y0 t n kappa f f' E Hs Bt H0 Hn Hk step Df Ft Hv Hd. pose proof unit_is_small as Hu.
+  pose proof share_is_small as Hsh.
+  destruct (first_step_is value slope start q y0 t n kappa Hs Bt H0 Hn Hk step) as (h & l & H & L & E1 & Bl & Bh).
+  pose proof (unit_times t ltac:(lra)) as Ut. pose proof (unit_times _ (proj1 Ut)) as UUt.
+  unfold newton_root. cbv zeta. set (x := minus_dd (exactly64 start) _) in *. clearbody x. set (m := h + l) in *.
+  destruct (Hv (midpoint x) m ltac:(apply midpoint_enclosed; trivial; lra) E1) as (e & We & Bf & Be).
+  destruct (mean_value f f' m t Df) as (c & Ec & Bc). rewrite Ft, Rminus_0_r in Ec.
+  assert (Bct : Rabs (c - t) <= 800 * (unit53 * (unit53 * t))).
+  { replace (c - t) with ((m - t) - (m - c)) by ring. apply Rle_trans with (1 := minus_size _ _). lra. }
+  destruct (Hd (widened (midpoint x)) c ltac:(apply (widened_enclosed x h l); trivial; fold m; lra) Bct) as (g & Wg & Bg & BD & BE).
+  assert (Bet : e <= 1000 * (share101 * t) * Rabs (f' c)) by lra. set (D := f' c) in *. set (d := Rabs D) in *.
+  assert (Hd0 : D <> 0) by (intro Z; unfold d in BD; rewrite Z, Rabs_R0 in BD; lra).
+  assert (St : 0 <= share101 * t <= / 1000000000000000000000000000000 * t) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (Std : 1000 * (share101 * t) * d <= / 1000000 * d) by (apply Rmult_le_compat_r; lra).
+  destruct (divide_within _ _ (f m) D e g We Wg Bf ltac:(fold d; lra) ltac:(fold d; lra) ltac:(fold d; lra))
+    as (p & r & k & P & R & K & Off & Bp & Br & Bk). fold d in Bp, Br, Bk.
+  replace (f m / D) with (m - t) in Off by (rewrite Ec; field; exact Hd0).
+  assert (Bed : 0 <= e / d <= 1000 * (share101 * t)).
+  { split; [apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]|]. apply Rmult_le_reg_r with d; [lra|].
+    unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. exact Bet. }
+  apply encloses_more with (3 * (3000 * share101) + 3 * share101); [|lra].
+  apply (step_encloses (3000 * share101) _ _ t h l p r k); trivial; try lra.
+  - apply zero_is.
+  - apply Rle_trans with (1 := Br). replace (210 * (unit53 * (e / d))) with (unit53 * (210 * (e / d))) by ring. apply unit_times_compat. lra.
 Qed.
