@@ -43,7 +43,20 @@ Proof.
   exists h, l, g. repeat (split; [assumption|]). split; [|exact B]. split; [exact Hg|]. lra.
 Qed.
 
-(* Sine, cosine and slope of a side, and the height of the top, from t. *)
+Lemma side_sine_range : forall x, / 60000000 <= x <= / 2 -> 15 / 10 * x <= side_sine x <= 1 /\ / 2 <= side_cosine x <= 1.
+Proof.
+  intros x Hx. assert (Hxx : 0 <= x * x <= / 4).
+  { split; [apply Rle_0_sqr|]. replace (/ 4) with (/ 2 * / 2) by field. apply Rmult_le_compat; lra. }
+  split; [|unfold side_cosine; replace (2 * x * x) with (2 * (x * x)) by ring; lra].
+  unfold side_sine. assert (Hq : 75 / 100 <= (1 - x) * (1 + x) <= 1) by (replace ((1 - x) * (1 + x)) with (1 - x * x) by ring; lra).
+  set (q := (1 - x) * (1 + x)) in *. assert (Br : 75 / 100 <= sqrt q <= 1).
+  { split; [|rewrite <- sqrt_1; apply sqrt_le_1_alt; lra].
+    replace (75 / 100) with (sqrt (75 / 100 * (75 / 100))) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
+  set (r := sqrt q) in *. assert (2 * x * (75 / 100) <= 2 * x * r) by (apply Rmult_le_compat_l; lra).
+  assert (2 * x * r <= 2 * x * 1) by (apply Rmult_le_compat_l; lra). lra.
+Qed.
+
+(* Sine, cosine and slope of a side, from t. *)
 Theorem face_3p_enclosed : forall s t x, encloses s t x -> 0 <= s <= / 1000000000000000000000 -> / 60000000 <= x <= / 2 ->
   encloses (300 * s + 300 * share101) (sine_3p_of t) (side_sine x) /\
   encloses (100 * s + 100 * share101) (cosine_3p_of t) (side_cosine x) /\
@@ -62,13 +75,7 @@ Proof.
   assert (Hq : 75 / 100 <= (1 - x) * (1 + x) <= 1) by (replace ((1 - x) * (1 + x)) with (1 - x * x) by ring; lra).
   pose proof (encloses_multiply _ _ _ _ _ _ Em Ep ltac:(lra) ltac:(lra) ltac:(right; right; rewrite Rabs_pos_eq; lra)) as Eq.
   pose proof (encloses_root _ _ _ Eq ltac:(lra) ltac:(lra)) as Er. set (q := (1 - x) * (1 + x)) in *.
-  assert (Br : 75 / 100 <= sqrt q <= 1).
-  { split; [|rewrite <- sqrt_1; apply sqrt_le_1_alt; lra].
-    replace (75 / 100) with (sqrt (75 / 100 * (75 / 100))) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
-  assert (Bs : 15 / 10 * x <= side_sine x <= 1).
-  { unfold side_sine. fold q. assert (2 * x * (75 / 100) <= 2 * x * sqrt q) by (apply Rmult_le_compat_l; lra).
-    assert (2 * x * sqrt q <= 2 * x * 1) by (apply Rmult_le_compat_l; lra). lra. }
-  assert (Bc : / 2 <= side_cosine x <= 1) by (unfold side_cosine; replace (2 * x * x) with (2 * (x * x)) by ring; lra).
+  destruct (side_sine_range x Hx) as [Bs Bc].
   assert (Es : encloses (300 * s + 300 * share101) (sine_3p_of t) (side_sine x)).
   { eapply encloses_more; [apply (encloses_multiply _ _ _ _ _ _ Ett Er); [lra|lra|]|lra].
     right. right. fold (side_sine x). unfold side_sine in Bs. fold q in Bs. rewrite Rabs_pos_eq; lra. }
