@@ -9,7 +9,8 @@ From Forceshade Require Import EnclosedProducts EnclosedQuotients BesideTie Encl
   NewtonRounded SineOfThird.
 Open Scope R_scope.
 
-Lemma mean_value : forall f f' a b, (forall c, derivable_pt_lim f c (f' c)) -> exists c, f a - f b = f' c * (a - b) /\ Rabs (a - c) <= Rabs (a - b).
+Lemma mean_value : forall f f' a b, (forall c, derivable_pt_lim f c (f' c)) ->
+  exists c, f a - f b = f' c * (a - b) /\ Rabs (a - c) <= Rabs (a - b).
 Proof.
   intros f f' a b D. destruct (Rtotal_order a b) as [H|[<-|H]].
   - destruct (MVT_cor2 f f' a b H (fun c _ => D c)) as (c & E & Hc). exists c. split; [lra|]. rewrite !Rabs_left; lra.
@@ -31,7 +32,8 @@ Qed.
 (* A sum of which almost everything cancels: its bound is that of the terms. *)
 Lemma sum_within : forall s t a b A B phi, encloses s a A -> encloses t b B -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 -> charged a ->
   / 100000000000000000 <= Rabs A <= 1000 -> / 100000000000000000 <= Rabs B <= 1000 -> Rabs (A + B) <= phi -> phi <= 1000 ->
-  exists e, within e (add a b) (A + B) /\ 97 / 100 * (share101 * Rabs A) <= e <= 3 * (s * Rabs A + t * Rabs B) + 3 * (share101 * phi) + 11 * tiny.
+  exists e, within e (add a b) (A + B) /\
+    97 / 100 * (share101 * Rabs A) <= e <= 3 * (s * Rabs A + t * Rabs B) + 3 * (share101 * phi) + 11 * tiny.
 Proof.
   intros s t a b A B phi Ea Eb Hs Ht Ca BA BB Bphi Hphi. pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
   pose proof share_is_small as Hsh.
@@ -170,7 +172,8 @@ Proof.
     (opp_is _ _ Q) ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_Ropp; lra) ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_Ropp; lra)
     ltac:(lra)) as (x & y & X & Y & Off & Bx & _ & _ & Two).
   specialize (Two ltac:(lra) ltac:(lra)). pose proof (unit_times _ (proj1 Ut)) as UUt.
-  replace (21 / 10 * unit53 * (unit53 * (102 / 100 * t) + 102 / 100 * (unit53 * t))) with (4284 / 1000 * (unit53 * (unit53 * t))) in Off by field.
+  replace (21 / 10 * unit53 * (unit53 * (102 / 100 * t) + 102 / 100 * (unit53 * t)))
+    with (4284 / 1000 * (unit53 * (unit53 * t))) in Off by field.
   assert (Bx2 : 97 / 100 * t <= x <= 12 / 10 * t).
   { assert (Px : 0 <= x).
     { destruct (Rle_lt_dec 0 x) as [|Hn]; [assumption|exfalso]. pose proof (Rabs_pos y).

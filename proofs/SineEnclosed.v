@@ -5,7 +5,8 @@ From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds DoubleDoubleTerms DoubleDoubleOff ThreePolygonsFace.
 From Forceshade Require Import ThreePolygonsConstants NewtonStart NewtonRounded NewtonThird NewtonRest SineOfThird.
-From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondAlong ThreePolygonsEnclosed NewtonEnclosed.
+From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondAlong.
+From Forceshade Require Import ThreePolygonsEnclosed NewtonEnclosed.
 Open Scope R_scope.
 
 (* ---- s at most 1/2 ---- *)
@@ -40,7 +41,8 @@ Proof.
   { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (1737 / 10000 * (1737 / 10000)); [apply Rmult_le_compat; lra|lra]. }
   pose proof (whole_enclosed 4 ltac:(lia)) as E4. pose proof (whole_enclosed 3 ltac:(lia)) as E3.
   assert (A1 : encloses (3 * share101) (multiply (whole_dd 4) a) (4 * m)).
-  { apply encloses_more with (3 * (0 + 0) + 3 * share101); [|lra]. apply encloses_multiply; trivial; try lra. right. right. rewrite Rabs_pos_eq; lra. }
+  { apply encloses_more with (3 * (0 + 0) + 3 * share101); [|lra]. apply encloses_multiply; trivial; try lra. right. right.
+    rewrite Rabs_pos_eq; lra. }
   assert (R2 : Rabs (4 * m * m) = 4 * (m * m)) by (rewrite Rabs_pos_eq; lra).
   assert (A2 : encloses (12 * share101) (multiply (multiply (whole_dd 4) a) a) (4 * m * m)).
   { apply encloses_more with (3 * (3 * share101 + 0) + 3 * share101); [|lra]. apply encloses_multiply; trivial; lra. }
@@ -71,7 +73,8 @@ Proof.
   { replace (301 / 100 * (share101 * t)) with (share101 * (301 / 100 * t)) by ring. apply Rmult_le_compat_l; lra. }
   assert (L3 : share101 * sigma <= 3 * (share101 * t)).
   { replace (3 * (share101 * t)) with (share101 * (3 * t)) by ring. apply Rmult_le_compat_l; lra. }
-  assert (L4 : share101 * (1200 * W) <= / 1000 * W) by (replace (share101 * (1200 * W)) with (1200 * share101 * W) by ring; apply Rmult_le_compat_r; lra).
+  assert (L4 : share101 * (1200 * W) <= / 1000 * W).
+  { replace (share101 * (1200 * W)) with (1200 * share101 * W) by ring. apply Rmult_le_compat_r; lra. }
   assert (LW : / 10000000000000000000000000000000000000000 <= W).
   { unfold W. apply Rle_trans with (unit53 * (unit53 * / 60000000)); [unfold unit53; lra|]. apply unit_times_compat, unit_times_compat. lra. }
   exists e. split; [exact We|]. split; [|split]; lra.
@@ -163,7 +166,8 @@ Proof.
   { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (10001 / 10000 * t * t); [apply Rmult_le_compat_r; lra|unfold T in *; lra]. }
   pose proof (whole_enclosed 4 ltac:(lia)) as E4. pose proof (whole_enclosed 6 ltac:(lia)) as E6.
   assert (A1 : encloses (3 * share101) (multiply (whole_dd 4) a) (4 * m)).
-  { apply encloses_more with (3 * (0 + 0) + 3 * share101); [|lra]. apply encloses_multiply; trivial; try lra. right. right. rewrite Rabs_pos_eq; lra. }
+  { apply encloses_more with (3 * (0 + 0) + 3 * share101); [|lra]. apply encloses_multiply; trivial; try lra. right. right.
+    rewrite Rabs_pos_eq; lra. }
   set (y := 6 - 4 * m) in *. assert (BY : 469 / 100 <= y <= 6) by (unfold y; lra).
   assert (A2 : encloses (24 * share101) (minus_dd (whole_dd 6) (multiply (whole_dd 4) a)) y).
   { apply encloses_more with (7 * (0 + 3 * share101) + 3 * share101); [|lra].
@@ -174,7 +178,8 @@ Proof.
   assert (A3 : encloses (75 * share101) (multiply (minus_dd (whole_dd 6) (multiply (whole_dd 4) a)) a) (y * m)).
   { apply encloses_more with (3 * (24 * share101 + 0) + 3 * share101); [|lra]. apply encloses_multiply; trivial; try lra. right. right.
     rewrite Rabs_pos_eq; lra. }
-  pose proof (first_size _ _ _ A3 ltac:(lra)) as S3. rewrite (Rabs_pos_eq (y * m)) in S3 by lra. pose proof (first_size _ _ _ Ea ltac:(lra)) as Sa.
+  pose proof (first_size _ _ _ A3 ltac:(lra)) as S3. rewrite (Rabs_pos_eq (y * m)) in S3 by lra.
+  pose proof (first_size _ _ _ Ea ltac:(lra)) as Sa.
   rewrite (Rabs_pos_eq m) in Sa by lra. set (b := multiply (minus_dd _ _) a) in *.
   set (v := Rabs (value64 (hi b))) in *. set (w := Rabs (value64 (hi a))) in *.
   destruct (multiply_encloses (75 * share101) 0 b a _ _ A3 Ea ltac:(lra) ltac:(lra) ltac:(lra)) as (A4 & Ca & _).
@@ -199,7 +204,8 @@ Proof.
   { replace (601 / 100 * (share101 * T)) with (share101 * (601 / 100 * T)) by ring. apply Rmult_le_compat_l; lra. }
   assert (L3 : share101 * sigma <= 6 * (share101 * T)).
   { replace (6 * (share101 * T)) with (share101 * (6 * T)) by ring. apply Rmult_le_compat_l; lra. }
-  assert (L4 : share101 * (4810 * V) <= / 1000 * V) by (replace (share101 * (4810 * V)) with (4810 * share101 * V) by ring; apply Rmult_le_compat_r; lra).
+  assert (L4 : share101 * (4810 * V) <= / 1000 * V).
+  { replace (share101 * (4810 * V)) with (4810 * share101 * V) by ring. apply Rmult_le_compat_r; lra. }
   change (A - sigma) with (A + - sigma). exists e. split; [exact We|]. split; [|split]; lra.
 Qed.
 
@@ -257,8 +263,8 @@ Proof.
   pose proof (to64_is_exact R FR) as IR. pose proof (two_to_is (-1) ltac:(lia)) as I2. change (bpow radix2 (-1)) with (/ 2) in I2.
   cbv zeta in T0, R0, Rest. set (t := third_sine _ _) in *. set (s := value32 w / 2 / value32 R) in *.
   pose proof (unit_times s ltac:(lra)) as Us. apply Rabs_le_inv in Cs. pose proof (unit_times t ltac:(lra)) as Ut.
-  assert (quotient : forall v x, is64 v x -> / 1000000000000 <= x <= value32 R -> encloses (3 * share101) (divide (exactly64 v) (exactly64 (to64 R)))
-    (x / value32 R)).
+  assert (quotient : forall v x, is64 v x -> / 1000000000000 <= x <= value32 R ->
+    encloses (3 * share101) (divide (exactly64 v) (exactly64 (to64 R))) (x / value32 R)).
   { intros v x I Bx. apply encloses_more with (3 * (0 + 0) + 3 * share101); [|lra].
     pose proof (Rabs_pos_eq x ltac:(lra)) as Rx. pose proof (Rabs_pos_eq (value32 R) ltac:(lra)) as RR.
     apply encloses_divide; try (now apply encloses_exact, exactly_is); try lra.

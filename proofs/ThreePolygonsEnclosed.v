@@ -39,7 +39,8 @@ Proof.
   assert (sh : s * (98 / 100 * D) <= s * Rabs h) by (apply Rmult_le_compat_l; lra).
   assert (th : t * (98 / 100 * D) <= t * Rabs h) by (apply Rmult_le_compat_l; lra).
   assert (Htn : tiny <= / 100 * (share101 * Rabs h)).
-  { apply Rle_trans with (/ 100 * (share101 * / 10000)); [unfold share101; lra|]. apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; lra. }
+  { apply Rle_trans with (/ 100 * (share101 * / 10000)); [unfold share101; lra|].
+    apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; lra. }
   exists h, l, g. repeat (split; [assumption|]). split; [|exact B]. split; [exact Hg|]. lra.
 Qed.
 
