@@ -193,7 +193,7 @@ Proof.
   destruct (Rle_lt_dec (Rabs (h - t)) (/ 2 * Rabs h)) as [Hnear|Hfar].
   - destruct (near_difference h t N k (format_of _ _ H) Et HN ltac:(lia) Hnear) as [Gd Hd].
     destruct (sum_of_near _ _ _ _ h l t H L Hneg Hz Gd) as (p & q & P & Q & Epq & Bq & Bp); try lra.
-    destruct (error_is_at_least _ p _ e P Ie ltac:(lra) ltac:(lra)) as (g & G & Bg).
+    destruct (error_is_at_least _ p _ e P Ie ltac:(lra) ltac:(lra)) as (g & G & Bg & _).
     exists p, q, g. split; [exact P|]. split; [exact Q|]. split; [exact G|]. split; [exact Bq|]. split; [lra|]. split; [|lra].
     replace (p + q - (x - t)) with (h + l - x) by lra. lra.
   - set (S := Rabs (h - t)) in *. pose proof (minus_size h t) as BS. fold S in BS.

@@ -20,24 +20,20 @@ Qed.
 Lemma is_answer_same : forall answer p q Fx Fz, (p <-> q) -> is_answer answer p Fx Fz -> is_answer answer q Fx Fz.
 Proof. intros answer p q Fx Fz E [[H1 H2]|[H1 H2]]; [left; split; [tauto|exact H2]|right; split; [tauto|exact H2]]. Qed.
 
-(* On the face. *)
-Lemma on_face_is_right : forall R w K gap M slope is_left answer, parameters R w K -> settled gap M ->
-  slope = slope_2p (value32 R) (value32 w) ->
-  decide_along K gap (if is_left : bool then negated (face_sine_2p R w) else face_sine_2p R w) (face_cosine_2p R w) = Some answer ->
+(* On a face, of which sine and cosine are enclosed. *)
+Lemma on_face_is_right : forall R w K gap M slope s sine c cosine is_left answer, parameters R w K -> settled gap M ->
+  encloses s sine (sine_of slope) -> 0 <= s <= / 1000 -> / 40000000 <= sine_of slope <= 1 ->
+  encloses c cosine (cosine_of slope) -> 0 <= c <= / 1000 -> / 40000000 <= cosine_of slope <= 1 ->
+  decide_along K gap (if is_left : bool then negated sine else sine) cosine = Some answer ->
   is_answer answer (0 < M) (value32 K * M * (if is_left then - sine_of slope else sine_of slope)) (value32 K * M * cosine_of slope).
 Proof.
-  intros R w K gap M slope is_left answer Hp Sg Eslope H. pose proof share_is_small as Hsh.
-  pose proof (settled_positive gap M Sg) as Pg. destruct Sg as (Cg & Bg & _).
-  destruct (face_enclosed R w K Hp) as (_ & [Es Bs] & [Ec Bc]). rewrite <- Eslope in Es, Bs, Ec, Bc.
-  assert (En : encloses (17000 * share101) (if is_left then negated (face_sine_2p R w) else face_sine_2p R w)
-    (if is_left then - sine_of slope else sine_of slope)) by (destruct is_left; [now apply encloses_negated|exact Es]).
-  refine (along_is_right R w K gap M _ _ _ _ _ _ _ answer Hp Cg (iff_refl _) En _ Ec _ _ H); [lra|lra|]. intros Pos _.
-  assert (direct : forall n N v, encloses v n N -> 0 <= v <= / 1000 -> / 40000000 <= Rabs N <= 1 -> directed gap n).
-  { intros n N v E Hv2 BN. pose proof (first_size _ _ _ E Hv2) as Sn. specialize (Pg Pos). unfold directed. cbv zeta.
-    rewrite (Rabs_pos_eq (value64 (hi gap))) in Bg by lra. split; [lra|right]. split; [lra|].
-    apply Rle_trans with (22400 * (101 / 100)); [apply Rmult_le_compat; lra|lra]. }
-  split; [apply (direct _ _ _ En); [lra|]|apply (direct _ _ _ Ec); [lra|rewrite Rabs_pos_eq; lra]].
-  destruct is_left; rewrite ?Rabs_Ropp, Rabs_pos_eq; lra.
+  intros R w K gap M slope s sine c cosine is_left answer Hp Sg Es Hs Bs Ec Hc Bc H.
+  assert (En : encloses s (if is_left then negated sine else sine) (if is_left then - sine_of slope else sine_of slope))
+    by (destruct is_left; [now apply encloses_negated|exact Es]).
+  refine (along_is_right R w K gap M _ _ _ _ _ _ _ answer Hp (proj1 Sg) (iff_refl _) En Hs Ec Hc _ H). intros Pos _.
+  split; [apply (settled_is_directed gap M _ _ s Sg Pos En Hs)|apply (settled_is_directed gap M _ _ c Sg Pos Ec Hc)]; right.
+  - destruct is_left; rewrite ?Rabs_Ropp, Rabs_pos_eq; lra.
+  - rewrite Rabs_pos_eq; lra.
 Qed.
 
 Lemma second_2p_is : forall R w K x X z, is_finite 24 128 w = true -> is_finite 24 128 x = true -> value32 x = X -> Rabs X <= 10000 ->
@@ -59,7 +55,9 @@ Proof.
   intros R w K x X z Z answer Hp Fx Vx Cx Cz M S H. pose proof (coordinate_range _ _ Cx) as BX. pose proof Hp as ((_ & Fw & _) & _).
   rewrite (second_2p_is R w K x X z Fw Fx Vx BX) in H. destruct (Rle_lt_dec (Rabs X) (value32 w / 2)) as [Hin|Hin].
   - pose proof (side_gap_is R w K x X z Z Hp Fx Vx Cx Cz Hin) as Sg. unfold side_x, side_z.
-    rewrite Rle_bool_true in H |- * by exact Hin. exact (on_face_is_right R w K _ M S _ answer Hp Sg eq_refl H).
+    rewrite Rle_bool_true in H |- * by exact Hin. destruct (face_enclosed R w K Hp) as (_ & [Es Bs] & [Ec Bc]).
+    pose proof share_is_small as Hsh. fold S in Es, Bs, Ec, Bc.
+    refine (on_face_is_right R w K _ M S _ _ _ _ _ answer Hp Sg Es _ Bs Ec _ _ H); lra.
   - assert (EM : M = - Z) by (unfold M, penetration_2p; now rewrite Rle_bool_false by exact Hin). unfold side_x, side_z. rewrite EM.
     rewrite Rle_bool_false in H |- * by exact Hin. rewrite Rmult_1_r.
     apply is_answer_same with (Z < 0); [split; lra|]. exact (on_plane_is_right R w K _ Z answer Hp Cz H).

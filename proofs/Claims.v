@@ -9,6 +9,7 @@ From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolyg
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
 From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond ThreePolygonsEnclosed.
+From Forceshade Require Import NewtonEnclosed SineEnclosed ThreePolygonsGap Bump3pSecond Bump3pShadedSecond.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
@@ -123,6 +124,17 @@ Print Assumptions bump_2p_shaded_second_stage_answers_right.
 Print Assumptions bump_2p_shaded_two_stages_answer_right.
 Print Assumptions encloses_subtract.
 Print Assumptions face_3p_enclosed.
+Print Assumptions sum_within.
+Print Assumptions divide_within.
+Print Assumptions newton_root_encloses.
+Print Assumptions sine_of_third_encloses.
+Print Assumptions side_gap_is_settled.
+Print Assumptions shape_enclosed.
+Print Assumptions gap_3p_is_settled.
+Print Assumptions bump_3p_second_stage_answers_right.
+Print Assumptions bump_3p_two_stages_answer_right.
+Print Assumptions bump_3p_shaded_second_stage_answers_right.
+Print Assumptions bump_3p_shaded_two_stages_answer_right.
 Print Assumptions big_negated_contains.
 Print Assumptions big_scaled_contains.
 Print Assumptions big_midpoint_contains.

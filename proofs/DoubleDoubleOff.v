@@ -9,11 +9,11 @@ Open Scope R_scope.
 
 Lemma quotient_of_is_off : forall a a_lo b b_lo h l c k Q, is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
   Rabs h <= Q * Rabs c -> Rabs l <= Q * Rabs c -> Rabs k <= 2 * (unit53 * Rabs c) -> 0 < Rabs c <= 1000 ->
-  / 1000000000000000000000000000000000000 <= Q * Rabs c -> Q <= 1000 ->
+  / 1000000000000000000000000000000000000000000000000000000000000 <= Q * Rabs c -> Q <= 1000 ->
   exists p q, is64 (fst (quotient_of a a_lo b b_lo)) p /\ is64 (snd (quotient_of a a_lo b b_lo)) q /\
     Rabs (p + q - (h + l) / (c + k)) <= 20 * (unit53 * Q) /\ Rabs p <= 3 * Q /\ Rabs q <= 5 * (unit53 * Q).
 Proof.
-  intros a a_lo b b_lo h l c k Q Ha Hl Hb Hk Bh Bl Bk Bc HQc HQ. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
+  intros a a_lo b b_lo h l c k Q Ha Hl Hb Hk Bh Bl Bk Bc HQc HQ. pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
   set (C := Rabs c) in *. assert (Hc0 : c <> 0) by (intro E; unfold C in Bc; rewrite E, Rabs_R0 in Bc; lra).
   assert (HQ0 : 0 < Q) by (apply Rmult_lt_reg_r with C; lra).
   set (uQ := unit53 * Q). assert (EuQ : unit53 * Q = uQ) by reflexivity. pose proof (unit_times Q ltac:(lra)) as BuQ. fold uQ in BuQ.
@@ -24,7 +24,7 @@ Proof.
   assert (TW : tiny <= / 1000 * W) by (rewrite <- EW; unfold unit53; lra).
   assert (WQ : W <= 1000 * uQ) by (unfold W; rewrite (Rmult_comm 1000); apply Rmult_le_compat_l; lra).
   assert (TQ : tiny <= / 1000 * uQ).
-  { unfold uQ, unit53. assert (/ 1000000000000000000000000000000000000000 <= Q) by lra. lra. }
+  { unfold uQ, unit53. assert (/ 1000000000000000000000000000000000000000000000000000000000000000 <= Q) by lra. lra. }
   assert (TC : tiny * C <= / 1000 * W).
   { apply Rle_trans with (tiny * 1000); [apply Rmult_le_compat_l; lra|]. rewrite <- EW. unfold unit53. lra. }
   unfold quotient_of. cbv zeta. cbn [fst snd].

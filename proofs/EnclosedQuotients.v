@@ -148,8 +148,8 @@ Proof.
 Qed.
 
 (* The divisor's size, less its error. *)
-Lemma size_is : forall b c f, is64 b c -> forall g, is64 g f -> / 1000 <= Rabs c <= 1000000 -> 0 <= f <= / 1000 * Rabs c ->
-  exists z, is64 (minus (times (absolute b) almost_one) g) z /\ 99 / 100 * Rabs c <= z <= Rabs c - unit53 * Rabs c.
+Lemma size_is : forall b c f, is64 b c -> forall g, is64 g f -> / 10000000000 <= Rabs c <= 1000000 -> 0 <= f <= / 1000 * Rabs c ->
+  exists z, is64 (minus (times (absolute b) almost_one) g) z /\ 99 / 100 * Rabs c <= z <= Rabs c - unit53 * Rabs c - f.
 Proof.
   intros b c f H g F Bc Bf. pose proof tiny_is_tinier as Htiny. pose proof unit_is_small as Hu. set (C := Rabs c) in *.
   pose proof (unit_times C ltac:(lra)) as UC. assert (E : C * (1 - 8 * unit53) = C - 8 * (unit53 * C)) by ring.

@@ -84,9 +84,9 @@ Proof.
   assert (U6 : unit53 * (p + 99 / 100 * sx - / 10000 * sx) <= unit53 * m) by (apply unit_times_compat; unfold m; lra). unfold m in *. lra.
 Qed.
 
-(* It is never smaller than what is propagated. *)
+(* It is never smaller than what is propagated, and larger by the slack where that is not tiny. *)
 Lemma error_is_at_least : forall v x propagated p, is64 v x -> is64 propagated p -> 0 <= p <= 1000000000000 -> Rabs x <= 1000000000000 ->
-  exists e, is64 (error_of v propagated) e /\ p <= e.
+  exists e, is64 (error_of v propagated) e /\ p <= e /\ p + 8000 * (unit53 * p) - tiny <= e.
 Proof.
   intros v x propagated p Hv Hp Hpb Hx. pose proof unit_is_small as Hu.
   pose proof (Rabs_pos x) as Px. assert (K : bpow radix2 (-101) = share101) by (unfold share101; simpl; lra).
@@ -103,12 +103,18 @@ Proof.
     typeclass_instances. lra. }
   set (s := nearest64 (p + t)) in *.
   pose proof (constant_is (2 ^ 40 + 1) (-40) ltac:(lia) ltac:(lia)) as I4. fold slack in I4. set (k := IZR _ * _) in I4.
-  assert (Hk : 1 <= k <= 2) by (unfold k; simpl; lra). clearbody k.
-  assert (Hks : s <= k * s <= 2 * s) by (split; [rewrite <- (Rmult_1_l s) at 1|]; apply Rmult_le_compat_r; lra).
+  assert (Hk : 1 + 8192 * unit53 <= k <= 2) by (unfold k, unit53; simpl; lra). clearbody k.
+  assert (Hks : (1 + 8192 * unit53) * s <= k * s <= 2 * s) by (split; apply Rmult_le_compat_r; lra).
+  pose proof (unit_times s ltac:(lra)) as Us. pose proof (unit_times p ltac:(lra)) as Up. pose proof (unit_times_compat _ _ L1) as Ups.
   pose proof (times_is _ _ _ _ I4 I3 ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as I5.
-  exists (nearest64 (k * s)). split; [exact I5|]. apply Rle_trans with s; [exact L1|].
-  rewrite <- (round_generic radix2 fexp64 ZnearestE s) at 1 by (now apply format_of in I3). apply round_le; auto with typeclass_instances.
+  exists (nearest64 (k * s)). split; [exact I5|]. split.
+  - apply Rle_trans with s; [exact L1|].
+    rewrite <- (round_generic radix2 fexp64 ZnearestE s) at 1 by (now apply format_of in I3). apply round_le; auto with typeclass_instances.
     lra.
+  - apply Rle_trans with (nearest64 ((1 + 8192 * unit53) * s)); [|apply round_le; auto with typeclass_instances; lra].
+    pose proof (product_is_close ((1 + 8192 * unit53) * s)) as C. rewrite (Rabs_pos_eq ((1 + 8192 * unit53) * s)) in C by lra.
+    apply Rabs_le_inv in C. replace (unit53 * ((1 + 8192 * unit53) * s)) with (unit53 * s + 8192 * (unit53 * (unit53 * s))) in C by ring.
+    pose proof (unit_times (unit53 * s) ltac:(lra)) as UUs. replace ((1 + 8192 * unit53) * s) with (s + 8192 * (unit53 * s)) in * by ring. lra.
 Qed.
 
 Lemma error_of_nothing : forall v propagated, is64 v 0 -> is64 propagated 0 -> is64 (error_of v propagated) 0.

@@ -165,7 +165,7 @@ Proof.
   { split; apply Rmult_le_reg_r with c; try lra; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra; lra. }
   pose proof (unit_times (e / c) ltac:(lra)) as Uec.
   destruct (error_of_is _ p _ v v P W ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg & _).
-  destruct (error_is_at_least _ p _ v P W ltac:(lra) ltac:(lra)) as (g' & G' & Bg'). rewrite (is64_same _ _ _ G' G) in Bg'.
+  destruct (error_is_at_least _ p _ v P W ltac:(lra) ltac:(lra)) as (g' & G' & Bg' & _). rewrite (is64_same _ _ _ G' G) in Bg'.
   pose proof share_is_small as Hsh. pose proof (Rabs_pos p) as Pp. assert (share101 * Rabs p <= 1 * Rabs p) by (apply Rmult_le_compat_r; lra).
   apply (sign_unknown _ p g); unfold rounded; cbn [hi error]; trivial; lra.
 Qed.

@@ -8,18 +8,21 @@ From Forceshade Require Import NewtonStart NewtonRounded.
 From Forceshade Require Import NewtonThird NewtonRest.
 Open Scope R_scope.
 
-(* Where a step is good, so is the root that double-double finds. *)
-Lemma newton_root_is : forall value slope start q y0 t n kappa, is64 start y0 -> / 100000000 <= t <= 33 / 100 ->
-  Rabs (y0 - t) <= 8 * (unit53 * t) -> 0 <= n <= 40 -> 0 <= kappa <= 40 ->
-  (forall a b y rho, argument a y t -> argument b y t -> 0 <= rho <= 9 * unit53 -> Rabs (y - t) <= rho * t ->
+(* What is required of a step: it is few units off, and it comes nearer. *)
+Definition step_is_good (value slope : double_double -> double_double) (q : R -> R) (t n kappa : R) : Prop :=
+  forall a b y rho, argument a y t -> argument b y t -> 0 <= rho <= 9 * unit53 -> Rabs (y - t) <= rho * t ->
     is_off (divide (value a) (slope b)) (q y) (n * (unit53 * (unit53 * t)) + kappa * (unit53 * (rho * t))) (50 * (unit53 * t))
       (80 * (unit53 * (unit53 * t))) (/ 10000000 * t) /\
-    Rabs (y - q y - t) <= 56 / 100 * (rho * rho) * t) ->
-  exists h l k, is64 (hi (newton_root value slope start)) h /\ is64 (lo (newton_root value slope start)) l /\
-    is64 (error (newton_root value slope start)) k /\ Rabs (h + l - t) <= (n + 9 / 2) * (unit53 * (unit53 * t)) /\
-    Rabs l <= unit53 * h /\ 0 <= k <= / 1000000 * t.
+    Rabs (y - q y - t) <= 56 / 100 * (rho * rho) * t.
+
+(* Where a step is good, so is the midpoint after the first one. *)
+Lemma first_step_is : forall value slope start q y0 t n kappa, is64 start y0 -> / 100000000 <= t <= 33 / 100 ->
+  Rabs (y0 - t) <= 8 * (unit53 * t) -> 0 <= n <= 40 -> 0 <= kappa <= 40 -> step_is_good value slope q t n kappa ->
+  let x := minus_dd (exactly64 start) (divide (value (exactly64 start)) (slope (exactly64 start))) in
+  exists h l, is64 (hi x) h /\ is64 (lo x) l /\ Rabs (h + l - t) <= 400 * (unit53 * (unit53 * t)) /\ Rabs l <= unit53 * h /\
+    9999 / 10000 * t <= h <= 1001 / 1000 * t.
 Proof.
-  intros value slope start q y0 t n kappa Hs Bt H0 Hn Hk step. pose proof unit_is_small as Hu.
+  intros value slope start q y0 t n kappa Hs Bt H0 Hn Hk step. unfold step_is_good in step. pose proof unit_is_small as Hu.
   set (u := unit53) in *. set (U := u * t) in *. set (W := u * U) in *.
   assert (EU : u * t = U) by reflexivity. assert (EW : u * U = W) by reflexivity. assert (EWW : u * (u * t) = W) by reflexivity.
   assert (EWt : u * (u * (t * t)) = t * W) by (unfold W, U; ring).
@@ -28,7 +31,6 @@ Proof.
   assert (nW : 0 <= n * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (kW : 0 <= kappa * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (uuW : u * W <= / 1000000000000 * W) by (apply Rmult_le_compat_r; lra).
-  (* the first step *)
   pose proof (Rabs_le_inv _ _ H0) as B0.
   assert (A0 : argument (exactly64 start) y0 t).
   { unfold argument. fold u. apply (is_off_more _ _ 0 (1001 / 1000 * t) 0 0); try lra. apply is_off_exactly; [exact Hs|].
@@ -46,7 +48,7 @@ Proof.
   destruct (Two ltac:(lra) ltac:(lra)) as (p & r & P & R & Br). clear Two.
   assert (Ep : p = h) by exact (eq_trans (eq_sym (proj1 P)) (proj1 Hh)).
   assert (Er : r = l) by exact (eq_trans (eq_sym (proj1 R)) (proj1 Hl)).
-  subst p r. fold u in E. unfold newton_root, minus_dd. cbv zeta. set (x := add (exactly64 start) _) in *. clearbody x.
+  subst p r. fold u in E.
   assert (E1 : Rabs (h + l - t) <= 400 * W).
   { replace (h + l - t) with ((h + l - (y0 + - q y0)) + (y0 - q y0 - t)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
   pose proof (Rabs_le_inv _ _ E1) as E1'. pose proof (Rabs_le_inv _ _ Br) as Br'. fold u in Br, Br'.
@@ -55,6 +57,29 @@ Proof.
     lra. }
   assert (Uh : 0 <= u * h <= / 1000000000000 * h) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (Bh2 : 9999 / 10000 * t <= h <= 1001 / 1000 * t) by lra.
+  exists h, l. split; [exact Hh|]. split; [exact Hl|]. split; [exact E1|]. split; [exact Br|lra].
+Qed.
+
+(* So is the root that double-double finds. *)
+Lemma newton_root_is : forall value slope start q y0 t n kappa, is64 start y0 -> / 100000000 <= t <= 33 / 100 ->
+  Rabs (y0 - t) <= 8 * (unit53 * t) -> 0 <= n <= 40 -> 0 <= kappa <= 40 -> step_is_good value slope q t n kappa ->
+  exists h l k, is64 (hi (newton_root value slope start)) h /\ is64 (lo (newton_root value slope start)) l /\
+    is64 (error (newton_root value slope start)) k /\ Rabs (h + l - t) <= (n + 9 / 2) * (unit53 * (unit53 * t)) /\
+    Rabs l <= unit53 * h /\ 0 <= k <= / 1000000 * t.
+Proof.
+  intros value slope start q y0 t n kappa Hs Bt H0 Hn Hk step. unfold step_is_good in step. pose proof unit_is_small as Hu.
+  destruct (first_step_is value slope start q y0 t n kappa Hs Bt H0 Hn Hk step) as (h & l & Hh & Hl & E1 & Br & Bh2).
+  set (u := unit53) in *. set (U := u * t) in *. set (W := u * U) in *.
+  assert (EU : u * t = U) by reflexivity. assert (EW : u * U = W) by reflexivity. assert (EWW : u * (u * t) = W) by reflexivity.
+  assert (EWt : u * (u * (t * t)) = t * W) by (unfold W, U; ring).
+  assert (BU : 0 < U <= / 1000000000000 * t) by (unfold U; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_r; lra]).
+  assert (BW : 0 < W <= / 1000000000000 * U) by (unfold W; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_r; lra]).
+  assert (nW : 0 <= n * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (kW : 0 <= kappa * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (uuW : u * W <= / 1000000000000 * W) by (apply Rmult_le_compat_r; lra).
+  unfold newton_root. cbv zeta. set (x := minus_dd (exactly64 start) _) in *. clearbody x. unfold minus_dd.
+  pose proof (Rabs_le_inv _ _ E1) as E1'. pose proof (Rabs_le_inv _ _ Br) as Br'.
+  assert (Uh : 0 <= u * h <= / 1000000000000 * h) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (Uh2 : u * h <= u * (1001 / 1000 * t)) by (apply Rmult_le_compat_l; lra).
   assert (A1 : argument (midpoint x) (h + l) t).
   { unfold argument, is_off, midpoint. cbn [hi lo error]. exists h, l, 0.

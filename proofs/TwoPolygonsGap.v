@@ -90,6 +90,15 @@ Proof.
   - rewrite (Rabs_pos_eq g) in D by lra. lra.
 Qed.
 
+Lemma settled_is_directed : forall gap M n N v, settled gap M -> sign_of gap = is_positive -> encloses v n N -> 0 <= v <= / 1000 ->
+  N = 0 \/ / 40000000 <= Rabs N <= 1 -> directed gap n.
+Proof.
+  intros gap M n N v Sg Pos E Hv BN. pose proof (settled_positive gap M Sg Pos) as Pg. destruct Sg as (_ & Bg & _).
+  pose proof (first_size _ _ _ E Hv) as Sn. rewrite (Rabs_pos_eq (value64 (hi gap))) in Bg by lra. unfold directed. cbv zeta. split; [lra|].
+  destruct BN as [->|BN]; [left; rewrite Rabs_R0 in Sn; pose proof (Rabs_pos (value64 (hi n))); lra|right]. split; [lra|].
+  apply Rle_trans with (22400 * (101 / 100)); [apply Rmult_le_compat; lra|lra].
+Qed.
+
 (* The terms that cancel are charged. *)
 Lemma difference_is_settled : forall s a A b Z, let gap := add a (negated b) in encloses s a A -> 0 <= s <= / 1000 -> charged a ->
   is_exactly b Z -> A = 0 \/ / 1000000000000000000000000000 <= A <= 20000 -> Z = 0 \/ / 10000000000 <= Rabs Z <= 10000 ->
@@ -140,21 +149,24 @@ Proof.
     rewrite (Rabs_pos_eq Z) in BZ by lra. rewrite Rabs_left; lra.
 Qed.
 
-Definition side_gap_2p (R w x z : binary32) : double_double :=
-  add (multiply (tangent_2p R w) (add (exactly64 (half_width w)) (negated (exactly64 (to64 (b32_abs x)))))) (negated (exactly64 (to64 z))).
+(* side_gap(face, w, |x|, z) *)
+Definition side_gap (tangent : double_double) (w x z : binary32) : double_double :=
+  add (multiply tangent (add (exactly64 (half_width w)) (negated (exactly64 (to64 (b32_abs x)))))) (negated (exactly64 (to64 z))).
+Definition side_gap_2p (R w x z : binary32) : double_double := side_gap (tangent_2p R w) w x z.
 
-Lemma side_gap_is : forall R w K x X z Z, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
-  coordinate (to64 z) Z -> Rabs X <= value32 w / 2 -> settled (side_gap_2p R w x z) (penetration_2p (value32 R) (value32 w) X Z).
+(* T: the slope of the side; its height at x is no more than 10 m. *)
+Lemma side_gap_is_settled : forall R w K s T tangent x X z Z, parameters R w K -> encloses s tangent T -> 0 <= s <= / 1000000 ->
+  / 40000000 <= T <= 2 -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X -> coordinate (to64 z) Z ->
+  Rabs X <= value32 w / 2 -> T * (value32 w / 2 - Rabs X) <= 10000 ->
+  settled (side_gap tangent w x z) (T * (value32 w / 2 - Rabs X) - Z).
 Proof.
-  intros R w K x X z Z Hp Fx Vx Cx Cz Hin. pose proof share_is_small as Hsh. destruct (face_enclosed _ _ _ Hp) as ([Et BT] & _).
+  intros R w K s T tangent x X z Z Hp Et Hs BT Fx Vx Cx Cz Hin High. pose proof share_is_small as Hsh.
   pose proof (half_width_coordinate _ _ _ Hp) as Cc. destruct Hp as (_ & HR & Hw & _).
-  destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & ET & EH & _).
-  set (T := slope_2p (value32 R) (value32 w)) in *.
   assert (Ix : is64 (to64 (b32_abs x)) (Rabs X)).
   { assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs). destruct (to64_is_exact _ Fa) as [V F].
     split; [|exact F]. rewrite V, <- Vx. apply B2R_Babs. }
   pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *. assert (Hc : / 2000 <= c <= 10000) by (unfold c; lra).
-  set (u := c + - Rabs X) in *.
+  change (c - Rabs X) with (c + - Rabs X) in *. set (u := c + - Rabs X) in *.
   assert (Bu : u = 0 \/ / 10000000000000000 <= u <= 10000).
   { destruct (Req_dec u 0) as [|Hne]; [now left|right]. split; [|unfold u; lra].
     apply Rle_trans with (bpow radix2 (-53)); [simpl; lra|]. rewrite <- (Rabs_pos_eq u) by (unfold u; lra).
@@ -165,21 +177,31 @@ Proof.
     ltac:(rewrite Rabs_Ropp, Rabs_pos_eq; lra) ltac:(fold u; destruct Bu; [now left|right; lra])) as Eu. fold u in Eu.
   pose proof (first_size _ _ _ Et ltac:(lra)) as St. rewrite (Rabs_pos_eq T) in St by lra. pose proof (first_size _ _ _ Eu ltac:(lra)) as Su.
   rewrite (Rabs_pos_eq u) in Su by (destruct Bu; lra).
-  assert (H2 : 606 * share101 * (3 * share101) <= / 1000 * (606 * share101 + 3 * share101)).
-  { apply Rle_trans with (606 * share101 * / 1000); [apply Rmult_le_compat_l; lra|lra]. }
+  assert (H2 : s * (3 * share101) <= / 1000 * (s + 3 * share101)).
+  { apply Rle_trans with (s * / 1000); [apply Rmult_le_compat_l; lra|lra]. }
   destruct (multiply_encloses _ _ _ _ _ _ Et Eu ltac:(lra) ltac:(lra) H2) as (Ea & Ca & _).
-  { set (v := Rabs (value64 (hi (tangent_2p R w)))) in *. set (y := Rabs (value64 (hi (add _ _)))) in *.
+  { set (v := Rabs (value64 (hi tangent))) in *. set (y := Rabs (value64 (hi (add _ _)))) in *.
     destruct Bu as [Bu|Bu]; [left; rewrite Bu in Su; replace y with 0 by lra; ring|right]. split.
     - apply Rle_trans with (/ 100000000 * (/ 2 * / 10000000000000000)); [lra|apply Rmult_le_compat; lra].
-    - apply Rle_trans with (2 * 20000); [apply Rmult_le_compat; lra|lra]. }
+    - apply Rle_trans with (3 * 20000); [apply Rmult_le_compat; lra|lra]. }
   assert (BTu : T * u = 0 \/ / 1000000000000000000000000000 <= T * u <= 10000).
-  { destruct Bu as [->|Bu]; [left; ring|right]. split.
-    - apply Rle_trans with (/ 40000000 * / 10000000000000000); [lra|apply Rmult_le_compat; lra].
-    - apply Rle_trans with (1 * 10000); [apply Rmult_le_compat; lra|lra]. }
+  { destruct Bu as [->|Bu]; [left; ring|right]. split; [|exact High].
+    apply Rle_trans with (/ 40000000 * / 10000000000000000); [lra|apply Rmult_le_compat; lra]. }
   pose proof (coordinate_range _ _ Cz) as RZ.
   assert (BZ : Z = 0 \/ / 10000000000 <= Rabs Z <= 10000).
   { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }
-  replace (penetration_2p (value32 R) (value32 w) X Z) with (T * u - Z).
-  - apply (difference_is_settled _ _ _ _ _ Ea ltac:(lra) Ca (exactly_is _ _ (coordinate_is _ _ Cz)) ltac:(lra) BZ). lra.
-  - unfold penetration_2p. rewrite Rle_bool_true by exact Hin. rewrite EH, <- ET. unfold u, c. field. lra.
+  apply (difference_is_settled _ _ _ _ _ Ea ltac:(lra) Ca (exactly_is _ _ (coordinate_is _ _ Cz)) ltac:(lra) BZ). lra.
+Qed.
+
+Lemma side_gap_is : forall R w K x X z Z, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
+  coordinate (to64 z) Z -> Rabs X <= value32 w / 2 -> settled (side_gap_2p R w x z) (penetration_2p (value32 R) (value32 w) X Z).
+Proof.
+  intros R w K x X z Z Hp Fx Vx Cx Cz Hin. pose proof share_is_small as Hsh. destruct (face_enclosed _ _ _ Hp) as ([Et BT] & _).
+  pose proof Hp as (_ & HR & Hw & _). pose proof (Rabs_pos X) as PX.
+  destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & ET & EH & _).
+  set (T := slope_2p (value32 R) (value32 w)) in *.
+  replace (penetration_2p (value32 R) (value32 w) X Z) with (T * (value32 w / 2 - Rabs X) - Z).
+  - apply (side_gap_is_settled R w K (606 * share101)); trivial; try lra.
+    apply Rle_trans with (1 * 10000); [apply Rmult_le_compat; lra|lra].
+  - unfold penetration_2p. rewrite Rle_bool_true by exact Hin. rewrite EH, <- ET. field. lra.
 Qed.
