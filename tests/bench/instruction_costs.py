@@ -19,7 +19,7 @@ RUNNER = """
 #include <chrono>
 #include <cstdio>
 extern "C" void (*const functions[])(double*);
-extern "C" const unsigned count;
+extern "C" const unsigned count, turns;
 int main() {
   alignas(64) static double ones[64];
   std::fill(ones, ones + 64, 1.0);
@@ -34,7 +34,7 @@ int main() {
       chain = std::min(chain, seconds(0));
       best = std::min(best, seconds(i));
     }
-    std::printf("%.17g\\n", 3 * 96 * best / chain);
+    std::printf("%.17g\\n", i > 0 ? 3 * 96 * best / chain : 1e9 * chain / (3 * 96 * turns));
   }
 }
 """
@@ -66,31 +66,32 @@ def stream(texts):
 
 
 def cycles_of(streams):
-    """The cycles that each list of instructions takes, once."""
+    """The cycles that each list of instructions takes, once; and how many ns a cycle takes."""
     bodies = [["imul %rax, %rax"] * 96] + [stream(texts) for texts in streams]
     with tempfile.TemporaryDirectory() as folder:
         assembly = [".text"]
         for i, body in enumerate(bodies):
             assembly += [f"f{i}:", "vmovupd (%rdi), %zmm31", "vmovupd (%rdi), %zmm30", "kxnorw %k1, %k1, %k1", f"mov ${TURNS}, %ecx",
                          ".p2align 6", "1:", *body, "dec %ecx", "jnz 1b", "vzeroupper", "ret"]
-        assembly += [".section .data.rel.ro", ".globl functions, count", "functions:", *(f".quad f{i}" for i in range(len(bodies))),
-                     f"count: .long {len(bodies)}", '.section .note.GNU-stack,"",@progbits', ""]
+        assembly += [".section .data.rel.ro", ".globl functions, count, turns", "functions:", *(f".quad f{i}" for i in range(len(bodies))),
+                     f"count: .long {len(bodies)}", f"turns: .long {TURNS}", '.section .note.GNU-stack,"",@progbits', ""]
         pathlib.Path(folder, "streams.s").write_text("\n".join(assembly))
         pathlib.Path(folder, "run.cpp").write_text(RUNNER)
         subprocess.run(["g++", "-O1", "-no-pie", "-o", "run", "run.cpp", "streams.s"], cwd=folder, check=True)
         printed = subprocess.run([f"{folder}/run"], check=True, capture_output=True, text=True).stdout
-    return [float(line) for line in printed.split()][1:]
+    cycle, *cycles = [float(line) for line in printed.split()]
+    return cycles, cycle
 
 
 def costs(forms):
     """For each form the cycles it takes alone, and what it takes from the pipes of each probe."""
     forms = sorted(forms)
-    alone = [cycles / 24 for cycles in cycles_of([[text] * 24 for text in forms])]
+    alone = [cycles / 24 for cycles in cycles_of([[text] * 24 for text in forms])[0]]
     streams = []
     for text, cycles in zip(forms, alone):
         for probe, probe_cycles in PROBES.values():
             probes = [probe] * round((2 * cycles + 2) / probe_cycles)
             streams += [([text] + probes) * REPEATS, probes * REPEATS]
-    cycles = cycles_of(streams)
+    cycles, _ = cycles_of(streams)
     taken = [max(0.0, both - probes) / REPEATS for both, probes in zip(cycles[::2], cycles[1::2])]
     return {text: {"alone": alone[i], **dict(zip(PROBES, taken[3 * i:3 * i + 3]))} for i, text in enumerate(forms)}

@@ -69,14 +69,15 @@ def print_measured(build):
     all_loops = list(laws_loops(build, "avx512"))
     forms = [[instruction_costs.form(instruction) for instruction in body] for _, body in all_loops]
     costs = instruction_costs.costs({text for body in forms for text, _, _ in body if text})
-    load, store = instruction_costs.cycles_of([["vmovups 64(%rdi), %zmm{}"] * 24, ["vmovups %zmm31, 64(%rdi)"] * 24])
+    (load, store), cycle = instruction_costs.cycles_of([["vmovups 64(%rdi), %zmm{}"] * 24, ["vmovups %zmm31, 64(%rdi)"] * 24])
     pipes = [*instruction_costs.PROBES, "divider", "loads", "stores"]
+    print(f"cycles of {cycle:.3f} ns")
     print(f"{'law':16} {'instructions':>12} " + " ".join(f"{pipe:>8}" for pipe in pipes))
     for (law, body), parts in zip(all_loops, forms):
         texts = [text for text, _, _ in parts if text]
         divisions = [text for text in texts if text.startswith(("vdiv", "vsqrt"))]
         needs = {pipe: sum(costs[text][pipe] for text in texts) for pipe in instruction_costs.PROBES}
-        needs["divider"] = instruction_costs.cycles_of([divisions * 8])[0] / 8 if divisions else 0
+        needs["divider"] = instruction_costs.cycles_of([divisions * 8])[0][0] / 8 if divisions else 0
         needs["loads"] = sum(loads for _, loads, _ in parts) * load / 24
         needs["stores"] = sum(stores for _, _, stores in parts) * store / 24
         print(f"{law:16} {len(body):12} " + " ".join(f"{needs[pipe]:8.1f}" for pipe in pipes))
