@@ -173,7 +173,8 @@ Proof.
 Qed.
 
 Theorem encloses_add : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
-  x = 0 \/ / 1000000000000000000000000000000000000000000000000000000000000 <= x <= 50000000 -> y = 0 \/ / 1000000000000000000000000000000000000000000000000000000000000 <= y <= 50000000 ->
+  x = 0 \/ / 1000000000000000000000000000000000000000000000000000000000000 <= x <= 1000000000 ->
+  y = 0 \/ / 1000000000000000000000000000000000000000000000000000000000000 <= y <= 1000000000 ->
   encloses (3 * (s + t) + 3 * share101) (add a b) (x + y).
 Proof.
   intros s t a b x y (h & l & e & H & L & E & Bl & Be & B) (c & k & f & H' & L' & E' & Bk & Bf & B') Hs Ht Hx Hy.
@@ -198,7 +199,7 @@ Proof.
     assert (q = 0) as -> by (apply no_size; lra). apply encloses_more with 0; [|unfold share101; lra]. apply encloses_exact.
     split; [exact P|]. split; [exact Q|]. cbn [error]. apply error_of_nothing; [exact P|].
     replace 0 with r; [exact I|]. unfold r. rewrite Rplus_0_r. apply round_0. auto with typeclass_instances.
-  - assert (LS : / 10000000000000000000000000000000000000000000000000000000000000 <= S <= 102000000) by (unfold S in *; lra).
+  - assert (LS : / 10000000000000000000000000000000000000000000000000000000000000 <= S <= 10200000000) by (unfold S in *; lra).
     specialize (T ltac:(fold S; rewrite (Rabs_pos_eq S); lra)).
     assert (Bp2 : 99 / 100 * S <= p).
     { pose proof T as Hq.
