@@ -179,7 +179,8 @@ Proof.
 Qed.
 
 (* The difference contains that of the exact number, however large its bound is. *)
-Theorem difference_from_contained : forall a x tv t N k, contains a x -> value64 (error a) <= 10000000000000000000000000000000000000000 -> is64 tv t ->
+Theorem difference_from_contained : forall a x tv t N k, contains a x ->
+  value64 (error a) <= 10000000000000000000000000000000000000000 -> is64 tv t ->
   t = IZR N * bpow radix2 k -> N <> 0%Z -> (Z.abs N < 2 ^ 26)%Z -> (-150 <= k)%Z -> Rabs t <= 100000000 ->
   Rabs (value64 (hi a)) <= 100000000 -> contains (add a (negated (exactly64 tv))) (x - t).
 Proof.

@@ -60,7 +60,8 @@ Lemma multiply_nothing : forall a b h l e, is64 (hi a) h -> is64 (lo a) l -> is6
   Rabs h <= 1000000000000000000000000000000 -> 0 <= e <= 1000000000000000000000000000000 -> nothing b -> value64 (error b) <= 1 ->
   nothing (multiply a b) /\ value64 (error (multiply a b)) <= 3 * ((Rabs h + e) * value64 (error b)) + 100 * tiny.
 Proof.
-  intros a b h l e H L E Bh Be (H' & L' & f & E' & Hf) Bf. rewrite (proj1 E') in Bf. rewrite (proj1 E'). pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
+  intros a b h l e H L E Bh Be (H' & L' & f & E' & Hf) Bf. rewrite (proj1 E') in Bf. rewrite (proj1 E'). pose proof unit_is_small as Hu.
+  pose proof tiny_is_tinier as Htiny.
   destruct (product_with_zero _ _ _ _ _ _ _ _ H L H' L' ltac:(now right)) as [P Q]. pose proof (Rabs_pos h) as Ph.
   set (P1 := Rabs h * f). set (P3 := e * f).
   assert (B1 : 0 <= P1 <= Rabs h * 1) by (unfold P1; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_l; lra]).

@@ -74,7 +74,8 @@ Proof.
   destruct (m_is_near R w K zv Z Hp Cz) as [[Cm Em Nm Am] BM]. fold d in Cm, Em, Nm, Am, BM. fold M in Cm, Em, Nm, Am, BM.
   pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 _]. fold d in Hd0.
   destruct (depth_enclosed R w K Hp) as [_ Bd]. fold d in Bd. assert (Bd2 : 0 <= d <= 10000) by lra. clear Bd.
-  pose proof (coordinate_range _ _ Cz) as BZ. pose proof (coordinate_is _ _ Cz) as Iz. pose proof (Rabs_pos Z) as PZ. pose proof (Rabs_pos M) as PM.
+  pose proof (coordinate_range _ _ Cz) as BZ. pose proof (coordinate_is _ _ Cz) as Iz. pose proof (Rabs_pos Z) as PZ.
+  pose proof (Rabs_pos M) as PM.
   assert (LZ : Z = 0 \/ / 1100000000 <= Rabs Z).
   { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }
   assert (Ez : encloses 0 (exactly64 zv) Z) by now apply encloses_exact, exactly_is.
@@ -103,7 +104,8 @@ Proof.
     assert (tM : t * Rabs M = 102 / 100 * g) by (unfold t; field; lra).
     assert (Ht : 0 <= t <= / 1000).
     { unfold t. split; [apply Rmult_le_pos; [lra|apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]]|].
-      assert (g / Rabs M <= / 2000); [|lra]. apply Rmult_le_reg_r with (Rabs M); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r; lra. }
+      assert (g / Rabs M <= / 2000); [|lra]. apply Rmult_le_reg_r with (Rabs M); [lra|]. unfold Rdiv.
+      rewrite Rmult_assoc, Rinv_l, Rmult_1_r; lra. }
     pose proof (first_size _ _ _ Ee Ht) as Sm. set (h := Rabs (value64 (hi (second_m R w zv)))) in *.
     assert (EM : Rabs (value64 (hi (exactly64 zv))) * h = Rabs Z * h) by (cbn [exactly64 hi]; now rewrite (proj1 Iz)).
     assert (SZh : 99 / 100 * (Rabs Z * Rabs M) <= Rabs Z * h <= 101 / 100 * (Rabs Z * Rabs M)).
@@ -115,14 +117,16 @@ Proof.
       apply Rle_trans with (/ 1100000000 * / 20000000000000000000000000000); [lra|apply Rmult_le_compat; lra]. }
     destruct (multiply_encloses 0 t _ _ _ _ Ez Ee ltac:(lra) ltac:(lra) ltac:(lra)) as (Eb & _ & Sb).
     { fold h. rewrite EM. destruct LB; [left; lra|right; lra]. }
-    fold h b in Eb, Sb. fold B in Eb. rewrite EM in Sb. destruct (enclosed_is_bounded _ _ _ 400000000 Eb ltac:(lra) ltac:(lra) ltac:(lra)) as [Cb _].
+    fold h b in Eb, Sb. fold B in Eb. rewrite EM in Sb. destruct (enclosed_is_bounded _ _ _ 400000000 Eb ltac:(lra) ltac:(lra) ltac:(lra))
+        as [Cb _].
     pose proof (enclosed_error _ _ _ Eb) as Db. set (k := Rabs (value64 (hi b))) in *.
     assert (Db2 : value64 (error b) <= (3 * (0 + t) + 3 * share101) * (10202 / 10000 * (Rabs Z * Rabs M))).
     { apply Rle_trans with (1 := Db). apply Rmult_le_compat_l; lra. }
     assert (EB : Rabs B = Rabs Z * Rabs M) by apply Rabs_mult.
     assert (E2 : (3 * (0 + t) + 3 * share101) * (10202 / 10000 * (Rabs Z * Rabs M)) =
       10202 / 10000 * (3 * (Rabs Z * (t * Rabs M)) + 3 * (Rabs Z * (share101 * Rabs M)))) by ring.
-    split; [exact Cb|]. split; [lra|]. split; [rewrite E2, tM in Db2; replace (Rabs Z * (102 / 100 * g)) with (102 / 100 * (Rabs Z * g)) in Db2 by ring; lra|].
+    split; [exact Cb|]. split; [lra|]. split; [rewrite E2, tM in Db2;
+        replace (Rabs Z * (102 / 100 * g)) with (102 / 100 * (Rabs Z * g)) in Db2 by ring; lra|].
     split.
     + intro B0. rewrite B0, Rabs_R0 in EB. apply no_size. fold k. lra.
     + destruct LB as [LB|LB]; [left; apply no_size; lra|right]. rewrite EB. split; [exact LB|]. split; [lra|].
@@ -147,20 +151,23 @@ Proof.
   assert (Ca : contains a A) by (apply (enclosed_is_contained _ _ _ Ea); lra).
   assert (Cn : contains (negated b) (- B) /\ value64 (hi (negated b)) = - value64 (hi b)).
   { destruct Cb as (h & l & e & H & L & E & Bl & He & D & Bh). pose proof (opp_is _ _ H) as Hn. pose proof (opp_is _ _ L) as Ln. split.
-    - exists (- h), (- l), e. split; [exact Hn|]. split; [exact Ln|]. split; [exact E|]. rewrite !Rabs_Ropp. split; [exact Bl|]. split; [exact He|].
+    - exists (- h), (- l), e. split; [exact Hn|]. split; [exact Ln|]. split; [exact E|]. rewrite !Rabs_Ropp. split; [exact Bl|].
+    split; [exact He|].
       split; [|exact Bh]. replace (- h + - l - - B) with (- (h + l - B)) by ring. now rewrite Rabs_Ropp.
     - cbn [negated hi]. rewrite (proj1 Hn), (proj1 H). reflexivity. }
   destruct Cn as [Cn En]. change (error b) with (error (negated b)) in Db, Lb.
   set (p := Rabs (value64 (hi a))) in *. pose proof (Rabs_pos A) as PA.
   assert (Bsp : 0 <= share101 * p <= 1).
-  { split; [apply Rmult_le_pos; [lra|apply Rabs_pos]|]. apply Rle_trans with (/ 1000000000 * 1000000000); [apply Rmult_le_compat; try lra; apply Rabs_pos|lra]. }
+  { split; [apply Rmult_le_pos; [lra|apply Rabs_pos]|]. apply Rle_trans with (/ 1000000000 * 1000000000); [apply Rmult_le_compat; try lra;
+      apply Rabs_pos|lra]. }
   assert (Bsa : share101 * p <= 101 / 100 * (share101 * Rabs A)).
   { replace (101 / 100 * (share101 * Rabs A)) with (share101 * (101 / 100 * Rabs A)) by ring. apply Rmult_le_compat_l; lra. }
   assert (Bd : 0 <= d <= 10000).
   { destruct (depth_enclosed R w K Hp) as [_ Bd]. fold d in Bd. lra. }
   destruct (m_is_near R w K zv Z Hp Cz) as [_ BM]. fold d in BM. fold M in BM. pose proof (coordinate_range _ _ Cz) as BZ.
   pose proof (Rabs_pos Z) as PZ. pose proof (Rabs_pos M) as PM.
-  set (W := Rabs Z * (d + Rabs M)) in *. assert (BW : 0 <= W <= 10000 * 40000) by (unfold W; split; [apply Rmult_le_pos; lra|apply Rmult_le_compat; lra]).
+  set (W := Rabs Z * (d + Rabs M)) in *. assert (BW : 0 <= W <= 10000 * 40000) by (unfold W; split; [apply Rmult_le_pos;
+      lra|apply Rmult_le_compat; lra]).
   assert (BsW : 0 <= share101 * W <= 1).
   { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (/ 1000000000 * 1000000000); [apply Rmult_le_compat; lra|lra]. }
   assert (BB : Rabs B <= W).
@@ -172,7 +179,8 @@ Proof.
     - rewrite En, Rabs_Ropp. destruct LA as [LA|LA]; [|right; left; fold p; lra]. destruct Lb as [Lb|Lb]; [|right; right; lra].
       left. split; [|rewrite (Zb Lb); ring]. apply no_size. fold p. rewrite LA, Rabs_R0 in Sa. lra. }
   split; [exact Cv|]. pose proof (sum_error _ _ _ _ _ Ca Cn Cv ltac:(lra) ltac:(lra)) as Er. cbv zeta in Er.
-  change (add a (negated b)) with v in Er. destruct (contained_size _ _ Cv) as (Pe & Sv & Sv2 & _). destruct (contained_size _ _ Cn) as (Pb & _ & _ & _).
+  change (add a (negated b)) with v in Er. destruct (contained_size _ _ Cv) as (Pe & Sv & Sv2 & _).
+  destruct (contained_size _ _ Cn) as (Pb & _ & _ & _).
   set (h := Rabs (value64 (hi v))) in *. set (e := value64 (error v)) in *.
   pose proof (minus_size A B) as TV.
   assert (Bsh : share101 * h <= 1001 / 1000 * (share101 * Rabs A + share101 * W) + / 1000 * e).

@@ -108,9 +108,11 @@ Proof.
   assert (Dd2 : value64 (error (computed_depth R w)) <= 667 / 10 * (share101 * d)).
   { apply Rle_trans with (1 := Dd). replace (667 / 10 * (share101 * d)) with (66 * share101 * (667 / 660 * d)) by field.
     apply Rmult_le_compat_l; lra. }
-  assert (Bsd : 0 <= share101 * d <= 1) by (split; [apply Rmult_le_pos; lra|apply Rle_trans with (/ 10000 * 10000); [apply Rmult_le_compat; lra|lra]]).
+  assert (Bsd : 0 <= share101 * d <= 1) by (split; [apply Rmult_le_pos; lra|apply Rle_trans with (/ 10000 * 10000);
+      [apply Rmult_le_compat; lra|lra]]).
   pose proof (sum_error _ _ _ _ _ Czz Cd C ltac:(cbn [exactly64 error]; change (value64 zero64) with 0; lra) ltac:(lra)) as Er. cbv zeta in Er.
-  change (add (exactly64 zv) (computed_depth R w)) with (second_l R w zv) in Er. cbn [exactly64 error] in Er. change (value64 zero64) with 0 in Er.
+  change (add (exactly64 zv) (computed_depth R w)) with (second_l R w zv) in Er. cbn [exactly64 error] in Er.
+  change (value64 zero64) with 0 in Er.
   destruct (contained_size _ _ C) as (_ & Sl & _ & _).
   split; [exact C| | |].
   - set (h := Rabs (value64 (hi (second_l R w zv)))) in *. set (e := value64 (error (second_l R w zv))) in *.
@@ -149,7 +151,8 @@ Proof.
   assert (Dd2 : value64 (error (computed_depth R w)) <= 667 / 10 * (share101 * d)).
   { apply Rle_trans with (1 := Dd). replace (667 / 10 * (share101 * d)) with (66 * share101 * (667 / 660 * d)) by field.
     apply Rmult_le_compat_l; lra. }
-  assert (Bsd : 0 <= share101 * d <= 1) by (split; [apply Rmult_le_pos; lra|apply Rle_trans with (/ 10000 * 10000); [apply Rmult_le_compat; lra|lra]]).
+  assert (Bsd : 0 <= share101 * d <= 1) by (split; [apply Rmult_le_pos; lra|apply Rle_trans with (/ 10000 * 10000);
+      [apply Rmult_le_compat; lra|lra]]).
   assert (BsL : share101 * Rabs L <= share101 * Rabs M + share101 * d) by (rewrite <- Rmult_plus_distr_l; apply Rmult_le_compat_l; lra).
   pose proof (Rabs_pos M) as PM. assert (BsM : 0 <= share101 * Rabs M <= 3).
   { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (/ 10000 * 30000); [apply Rmult_le_compat; lra|lra]. }
@@ -159,7 +162,8 @@ Proof.
     - destruct LZ as [LZ|LZ].
       + left. assert (Gd : in_binary32 d) by (rewrite Bd; apply generic_format_0).
         assert (L0 : L = 0) by (unfold L; rewrite Bd, LZ; ring).
-        destruct (exact_l R w K zv Z Hp Iz Gd) as [[H _] _]; [fold d L; rewrite L0; apply generic_format_0|exact BZ|fold d; rewrite Rabs_pos_eq; lra|].
+        destruct (exact_l R w K zv Z Hp Iz Gd) as [[H _] _]; [fold d L; rewrite L0; apply generic_format_0|exact BZ|fold d;
+            rewrite Rabs_pos_eq; lra|].
         destruct (exact_depth R w K Hp Gd) as [[H2 _] _]. fold d in H, H2. rewrite H, H2. split; [exact L0|exact Bd].
       + right. left. destruct (contained_size _ _ Cl) as (_ & _ & S & _). unfold L in S, Sl. rewrite Bd, Rplus_0_r in S.
         assert (E0 : share101 * d = 0) by (rewrite Bd; ring). rewrite E0 in *.
@@ -182,7 +186,8 @@ Proof.
       rewrite Rabs_Ropp. destruct LZ as [LZ|LZ]; [left; rewrite LZ; ring|right; lra]. }
     assert (EL : L = - d) by (unfold M in M0; lra).
     assert (Gd64 : in_binary64 d) by (apply generic_inclusion_mag with fexp32; [intros _; unfold FLT_exp; lia|exact Gd]).
-    destruct (exact_l R w K zv Z Hp Iz Gd) as [H Lo]; [fold d L; rewrite EL; now apply generic_format_opp|exact BZ|fold d; rewrite Rabs_pos_eq; lra|].
+    destruct (exact_l R w K zv Z Hp Iz Gd) as [H Lo]; [fold d L; rewrite EL; now apply generic_format_opp|exact BZ|fold d;
+        rewrite Rabs_pos_eq; lra|].
     destruct (exact_depth R w K Hp Gd) as [H2 Lo2]. fold d in H, H2. fold L in H.
     assert (big : forall a, Rabs a <= 1000000 -> Rabs a <= bpow radix2 1000) by (intros a Ha; apply big_enough; lra).
     destruct (sum_of_exact _ _ _ _ L d H Lo H2 Lo2 ltac:(fold M; rewrite M0; apply generic_format_0) (big L ltac:(lra))

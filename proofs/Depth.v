@@ -61,7 +61,8 @@ Proof.
     assert (unit53 * a <= unit53 * b) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 
-Lemma error_of_is : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b -> b <= 100000000000000000000000000000000000000000000000000 ->
+Lemma error_of_is : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b ->
+  b <= 100000000000000000000000000000000000000000000000000 ->
   Rabs x <= 100000000000000000000000000000000000000000000000000 ->
   exists e, is64 (error_of v propagated) e /\ 0 <= e <= 2 * (b + share101 * Rabs x) + 5 * tiny /\ (p = 0 -> x = 0 -> e = 0).
 Proof.

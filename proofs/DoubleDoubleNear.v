@@ -7,7 +7,8 @@ Open Scope R_scope.
 
 Lemma big_enough : forall b, Rabs b <= 100000000000000000000000000000000000000000000000000000000000000000000000000000000 -> not_too_large b.
 Proof. intros b Hb. apply Rle_trans with (bpow radix2 300); [simpl; lra|apply bpow_le; lia]. Qed.
-Lemma big_enough_900 : forall b, Rabs b <= 100000000000000000000000000000000000000000000000000000000000000000000000000000000 -> Rabs b <= bpow radix2 900.
+Lemma big_enough_900 : forall b, Rabs b <= 100000000000000000000000000000000000000000000000000000000000000000000000000000000 ->
+  Rabs b <= bpow radix2 900.
 Proof. intros b Hb. apply Rle_trans with (bpow radix2 300); [simpl; lra|apply bpow_le; lia]. Qed.
 
 (* What two terms hold: y + z is near the exact value, and z is what y lacks. *)

@@ -89,7 +89,8 @@ Proof.
     { destruct Hz as [Hz|Hz]; [destruct (nothing_enclosed _ _ _ Ea Hz) as [_ ->]|destruct (nothing_enclosed _ _ _ Eb Hz) as [_ ->]]; ring. }
     rewrite Exy. split; [apply encloses_more with 0; [now apply encloses_exact|lra]|]. destruct I as ([V _] & _ & [V' _]).
     unfold charged. rewrite V, V', H0, Rabs_R0. lra. }
-  assert (Hsize : / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000000) by (destruct HM; [contradiction|assumption]). clear HM Hne.
+  assert (Hsize : / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= M <=
+      1000000000000) by (destruct HM; [contradiction|assumption]). clear HM Hne.
   destruct Ea as (h & l & e & H & L & E & Bl & Be & B), Eb as (c & k & f & H' & L' & E' & Bk & Bf & B').
   assert (EM : M = Rabs h * Rabs c) by (unfold M; now rewrite (proj1 H), (proj1 H')). clearbody M. subst M.
   pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.

@@ -9,7 +9,8 @@ Open Scope R_scope.
 (* ---- Quotients ---- *)
 
 Lemma quotient_of_parts : forall a a_lo b b_lo h l c k, let Q := Rabs (h / c) in is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
-  Rabs l <= 101 / 100 * (unit53 * Rabs h) -> Rabs k <= 101 / 100 * (unit53 * Rabs c) -> / 100000000000000000000000000000000000 <= Rabs c <= 10000000000 ->
+  Rabs l <= 101 / 100 * (unit53 * Rabs h) -> Rabs k <= 101 / 100 * (unit53 * Rabs c) ->
+      / 100000000000000000000000000000000000 <= Rabs c <= 10000000000 ->
   / 10000000000000000000000000000000000000000000000000000000000000000000000 <= Q <= 1000000000000000000000000000000000000000000 ->
   / 1000000000000000000000000000000000000000000000000000000000000 <= Rabs h <= 1000000000000 ->
   exists p q, is64 (fst (quotient_of a a_lo b b_lo)) p /\ is64 (snd (quotient_of a a_lo b b_lo)) q /\
@@ -148,7 +149,8 @@ Proof.
 Qed.
 
 (* The divisor's size, less its error. *)
-Lemma size_is : forall b c f, is64 b c -> forall g, is64 g f -> / 100000000000000000000000000000000000 <= Rabs c <= 10000000000 -> 0 <= f <= / 1000 * Rabs c ->
+Lemma size_is : forall b c f, is64 b c -> forall g, is64 g f -> / 100000000000000000000000000000000000 <= Rabs c <= 10000000000 ->
+  0 <= f <= / 1000 * Rabs c ->
   exists z, is64 (minus (times (absolute b) almost_one) g) z /\ 99 / 100 * Rabs c <= z <= Rabs c - unit53 * Rabs c - f.
 Proof.
   intros b c f H g F Bc Bf. pose proof tiny_is_tinier as Htiny. pose proof unit_is_small as Hu. set (C := Rabs c) in *.
@@ -166,7 +168,9 @@ Qed.
 (* Sizes are those of the first terms. The dividend may have cancelled so far that its error is as large as it is, and larger. *)
 Theorem divide_encloses : forall s t a b x y, let h := Rabs (value64 (hi a)) in let c := Rabs (value64 (hi b)) in let Q := h / c in
   encloses s a x -> encloses t b y -> 0 <= s <= 10 -> 0 <= t <= / 1000 ->
-  / 1000000000000000000000000000000000000000000000000000000000000 <= h <= 1000000000000 -> / 100000000000000000000000000000000000 <= c <= 10000000000 -> / 10000000000000000000000000000000000000000000000000000000000000000000000 <= Q <= 1000000000000000000000000000000000000000000 ->
+  / 1000000000000000000000000000000000000000000000000000000000000 <= h <= 1000000000000 ->
+      / 100000000000000000000000000000000000 <= c <= 10000000000 ->
+      / 10000000000000000000000000000000000000000000000000000000000000000000000 <= Q <= 1000000000000000000000000000000000000000000 ->
   encloses (3 * (s + t) + 3 * share101) (divide a b) (x / y) /\ 99 / 100 * Q <= Rabs (value64 (hi (divide a b))) <= 101 / 100 * Q.
 Proof.
   intros s t a b x y h0 c0 Q (h & l & e & H & L & E & Bl & Be & B) (c & k & f & H' & L' & E' & Bk & Bf & B') Hs Ht Bh Bc BQ.
@@ -227,12 +231,14 @@ Proof.
   pose proof (over_is _ _ _ _ J2 Z ltac:(lra) ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as J3.
   pose proof (rounded_near _ Bratio) as R3. pose proof (proj1 (rounded_up (num / z) (num / z) ltac:(lra))) as N3.
   pose proof (unit_times _ Bratio) as U3. set (v := nearest64 (num / z)) in *.
-  destruct (error_covers _ p _ v (103 / 100 * r0 + 10 * (100000000000000000000000000000000000 * tiny)) P J3 ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg).
+  destruct (error_covers _ p _ v (103 / 100 * r0 + 10 * (100000000000000000000000000000000000 * tiny)) P J3 ltac:(lra) ltac:(lra)
+      ltac:(lra)) as (g & G & Bg).
   assert (Hshare_p : 31 * (unit53 * uQ) <= 98 / 100 * (share101 * Rabs p)).
   { rewrite share_is. replace (98 / 100 * (32 * (unit53 * unit53) * Rabs p)) with (unit53 * (unit53 * (98 / 100 * 32 * Rabs p))) by ring.
     replace (31 * (unit53 * uQ)) with (unit53 * (unit53 * (31 * Q))) by (unfold uQ; ring). apply unit_times_compat, unit_times_compat. lra. }
   assert (TQ : 100000000000000000000000000000000000 * tiny <= / 10000000 * (unit53 * uQ)).
-  { apply Rle_trans with (/ 10000000 * (unit53 * (unit53 * / 10000000000000000000000000000000000000000000000000000000000000000000000))); [unfold unit53; lra|]. apply Rmult_le_compat_l; [lra|].
+  { apply Rle_trans with (/ 10000000 * (unit53 * (unit53 * / 10000000000000000000000000000000000000000000000000000000000000000000000)));
+      [unfold unit53; lra|]. apply Rmult_le_compat_l; [lra|].
     apply unit_times_compat, unit_times_compat. lra. }
   assert (TQ0 : 0 <= 100000000000000000000000000000000000 * tiny) by lra.
   split; [|unfold rounded; cbn [hi]; rewrite (proj1 P); exact Bp].
@@ -270,7 +276,8 @@ Proof.
   assert (Vlow : r0 - 6 * (unit53 * r0) - 10 * (100000000000000000000000000000000000 * tiny) <= v).
   { assert (U4 : unit53 * (num / z) <= unit53 * (101 / 100 * r0 + 3 * (tiny / z))) by (apply unit_times_compat; lra).
     pose proof (unit_times _ Tz0) as UTz. lra. }
-  assert (Uv : unit53 * (r0 - 6 * (unit53 * r0) - 10 * (100000000000000000000000000000000000 * tiny)) <= unit53 * v) by (apply unit_times_compat; exact Vlow).
+  assert (Uv : unit53 * (r0 - 6 * (unit53 * r0) - 10 * (100000000000000000000000000000000000 * tiny)) <= unit53 * v) by (apply
+      unit_times_compat; exact Vlow).
   pose proof (unit_times _ TQ0) as UTQ0.
   replace (p + q - x / y) with ((p + q - (h + l) / (c + k)) + ((h + l) / (c + k) - x / y)) by ring.
   apply Rle_trans with (1 := Rabs_triang _ _). lra.
@@ -306,7 +313,8 @@ Qed.
 
 (* ---- Roots ---- *)
 
-Theorem encloses_root : forall s a x, encloses s a x -> 0 <= s <= / 1000 -> x = 0 \/ / 100000000000000000000000000000000000000000000000000000000000 <= x <= 100000000000 ->
+Theorem encloses_root : forall s a x, encloses s a x -> 0 <= s <= / 1000 ->
+  x = 0 \/ / 100000000000000000000000000000000000000000000000000000000000 <= x <= 100000000000 ->
   encloses (3 * s + 3 * share101) (root_of a) (sqrt x).
 Proof.
   intros s a x Ea Hs Hx. assert (Hshare : 0 < share101) by (unfold share101; lra). pose proof unit_is_small as Hu.

@@ -18,7 +18,8 @@ Proof.
     lia.
 Qed.
 
-Lemma error_of_two : forall v x a b e f, is64 v x -> Rabs x <= 1000000000000 -> is64 a e -> is64 b f -> 0 <= e <= 10000000000000000000000000000000000000000 -> 0 <= f <= 10000000000000000000000000000000000000000 ->
+Lemma error_of_two : forall v x a b e f, is64 v x -> Rabs x <= 1000000000000 -> is64 a e -> is64 b f ->
+  0 <= e <= 10000000000000000000000000000000000000000 -> 0 <= f <= 10000000000000000000000000000000000000000 ->
   exists g, is64 (error_of v (plus a b)) g /\ e + f <= g.
 Proof.
   intros v x a b e f Hv Hx Ha Hb He Hf. pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
@@ -64,9 +65,11 @@ Qed.
 (* ---- Any two numbers of either sign ---- *)
 
 (* The first terms are not both tiny. The bounds may be larger than they. *)
-Theorem sum_of_contained : forall a b x y, contains a x -> contains b y -> value64 (error a) <= 1000000000000000000000000000000000000000 -> value64 (error b) <= 1000000000000000000000000000000000000000 ->
+Theorem sum_of_contained : forall a b x y, contains a x -> contains b y ->
+  value64 (error a) <= 1000000000000000000000000000000000000000 -> value64 (error b) <= 1000000000000000000000000000000000000000 ->
   Rabs (value64 (hi a)) <= 6000000000 -> Rabs (value64 (hi b)) <= 6000000000 ->
-  value64 (hi a) = 0 /\ value64 (hi b) = 0 \/ / 1000000000000000000000000000000000000000 <= Rabs (value64 (hi a)) \/ / 1000000000000000000000000000000000000000 <= Rabs (value64 (hi b)) ->
+  value64 (hi a) = 0 /\ value64 (hi b) = 0 \/ / 1000000000000000000000000000000000000000 <= Rabs (value64 (hi a)) \/ /
+      1000000000000000000000000000000000000000 <= Rabs (value64 (hi b)) ->
   contains (add a b) (x + y).
 Proof.
   intros a b x y (h & l & e & H & L & E & Bl & Be & B & _) (c & k & f & H' & L' & E' & Bk & Bf & B' & _) Be2 Bf2 Bh Bc Low.
@@ -123,18 +126,21 @@ Proof.
     + apply (exactly p q); trivial; [lra|]. rewrite H0, !Rmult_0_r in Off2. pose proof (no_size _ Off2). lra.
     + apply (inexact p q); trivial; [|lra]. split; [|lra]. assert (/ 10000000000000000000000000000000000000000 <= S); [|lra].
       destruct Low as [[Zh Zc]|Low]; [|lra]. exfalso. apply H0. unfold S. rewrite Zh, Zc, Rplus_0_l. apply Rabs_R0.
-  - assert (LL : / 10000000000000000000000000000000000000000 <= Rabs h /\ / 10000000000000000000000000000000000000000 <= Rabs c) by (destruct Low as [[_ Z]|Low]; [rewrite Z, Rabs_R0 in F2|]; lra).
+  - assert (LL : / 10000000000000000000000000000000000000000 <= Rabs h /\
+      / 10000000000000000000000000000000000000000 <= Rabs c) by (destruct Low as [[_ Z]|Low]; [rewrite Z, Rabs_R0 in F2|]; lra).
     destruct (sum_of_cancelling _ _ _ _ h l c k H L H' L' Bl Bk ltac:(lra) ltac:(lra) ltac:(fold S; lra) ltac:(fold S; lra) ltac:(lra) ltac:(lra)
       ltac:(lra) ltac:(lra)) as (p & q & P & Q & Bq & Bp & [Eq|[Lp Off]]); [now apply (exactly p q)|apply (inexact p q); trivial; [lra|]].
     apply Rle_trans with (1 := Off). pose proof (unit_times _ (Rabs_pos p)) as Up. pose proof (unit_times _ (proj1 Up)). lra.
-  - assert (LL : / 10000000000000000000000000000000000000000 <= Rabs h /\ / 10000000000000000000000000000000000000000 <= Rabs c) by (destruct Low as [[Z _]|Low]; [rewrite Z, Rabs_R0 in F1|]; lra).
+  - assert (LL : / 10000000000000000000000000000000000000000 <= Rabs h /\
+      / 10000000000000000000000000000000000000000 <= Rabs c) by (destruct Low as [[Z _]|Low]; [rewrite Z, Rabs_R0 in F1|]; lra).
     destruct (sum_of_cancelling _ _ _ _ h l c k H L H' L' Bl Bk ltac:(lra) ltac:(lra) ltac:(fold S; lra) ltac:(fold S; lra) ltac:(lra) ltac:(lra)
       ltac:(lra) ltac:(lra)) as (p & q & P & Q & Bq & Bp & [Eq|[Lp Off]]); [now apply (exactly p q)|apply (inexact p q); trivial; [lra|]].
     apply Rle_trans with (1 := Off). pose proof (unit_times _ (Rabs_pos p)) as Up. pose proof (unit_times _ (proj1 Up)). lra.
 Qed.
 
 Theorem sum_contains : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
-  x = 0 \/ / 100000000000000000000000000000000000000 <= Rabs x <= 5000000000 -> y = 0 \/ / 100000000000000000000000000000000000000 <= Rabs y <= 5000000000 -> contains (add a b) (x + y).
+  x = 0 \/ / 100000000000000000000000000000000000000 <= Rabs x <= 5000000000 ->
+      y = 0 \/ / 100000000000000000000000000000000000000 <= Rabs y <= 5000000000 -> contains (add a b) (x + y).
 Proof.
   intros s t a b x y Ea Eb Hs Ht Hx Hy. pose proof (first_size _ _ _ Ea Hs) as Sa. pose proof (first_size _ _ _ Eb Ht) as Sb.
   assert (Bh : Rabs (value64 (hi a)) <= 6000000000) by (destruct Hx as [-> |Hx]; [rewrite Rabs_R0 in Sa|]; lra).
@@ -154,7 +160,8 @@ Proof.
 Qed.
 
 Theorem difference_of_two_contains : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
-  x = 0 \/ / 100000000000000000000000000000000000000 <= Rabs x <= 5000000000 -> y = 0 \/ / 100000000000000000000000000000000000000 <= Rabs y <= 5000000000 ->
+  x = 0 \/ / 100000000000000000000000000000000000000 <= Rabs x <= 5000000000 ->
+      y = 0 \/ / 100000000000000000000000000000000000000 <= Rabs y <= 5000000000 ->
   contains (add a (negated b)) (x - y).
 Proof.
   intros s t a b x y Ea Eb Hs Ht Hx Hy. apply (sum_contains s t); trivial; [now apply encloses_negated|].

@@ -54,8 +54,10 @@ Proof. intros v a b [<- _] [<- _]. reflexivity. Qed.
 
 (* ---- The bound covers what it is charged for ---- *)
 
-Lemma error_covers : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b -> b <= 1000000000000000000000000000000000000000000000 ->
-  / 100000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= Rabs x <= 1000000000000000000000000000000000000000000000 ->
+Lemma error_covers : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b ->
+  b <= 1000000000000000000000000000000000000000000000 ->
+  / 100000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= Rabs x <=
+      1000000000000000000000000000000000000000000000 ->
   exists e, is64 (error_of v propagated) e /\ p + 2000 * (unit53 * p) + 98 / 100 * (share101 * Rabs x) <= e <= 201 / 100 * (b + share101 *
     Rabs x).
 Proof.
@@ -85,7 +87,8 @@ Proof.
 Qed.
 
 (* It is never smaller than what is propagated. *)
-Lemma error_is_at_least : forall v x propagated p, is64 v x -> is64 propagated p -> 0 <= p <= 1000000000000000000000000000000000000000000000 -> Rabs x <= 1000000000000000000000000000000000000000000000 ->
+Lemma error_is_at_least : forall v x propagated p, is64 v x -> is64 propagated p ->
+  0 <= p <= 1000000000000000000000000000000000000000000000 -> Rabs x <= 1000000000000000000000000000000000000000000000 ->
   exists e, is64 (error_of v propagated) e /\ p <= e.
 Proof.
   intros v x propagated p Hv Hp Hpb Hx. pose proof unit_is_small as Hu.
