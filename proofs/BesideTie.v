@@ -179,13 +179,13 @@ Proof.
 Qed.
 
 (* The difference contains that of the exact number, however large its bound is. *)
-Theorem difference_contains : forall s a x tv t N k, encloses s a x -> 0 <= s <= 100 -> is64 tv t -> t = IZR N * bpow radix2 k ->
-  N <> 0%Z -> (Z.abs N < 2 ^ 26)%Z -> (-150 <= k)%Z -> Rabs t <= 100000000 -> Rabs (value64 (hi a)) <= 100000000 ->
-  contains (add a (negated (exactly64 tv))) (x - t).
+Theorem difference_from_contained : forall a x tv t N k, contains a x ->
+  value64 (error a) <= 10000000000000000000000000000000000000000 -> is64 tv t ->
+  t = IZR N * bpow radix2 k -> N <> 0%Z -> (Z.abs N < 2 ^ 26)%Z -> (-150 <= k)%Z -> Rabs t <= 100000000 ->
+  Rabs (value64 (hi a)) <= 100000000 -> contains (add a (negated (exactly64 tv))) (x - t).
 Proof.
-  intros s a x tv t N k (h & l & e & H & L & E & Bl & Be & B) Hs Ht Et HN0 HN Hk Bt Bh. pose proof unit_is_small as Hu.
-  rewrite (proj1 H) in Bh. pose proof (Rabs_pos h) as Ph. pose proof (unit_times _ Ph) as Uh.
-  assert (sh : s * Rabs h <= 100 * Rabs h) by (apply Rmult_le_compat_r; lra).
+  intros a x tv t N k (h & l & e & H & L & E & Bl & Be & B & _) He Ht Et HN0 HN Hk Bt Bh. pose proof unit_is_small as Hu.
+  rewrite (proj1 H) in Bh. rewrite (proj1 E) in He. pose proof (Rabs_pos h) as Ph. pose proof (unit_times _ Ph) as Uh.
   pose proof (opp_is _ _ Ht) as Hneg. assert (Hz : is64 (opp zero64) 0) by (rewrite <- Ropp_0 at 1; apply opp_is, zero_is).
   assert (Ie : is64 (plus (error a) zero64) e).
   { apply (plus_exact _ _ e 0); try assumption; [ring|now apply format_of in E|apply big_enough; rewrite Rabs_pos_eq; lra]. }
@@ -227,4 +227,20 @@ Proof.
       replace (31 * (unit53 * (unit53 * S))) with (unit53 * (unit53 * (31 * S))) by ring. apply unit_times_compat, unit_times_compat. lra. }
     exists p, q, g. split; [exact P|]. split; [exact Q|]. split; [exact G|]. split; [exact Bq2|]. split; [lra|]. split; [|lra].
     replace (p + q - (x - t)) with ((p + q - (h + l - t)) + (h + l - x)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra.
+Qed.
+
+Lemma enclosed_is_bounded : forall s a x b, encloses s a x -> 0 <= s <= 100 -> Rabs (value64 (hi a)) <= b -> b <= 1000000000000 ->
+  contains a x /\ 0 <= value64 (error a) <= s * b.
+Proof.
+  intros s a x b (h & l & e & H & L & E & Bl & Be & B) Hs Bh Hb. rewrite (proj1 H) in Bh. rewrite (proj1 E).
+  assert (s * Rabs h <= s * b) by (apply Rmult_le_compat_l; lra). split; [|lra]. exists h, l, e. repeat (split; [assumption|]).
+  split; [lra|]. split; [exact B|lra].
+Qed.
+
+Theorem difference_contains : forall s a x tv t N k, encloses s a x -> 0 <= s <= 100 -> is64 tv t -> t = IZR N * bpow radix2 k ->
+  N <> 0%Z -> (Z.abs N < 2 ^ 26)%Z -> (-150 <= k)%Z -> Rabs t <= 100000000 -> Rabs (value64 (hi a)) <= 100000000 ->
+  contains (add a (negated (exactly64 tv))) (x - t).
+Proof.
+  intros s a x tv t N k Ea Hs Ht Et HN0 HN Hk Bt Bh. destruct (enclosed_is_bounded s a x _ Ea Hs Bh ltac:(lra)) as [Ca Ee].
+  assert (s * 100000000 <= 100 * 100000000) by (apply Rmult_le_compat_r; lra). apply (difference_from_contained a x tv t N k); trivial. lra.
 Qed.

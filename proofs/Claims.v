@@ -10,6 +10,8 @@ From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfT
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
 From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond ThreePolygonsEnclosed.
 From Forceshade Require Import NewtonEnclosed SineEnclosed ThreePolygonsGap Bump3pSecond Bump3pShadedSecond.
+From Forceshade Require Import Contained CylinderNearness CylinderSecondParts CylinderSecondBorder CylinderSecondForce CylinderSecond.
+From Forceshade Require Import BumpCylinderSecond.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
@@ -135,6 +137,21 @@ Print Assumptions bump_3p_second_stage_answers_right.
 Print Assumptions bump_3p_two_stages_answer_right.
 Print Assumptions bump_3p_shaded_second_stage_answers_right.
 Print Assumptions bump_3p_shaded_two_stages_answer_right.
+Print Assumptions divide_encloses.
+Print Assumptions sum_of_contained.
+Print Assumptions rounded_from_contained_is_nearest.
+Print Assumptions decided_outcome_is_right.
+Print Assumptions beside_a_root.
+Print Assumptions l_is_near.
+Print Assumptions m_is_near.
+Print Assumptions second_v_is.
+Print Assumptions rho_enclosed.
+Print Assumptions scale_enclosed.
+Print Assumptions cylinder_outcome_is.
+Print Assumptions cylinder_second_stage_answers_right.
+Print Assumptions cylinder_two_stages_answer_right.
+Print Assumptions bump_cylinder_second_stage_answers_right.
+Print Assumptions bump_cylinder_two_stages_answer_right.
 Print Assumptions big_negated_contains.
 Print Assumptions big_scaled_contains.
 Print Assumptions big_midpoint_contains.

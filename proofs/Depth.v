@@ -61,17 +61,18 @@ Proof.
     assert (unit53 * a <= unit53 * b) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 
-Lemma error_of_is : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b -> b <= 1000000000000 ->
-  Rabs x <= 1000000000000 ->
+Lemma error_of_is : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b ->
+  b <= 100000000000000000000000000000000000000000000000000 ->
+  Rabs x <= 100000000000000000000000000000000000000000000000000 ->
   exists e, is64 (error_of v propagated) e /\ 0 <= e <= 2 * (b + share101 * Rabs x) + 5 * tiny /\ (p = 0 -> x = 0 -> e = 0).
 Proof.
   intros v x propagated p b Hv Hp Hpb Hb Hx. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
   pose proof (Rabs_pos x) as Px.
-  assert (big : forall a, Rabs a <= 10000000000000 -> not_too_large a).
-  { intros a Ha. apply Rle_trans with (bpow radix2 50); [simpl; lra|apply bpow_le; lia]. }
+  assert (big : forall a, Rabs a <= 1000000000000000000000000000000000000000000000000000000000000 -> not_too_large a).
+  { intros a Ha. apply Rle_trans with (bpow radix2 300); [simpl; lra|apply bpow_le; lia]. }
   assert (K : bpow radix2 (-101) = share101) by (unfold share101; simpl; lra).
   pose proof (two_to_is (-101) ltac:(lia)) as I1. rewrite K in I1.
-  assert (Hsx : 0 <= share101 * Rabs x <= 1) by (unfold share101; lra).
+  assert (Hsx : 0 <= share101 * Rabs x <= 100000000000000000000) by (unfold share101; lra).
   pose proof (times_is _ _ _ _ I1 (absolute_is _ _ Hv) ltac:(apply big; rewrite Rabs_pos_eq; lra)) as I2.
   set (t := nearest64 _) in I2.
   assert (Ht : 0 <= t <= share101 * Rabs x * (1 + unit53) + tiny) by (apply rounded_up; lra).

@@ -163,24 +163,24 @@ Proof.
     apply Rmult_le_compat_l; [|lra]. assert (0 <= unit53 * unit53 * s) by (apply Rmult_le_pos; [apply Rle_0_sqr|lra]). lra.
 Qed.
 
-Lemma root_of_both : forall a a_lo h l, is64 a h -> is64 a_lo l -> bpow radix2 (-40) <= h <= bpow radix2 40 ->
+Lemma root_of_both_from : forall a a_lo h l, is64 a h -> is64 a_lo l -> bpow radix2 (-200) <= h <= bpow radix2 40 ->
   Rabs l <= 101 / 100 * unit53 * h ->
   exists hi lo, is64 (fst (square_root_of a a_lo)) hi /\ is64 (snd (square_root_of a a_lo)) lo /\
     hi = nearest64 (hi + lo) /\ Rabs (hi - sqrt h) <= / 1000000000000 * sqrt h /\ Rabs lo <= 101 / 100 * unit53 * hi /\
     Rabs (sqrt (h + l) - (hi + lo)) <= 9 * (unit53 * unit53) * hi.
 Proof.
-  intros a a_lo h l Ha Hl [Hh1 Hh2] Bl. pose proof unit_is_small as Hu. pose proof tiny_is_tiny as Htiny.
+  intros a a_lo h l Ha Hl [Hh1 Hh2] Bl. pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
   set (s := sqrt h). assert (Hh : 0 < h) by (apply Rlt_le_trans with (2 := Hh1); apply bpow_gt_0).
   assert (Hs2 : s * s = h) by (apply sqrt_sqrt; lra). assert (Hs : 0 < s) by now apply sqrt_lt_R0.
-  assert (Ss : size (-20) 20 s) by (apply size_root; [now apply size_of|lra]).
-  destruct Ss as [S1 S2]. rewrite Rabs_pos_eq in S1, S2 by lra. change (bpow radix2 (-20)) with (/ 1048576) in S1.
+  assert (Ss : size (-100) 20 s) by (apply size_root; [now apply size_of|lra]).
+  destruct Ss as [S1 S2]. rewrite Rabs_pos_eq in S1, S2 by lra. change (bpow radix2 (-100)) with (/ 1267650600228229401496703205376) in S1.
   change (bpow radix2 20) with 1048576 in S2.
   assert (big : forall b, Rabs b <= 1000000000000000000000000000000 -> Rabs b <= bpow radix2 900).
   { intros b Hb. apply Rle_trans with (bpow radix2 100); [simpl; lra|apply bpow_le; lia]. }
   assert (big2 : forall b, Rabs b <= 1000000000000000000000000000000 -> not_too_large b).
   { intros b Hb. apply Rle_trans with (1 := big b Hb). apply bpow_le. lia. }
   assert (Hhs : h <= 1048576 * s) by (rewrite <- Hs2; apply Rmult_le_compat_r; lra).
-  assert (Hsh : s <= 1048576 * h) by (rewrite <- Hs2; replace (1048576 * (s * s)) with (1048576 * s * s) by ring; nra).
+  change (bpow radix2 (-200)) with (/ 1606938044258990275541962092341162602522202993782792835301376) in Hh1.
   assert (Htu : tiny <= unit53 * unit53 * (/ 1000000000000 * h)) by (unfold unit53; lra).
   assert (Hh30 : h <= 1500000000000) by lra.
   set (uh := unit53 * h). assert (Huh : 0 <= uh <= / 1000000000000 * h) by (unfold uh; split; nra).
@@ -190,7 +190,7 @@ Proof.
   assert (Er : Rabs (r - s) <= unit53 * s).
   { pose proof (relative_error_N_FLT radix2 (-1074) 53 (eq_refl _) (fun n => negb (Z.even n)) s) as E.
     replace unit53 with (/ 2 * bpow radix2 (-53 + 1)) by (unfold unit53; simpl; lra). rewrite <- (Rabs_pos_eq s) at 2 by lra. apply E.
-    rewrite Rabs_pos_eq by lra. apply Rle_trans with (bpow radix2 (-40)); [apply bpow_le; lia|simpl; lra]. }
+    rewrite Rabs_pos_eq by lra. apply Rle_trans with (bpow radix2 (-100)); [apply bpow_le; lia|simpl; lra]. }
   apply Rabs_le_inv in Er. assert (Us : unit53 * s <= / 1000000000000 * s) by (apply Rmult_le_compat_r; lra).
   pose proof (opp_is _ _ I1) as I2. set (t2 := opp t1) in *.
   assert (Ee : Rabs (- r * r + h) <= 201 / 100 * uh).
@@ -266,6 +266,15 @@ Proof.
     apply Rle_trans with (1 := K). replace (8 * (unit53 * unit53) * s) with (8 * unit53 * (unit53 * s)) by ring.
     apply Rle_trans with (8 * unit53 * (1000002 / 1000000 * (unit53 * hi))); [apply Rmult_le_compat_l; lra|].
     assert (0 <= unit53 * (unit53 * hi)) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]). lra.
+Qed.
+
+Lemma root_of_both : forall a a_lo h l, is64 a h -> is64 a_lo l -> bpow radix2 (-40) <= h <= bpow radix2 40 ->
+  Rabs l <= 101 / 100 * unit53 * h ->
+  exists hi lo, is64 (fst (square_root_of a a_lo)) hi /\ is64 (snd (square_root_of a a_lo)) lo /\
+    hi = nearest64 (hi + lo) /\ Rabs (hi - sqrt h) <= / 1000000000000 * sqrt h /\ Rabs lo <= 101 / 100 * unit53 * hi /\
+    Rabs (sqrt (h + l) - (hi + lo)) <= 9 * (unit53 * unit53) * hi.
+Proof.
+  intros a a_lo h l Ha Hl Hh Bl. apply root_of_both_from; trivial. split; [|apply Hh]. apply Rle_trans with (2 := proj1 Hh). apply bpow_le. lia.
 Qed.
 
 (* What rounding takes, as a share of the result: the low part of a double-double. *)

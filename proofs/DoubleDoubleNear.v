@@ -5,10 +5,11 @@ From Flocq Require Import Core BinarySingleNaN Binary Bits Relative Sterbenz.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap DoubleDouble.
 Open Scope R_scope.
 
-Lemma big_enough : forall b, Rabs b <= 1000000000000000000000000000000 -> not_too_large b.
-Proof. intros b Hb. apply Rle_trans with (bpow radix2 100); [simpl; lra|apply bpow_le; lia]. Qed.
-Lemma big_enough_900 : forall b, Rabs b <= 1000000000000000000000000000000 -> Rabs b <= bpow radix2 900.
-Proof. intros b Hb. apply Rle_trans with (bpow radix2 100); [simpl; lra|apply bpow_le; lia]. Qed.
+Lemma big_enough : forall b, Rabs b <= 100000000000000000000000000000000000000000000000000000000000000000000000000000000 -> not_too_large b.
+Proof. intros b Hb. apply Rle_trans with (bpow radix2 300); [simpl; lra|apply bpow_le; lia]. Qed.
+Lemma big_enough_900 : forall b, Rabs b <= 100000000000000000000000000000000000000000000000000000000000000000000000000000000 ->
+  Rabs b <= bpow radix2 900.
+Proof. intros b Hb. apply Rle_trans with (bpow radix2 300); [simpl; lra|apply bpow_le; lia]. Qed.
 
 (* What two terms hold: y + z is near the exact value, and z is what y lacks. *)
 Definition two_near (t : binary64 * binary64) (exact error : R) : Prop :=

@@ -13,14 +13,16 @@ Lemma unit_times_compat : forall a b, a <= b -> unit53 * a <= unit53 * b.
 Proof. intros a b H. pose proof unit_is_small. apply Rmult_le_compat_l; lra. Qed.
 
 (* One operation more: how large its result is, and how far off. *)
-Lemma plus_close : forall v w a b, is64 v a -> is64 w b -> Rabs a + Rabs b <= 1000000000000 ->
+Lemma plus_close : forall v w a b, is64 v a -> is64 w b -> Rabs a + Rabs b <=
+  10000000000000000000000000000000000000000000000000000000000000000000000 ->
   is64 (plus v w) (nearest64 (a + b)) /\ Rabs (nearest64 (a + b) - (a + b)) <= unit53 * Rabs (a + b).
 Proof.
   intros v w a b Hv Hw H. split; [|apply sum_is_close; eapply format_of; eassumption]. apply plus_is; try assumption.
   apply big_enough. apply Rle_trans with (1 := Rabs_triang _ _). lra.
 Qed.
 
-Lemma minus_close : forall v w a b, is64 v a -> is64 w b -> Rabs a + Rabs b <= 1000000000000 ->
+Lemma minus_close : forall v w a b, is64 v a -> is64 w b -> Rabs a + Rabs b <=
+  10000000000000000000000000000000000000000000000000000000000000000000000 ->
   is64 (minus v w) (nearest64 (a - b)) /\ Rabs (nearest64 (a - b) - (a - b)) <= unit53 * Rabs (a - b).
 Proof.
   intros v w a b Hv Hw H. split; [|apply difference_is_close; eapply format_of; eassumption]. apply minus_is; try assumption.
@@ -38,7 +40,9 @@ Lemma nothing_off : forall a b, a = b -> Rabs (a - b) = 0.
 Proof. intros a b ->. now rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. Qed.
 
 (* fast_two_sum, also where the second number is the larger. *)
-Lemma fast_two_sum_terms : forall r q x y, is64 r x -> is64 q y -> Rabs x <= 100000000000 -> Rabs y <= 100000000000 ->
+Lemma fast_two_sum_terms : forall r q x y, is64 r x -> is64 q y ->
+  Rabs x <= 1000000000000000000000000000000000000000000000000000000000000 ->
+  Rabs y <= 1000000000000000000000000000000000000000000000000000000000000 ->
   exists s z, is64 (plus r q) s /\ is64 (minus q (minus (plus r q) r)) z /\ s = nearest64 (x + y) /\
     Rabs (s - (x + y)) <= unit53 * Rabs (x + y) /\ Rabs z <= unit53 * Rabs (x + y) + 11 / 10 * (unit53 * Rabs y) /\
     ((Rabs y <= Rabs x /\ s + z = x + y) \/ (Rabs x < Rabs y /\ Rabs (s + z - (x + y)) <= 101 / 100 * (unit53 * Rabs y))).
@@ -71,7 +75,8 @@ Proof.
 Qed.
 
 (* two_sum *)
-Lemma two_sum_terms : forall a b x y, is64 a x -> is64 b y -> Rabs x <= 10000000000 -> Rabs y <= 10000000000 ->
+Lemma two_sum_terms : forall a b x y, is64 a x -> is64 b y -> Rabs x <= 100000000000000000000000000000000000000000000000000 ->
+  Rabs y <= 100000000000000000000000000000000000000000000000000 ->
   let t1 := plus a b in let t2 := minus t1 a in let t3 := minus t1 t2 in
   exists s, is64 t1 s /\ is64 (plus (minus a t3) (minus b t2)) (x + y - s) /\ Rabs (x + y - s) <= unit53 * Rabs (x + y).
 Proof.
@@ -104,7 +109,7 @@ Qed.
 
 (* x + l and h + k, of which x and h may cancel; together the small terms are no larger than L. *)
 Lemma sum_of_cancels : forall a a_lo b b_lo x l h k L, let S := Rabs (x + h) in is64 a x -> is64 a_lo l -> is64 b h -> is64 b_lo k ->
-  Rabs x <= 100000000 -> Rabs h <= 100000000 -> Rabs l + Rabs k <= L -> L <= 1000 ->
+  Rabs x <= 10000000000 -> Rabs h <= 10000000000 -> Rabs l + Rabs k <= L -> L <= 1000 ->
   exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\
     Rabs (p + q - (x + l + (h + k))) <= 21 / 10 * unit53 * (unit53 * S + L) /\ Rabs p <= 11 / 10 * (S + L) /\
     Rabs q <= unit53 * (11 / 10 * S + 5 * L) /\
@@ -192,7 +197,7 @@ Proof.
 Qed.
 
 Lemma sum_of_is_off : forall a a_lo b b_lo x l h k S L, is64 a x -> is64 a_lo l -> is64 b h -> is64 b_lo k ->
-  Rabs x <= 100000000 -> Rabs h <= 100000000 -> Rabs (x + h) <= S -> Rabs l + Rabs k <= L -> L <= 1000 ->
+  Rabs x <= 10000000000 -> Rabs h <= 10000000000 -> Rabs (x + h) <= S -> Rabs l + Rabs k <= L -> L <= 1000 ->
   exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\
     Rabs (p + q - (x + l + (h + k))) <= 21 / 10 * unit53 * (unit53 * S + L) /\ Rabs p <= 11 / 10 * (S + L) /\
     Rabs q <= unit53 * (11 / 10 * S + 5 * L) /\
@@ -208,34 +213,35 @@ Qed.
 
 (* ---- Products ---- *)
 
-Lemma times_close : forall v w a b, is64 v a -> is64 w b -> Rabs (a * b) <= 1000000000000 ->
+Lemma times_close : forall v w a b, is64 v a -> is64 w b -> Rabs (a * b) <=
+  10000000000000000000000000000000000000000000000000000000000000000000000 ->
   is64 (times v w) (nearest64 (a * b)) /\ Rabs (nearest64 (a * b) - a * b) <= unit53 * Rabs (a * b) + tiny.
 Proof. intros v w a b Hv Hw H. split; [|apply product_is_close]. apply times_is; try assumption. apply big_enough. lra. Qed.
 
-Lemma fused_close : forall t v w a b c, is64 t a -> is64 v b -> is64 w c -> Rabs (a * b + c) <= 1000000000000 ->
+Lemma fused_close : forall t v w a b c, is64 t a -> is64 v b -> is64 w c ->
+  Rabs (a * b + c) <= 10000000000000000000000000000000000000000000000000000000000000000000000 ->
   is64 (fused t v w) (nearest64 (a * b + c)) /\ Rabs (nearest64 (a * b + c) - (a * b + c)) <= unit53 * Rabs (a * b + c) + tiny.
 Proof. intros t v w a b c Ht Hv Hw H. split; [|apply product_is_close]. apply fused_is; try assumption. apply big_enough. lra. Qed.
 
 Lemma product_size : forall a b A B, Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
 Proof. intros a b A B Ha Hb. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption. Qed.
 
-Lemma tiny_is_tinier : 0 <= tiny <= / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000.
-Proof. unfold tiny. split; [apply bpow_ge_0|]. simpl. lra. Qed.
-
 (* What rounding takes, as a share of the result. *)
-Lemma rounding_rest : forall x, / 100000000000000000000000000000000000000000000000000000000000000000000000000000000 <= Rabs (nearest64 x) ->
+Lemma rounding_rest : forall x, /
+  100000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= Rabs (nearest64 x) ->
   Rabs (x - nearest64 x) <= unit53 * Rabs (nearest64 x).
 Proof.
   intros x Hx. rewrite Rabs_minus_sym. pose proof (error_le_half_ulp_round radix2 fexp64 (fun n => negb (Z.even n)) x) as U.
   pose proof (ulp_FLT_le radix2 (-1074) 53 (nearest64 x)) as V. change (bpow radix2 (1 - 53)) with (/ 4503599627370496) in V.
   assert (bpow radix2 (-1074 + 53 - 1) <= Rabs (nearest64 x)).
-  { apply Rle_trans with (bpow radix2 (-300)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hx). simpl. lra. }
+  { apply Rle_trans with (bpow radix2 (-500)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hx). simpl. lra. }
   specialize (V H). change (Znearest (fun n => negb (Z.even n))) with ZnearestE in U. unfold unit53. lra.
 Qed.
 
 Lemma product_of_parts : forall a a_lo b b_lo h l c k H K, let M := H * K in is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
   Rabs h <= H -> Rabs c <= K -> Rabs l <= 101 / 100 * (unit53 * H) -> Rabs k <= 101 / 100 * (unit53 * K) ->
-  / 10000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000 -> / 1000 * M <= Rabs (h * c) ->
+  / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000000 ->
+      / 1000 * M <= Rabs (h * c) ->
   exists p q, is64 (fst (product_of a a_lo b b_lo)) p /\ is64 (snd (product_of a a_lo b b_lo)) q /\
     Rabs (p + q - (h + l) * (c + k)) <= 7 * (unit53 * (unit53 * M)) /\ Rabs p <= 101 / 100 * M /\ Rabs q <= 101 / 100 * (unit53 * M) /\
     Rabs q <= unit53 * Rabs p.
@@ -251,7 +257,7 @@ Proof.
   assert (Ge : in_binary64 (m - p0)).
   { pose proof (two_product_is_exact h c Gh Gc) as E. cbv zeta in E. fold m p0 in E.
     assert (Hs : m = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs m).
-    { right. apply Rle_trans with (bpow radix2 (-300)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hlow). simpl. lra. }
+    { right. apply Rle_trans with (bpow radix2 (-500)); [apply bpow_le; lia|]. apply Rle_trans with (2 := Hlow). simpl. lra. }
     replace (m - p0) with (nearest64 (m - p0)) by (specialize (E Hs); lra). apply generic_format_round; auto with typeclass_instances. }
   assert (C1' : Rabs (m - p0) <= 1001 / 1000 * um) by (rewrite Rabs_minus_sym; lra).
   assert (Blc : Rabs (l * c) <= 101 / 100 * um).
@@ -311,7 +317,8 @@ Qed.
 
 (* ---- Quotients ---- *)
 
-Lemma over_close : forall v w a b, is64 v a -> is64 w b -> b <> 0 -> Rabs (a / b) <= 1000000000000 ->
+Lemma over_close : forall v w a b, is64 v a -> is64 w b -> b <> 0 ->
+  Rabs (a / b) <= 10000000000000000000000000000000000000000000000000000000000000000000000 ->
   is64 (over v w) (nearest64 (a / b)) /\ Rabs (nearest64 (a / b) - a / b) <= unit53 * Rabs (a / b) + tiny.
 Proof. intros v w a b Hv Hw Hb H. split; [|apply product_is_close]. apply over_is; try assumption. apply big_enough. lra. Qed.
 

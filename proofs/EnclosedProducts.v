@@ -75,7 +75,7 @@ Definition charged (a : double_double) : Prop := 98 / 100 * (share101 * Rabs (va
 (* Sizes are those of the first terms: an operand may have cancelled so far that its error is as large as it is. *)
 Theorem multiply_encloses : forall s t a b x y, let M := Rabs (value64 (hi a)) * Rabs (value64 (hi b)) in
   encloses s a x -> encloses t b y -> 0 <= s <= 100 -> 0 <= t <= 100 -> s * t <= / 1000 * (s + t) ->
-  M = 0 \/ / 10000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000 ->
+  M = 0 \/ / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000000 ->
   encloses (3 * (s + t) + 3 * share101) (multiply a b) (x * y) /\ charged (multiply a b) /\
     99 / 100 * M <= Rabs (value64 (hi (multiply a b))) <= 101 / 100 * M.
 Proof.
@@ -89,7 +89,8 @@ Proof.
     { destruct Hz as [Hz|Hz]; [destruct (nothing_enclosed _ _ _ Ea Hz) as [_ ->]|destruct (nothing_enclosed _ _ _ Eb Hz) as [_ ->]]; ring. }
     rewrite Exy. split; [apply encloses_more with 0; [now apply encloses_exact|lra]|]. destruct I as ([V _] & _ & [V' _]).
     unfold charged. rewrite V, V', H0, Rabs_R0. lra. }
-  assert (Hsize : / 10000000000000000000000000000000000000000000000000000000000000000000000 <= M <= 1000000000) by (destruct HM; [contradiction|assumption]). clear HM Hne.
+  assert (Hsize : / 10000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= M <=
+      1000000000000) by (destruct HM; [contradiction|assumption]). clear HM Hne.
   destruct Ea as (h & l & e & H & L & E & Bl & Be & B), Eb as (c & k & f & H' & L' & E' & Bk & Bf & B').
   assert (EM : M = Rabs h * Rabs c) by (unfold M; now rewrite (proj1 H), (proj1 H')). clearbody M. subst M.
   pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.

@@ -9,9 +9,10 @@ Open Scope R_scope.
 (* ---- Quotients ---- *)
 
 Lemma quotient_of_parts : forall a a_lo b b_lo h l c k, let Q := Rabs (h / c) in is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
-  Rabs l <= 101 / 100 * (unit53 * Rabs h) -> Rabs k <= 101 / 100 * (unit53 * Rabs c) -> / 1000 <= Rabs c <= 1000000 ->
-  / 1000000000000000000000000000000000000000000000000000000000000 <= Q <= 1000000000 ->
-  / 1000000000000000000000000000000000000000000000000000000000000 <= Rabs h <= 10000000000 ->
+  Rabs l <= 101 / 100 * (unit53 * Rabs h) -> Rabs k <= 101 / 100 * (unit53 * Rabs c) ->
+      / 100000000000000000000000000000000000 <= Rabs c <= 10000000000 ->
+  / 10000000000000000000000000000000000000000000000000000000000000000000000 <= Q <= 1000000000000000000000000000000000000000000 ->
+  / 1000000000000000000000000000000000000000000000000000000000000 <= Rabs h <= 1000000000000 ->
   exists p q, is64 (fst (quotient_of a a_lo b b_lo)) p /\ is64 (snd (quotient_of a a_lo b b_lo)) q /\
     Rabs (p + q - (h + l) / (c + k)) <= 16 * (unit53 * (unit53 * Q)) /\ 99 / 100 * Q <= Rabs p <= 101 / 100 * Q /\ Rabs q <= unit53 * Rabs
       p.
@@ -148,7 +149,8 @@ Proof.
 Qed.
 
 (* The divisor's size, less its error. *)
-Lemma size_is : forall b c f, is64 b c -> forall g, is64 g f -> / 10000000000 <= Rabs c <= 1000000 -> 0 <= f <= / 1000 * Rabs c ->
+Lemma size_is : forall b c f, is64 b c -> forall g, is64 g f -> / 100000000000000000000000000000000000 <= Rabs c <= 10000000000 ->
+  0 <= f <= / 1000 * Rabs c ->
   exists z, is64 (minus (times (absolute b) almost_one) g) z /\ 99 / 100 * Rabs c <= z <= Rabs c - unit53 * Rabs c - f.
 Proof.
   intros b c f H g F Bc Bf. pose proof tiny_is_tinier as Htiny. pose proof unit_is_small as Hu. set (C := Rabs c) in *.
@@ -163,56 +165,43 @@ Proof.
   assert (U2 : 0 <= unit53 * (z1 - f) <= unit53 * C) by (split; [apply Rmult_le_pos; lra|apply unit_times_compat; lra]). lra.
 Qed.
 
-Theorem encloses_divide : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000000000000000 -> 0 <= t <= /
-  1000000000000000 ->
-  x = 0 \/ / 1000000000000000000000000000000 <= Rabs x <= 1000000000 -> / 100 <= Rabs y <= 100000 -> Rabs (x / y) <= 100000000 ->
-  encloses (3 * (s + t) + 3 * share101) (divide a b) (x / y).
+(* Sizes are those of the first terms. The dividend may have cancelled so far that its error is as large as it is, and larger. *)
+Theorem divide_encloses : forall s t a b x y, let h := Rabs (value64 (hi a)) in let c := Rabs (value64 (hi b)) in let Q := h / c in
+  encloses s a x -> encloses t b y -> 0 <= s <= 10 -> 0 <= t <= / 1000 ->
+  / 1000000000000000000000000000000000000000000000000000000000000 <= h <= 1000000000000 ->
+      / 100000000000000000000000000000000000 <= c <= 10000000000 ->
+      / 10000000000000000000000000000000000000000000000000000000000000000000000 <= Q <= 1000000000000000000000000000000000000000000 ->
+  encloses (3 * (s + t) + 3 * share101) (divide a b) (x / y) /\ 99 / 100 * Q <= Rabs (value64 (hi (divide a b))) <= 101 / 100 * Q.
 Proof.
-  intros s t a b x y Ea Eb Hs Ht Hx Hy Hxy. assert (Hshare : 0 < share101) by (unfold share101; lra).
+  intros s t a b x y h0 c0 Q (h & l & e & H & L & E & Bl & Be & B) (c & k & f & H' & L' & E' & Bk & Bf & B') Hs Ht Bh Bc BQ.
   pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny. pose proof share_is as Eshare.
-  assert (Hy0 : y <> 0) by (intro E; rewrite E, Rabs_R0 in Hy; lra).
-  destruct Eb as (c & k & f & H' & L' & E' & Bk & Bf & B'). pose proof (enclosed_size _ _ _ _ _ Bk Bf B' ltac:(lra)) as Sc.
-  assert (tC : t * Rabs c <= / 1000000000000000 * Rabs c) by (apply Rmult_le_compat_r; lra).
-  assert (Hc0 : c <> 0) by (intro E; rewrite E, Rabs_R0 in Sc; lra).
-  destruct (size_is _ c f H' _ E' ltac:(lra) ltac:(lra)) as (z & Z & Bz).
+  assert (EQ : Q = Rabs (h / c)).
+  { unfold Q, h0, c0. rewrite (proj1 H), (proj1 H'). unfold Rdiv. now rewrite Rabs_mult, Rabs_inv. }
+  unfold h0, c0 in Bh, Bc. rewrite (proj1 H) in Bh. rewrite (proj1 H') in Bc. clearbody Q. subst Q. clear h0 c0.
+  assert (tC : t * Rabs c <= / 1000 * Rabs c) by (apply Rmult_le_compat_r; lra).
+  assert (Hc0 : c <> 0) by (intro Z; rewrite Z, Rabs_R0 in Bc; lra).
+  destruct (size_is _ c f H' _ E' Bc ltac:(lra)) as (z & Z & Bz).
   unfold divide. cbv zeta. rewrite (less_is _ _ _ _ zero_is Z), Rlt_bool_true by lra. cbn [negb].
-  destruct Hx as [-> | Hx].
-  { destruct (enclosed_zero _ _ Ea ltac:(lra)) as (H & L & E). replace (0 / y) with 0 by (unfold Rdiv; ring).
-    destruct (quotient_of_zero _ _ _ _ _ _ H L H' L' Hc0) as [P Q].
-    apply encloses_more with 0; [|lra]. apply encloses_exact. split; [exact P|]. split; [exact Q|]. apply error_of_nothing; [exact P|].
-    apply (over_zero _ _ z); [|exact Z|lra].
-    assert (I : is64 (times (absolute (fst (quotient_of (hi a) (lo a) (hi b) (lo b)))) (error b)) 0).
-    { apply (times_exact _ _ (Rabs 0) f); trivial; [now apply absolute_is|rewrite Rabs_R0; ring|apply generic_format_0|apply
-      zero_is_not_too_large]. }
-    exact_step plus_exact. }
-  destruct Ea as (h & l & e & H & L & E & Bl & Be & B). pose proof (enclosed_size _ _ _ _ _ Bl Be B ltac:(lra)) as Sh.
-  set (C := Rabs c) in *. set (Q := Rabs (h / c)).
+  set (C := Rabs c) in *. set (Q := Rabs (h / c)) in *.
   assert (HQC : Q * C = Rabs h) by (unfold Q, C; rewrite <- Rabs_mult; f_equal; field; exact Hc0).
-  assert (HQ : / 10000000000000000000000000000000000000 <= Q <= 110000000).
-  { split; apply Rmult_le_reg_r with C; try lra.
-    assert (Rabs x = Rabs (x / y) * Rabs y) by (rewrite <- Rabs_mult; f_equal; field; exact Hy0).
-    assert (Rabs (x / y) * Rabs y <= 100000000 * Rabs y) by (apply Rmult_le_compat_r; lra). lra. }
   pose proof (unit_times (Rabs h) ltac:(lra)) as Uh. pose proof (unit_times C ltac:(lra)) as UC.
-  destruct (quotient_of_parts _ _ _ _ h l c k H L H' L' ltac:(lra) ltac:(fold C; lra) ltac:(fold C; lra) ltac:(fold Q; lra) ltac:(lra))
-    as (p & q & P & Qt & Off & Bp & Bq). fold Q in Off, Bp.
-  pose proof (unit_times Q ltac:(lra)) as UQ. set (uQ := unit53 * Q) in *. pose proof (unit_times uQ (proj1 UQ)) as UUQ.
-  assert (TQ : tiny <= / 1000000 * (unit53 * uQ)) by (unfold uQ, unit53; lra).
+  destruct (quotient_of_parts _ _ _ _ h l c k H L H' L' ltac:(lra) ltac:(fold C; lra) Bc BQ Bh) as (p & q & P & Qt & Off & Bp & Bq).
+  fold Q in Off, Bp. pose proof (unit_times Q ltac:(lra)) as UQ. set (uQ := unit53 * Q) in *. pose proof (unit_times uQ (proj1 UQ)) as UUQ.
   (* the bound of the error *)
   pose proof (Rabs_pos p) as Pp. set (F := Rabs p * f). set (N := e + F).
-  assert (tQ : 0 <= t * Q <= / 1000000000000000 * Q) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
-  assert (sQ : 0 <= s * Q <= / 1000000000000000 * Q) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (tQ : 0 <= t * Q <= / 1000 * Q) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (sQ : 0 <= s * Q <= 10 * Q) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (BF : 0 <= F <= 101 / 100 * (t * Q * C)).
-  { unfold F. split; [apply Rmult_le_pos; lra|]. replace (101 / 100 * (t * Q * C)) with (101 / 100 * Q * (t * C)) by ring. apply
-    Rmult_le_compat; lra. }
+  { unfold F. split; [apply Rmult_le_pos; lra|]. replace (101 / 100 * (t * Q * C)) with (101 / 100 * Q * (t * C)) by ring.
+    apply Rmult_le_compat; lra. }
   assert (Bes : e <= s * Q * C) by (replace (s * Q * C) with (s * (Q * C)) by ring; rewrite HQC; exact (proj2 Be)).
-  assert (QCb : Q * C <= 10000000000) by (rewrite HQC; lra).
-  assert (tQC : t * Q * C <= / 1000000000000000 * (Q * C)) by (replace (/ 1000000000000000 * (Q * C)) with (/ 1000000000000000 * Q * C) by
-    ring; apply Rmult_le_compat_r; lra).
-  assert (sQC : s * Q * C <= / 1000000000000000 * (Q * C)) by (replace (/ 1000000000000000 * (Q * C)) with (/ 1000000000000000 * Q * C) by
-    ring; apply Rmult_le_compat_r; lra).
+  assert (QCb : Q * C <= 1000000000000) by (rewrite HQC; lra).
+  assert (tQC : t * Q * C <= / 1000 * (Q * C)).
+  { replace (/ 1000 * (Q * C)) with (/ 1000 * Q * C) by ring. apply Rmult_le_compat_r; lra. }
+  assert (sQC : s * Q * C <= 10 * (Q * C)) by (replace (10 * (Q * C)) with (10 * Q * C) by ring; apply Rmult_le_compat_r; lra).
   pose proof (times_is _ _ _ _ (absolute_is _ _ P) E' ltac:(apply big_enough; fold F; rewrite Rabs_pos_eq; lra)) as J1. fold F in J1.
-  pose proof (rounded_near F (proj1 BF)) as R1. pose proof (proj1 (rounded_up F F ltac:(lra))) as N1. pose proof (unit_times F (proj1 BF))
-    as U1.
+  pose proof (rounded_near F (proj1 BF)) as R1. pose proof (proj1 (rounded_up F F ltac:(lra))) as N1.
+  pose proof (unit_times F (proj1 BF)) as U1.
   set (v1 := nearest64 F) in *. pose proof (unit_times e (proj1 Be)) as Ue. pose proof (unit_times tiny (proj1 Htiny)) as Utiny.
   pose proof (plus_is _ _ _ _ E J1 ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as J2.
   pose proof (rounded_near (e + v1) ltac:(lra)) as R2. pose proof (proj1 (rounded_up (e + v1) (e + v1) ltac:(lra))) as N2.
@@ -221,90 +210,111 @@ Proof.
   assert (EN : unit53 * N = unit53 * e + unit53 * F) by (unfold N; ring).
   assert (Nlow : N - 4 * (unit53 * N) - 3 * tiny <= num) by (unfold N in *; lra).
   assert (Nhigh : num <= 101 / 100 * N + 3 * tiny) by (unfold N in *; lra).
-  set (b0 := 104 / 100 * (s * Q + 101 / 100 * (t * Q)) + 500 * tiny).
-  assert (Bratio : 0 <= num / z <= b0).
-  { split; [apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]|]. apply Rmult_le_reg_r with z; [lra|].
-    unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply Rle_trans with (b0 * (99 / 100 * C)).
-    - unfold b0. replace ((104 / 100 * (s * Q + 101 / 100 * (t * Q)) + 500 * tiny) * (99 / 100 * C)) with
-        (10296 / 10000 * (s * Q * C + 101 / 100 * (t * Q * C)) + 495 * (tiny * C)) by field.
-      assert (tiny * / 110 <= tiny * C) by (apply Rmult_le_compat_l; lra). unfold N in *. lra.
-    - apply Rmult_le_compat_l; [unfold b0; lra|lra]. }
-  assert (Bb0 : b0 <= 2) by (unfold b0; lra).
+  assert (Bz2 : 0 < z) by lra. assert (Tz : tiny / z <= 2 * (100000000000000000000000000000000000 * tiny)).
+  { apply Rmult_le_reg_r with z; [exact Bz2|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    assert (tiny * 1 <= tiny * (2 * (100000000000000000000000000000000000 * z))) by (apply Rmult_le_compat_l; lra). lra. }
+  assert (Tz0 : 0 <= tiny / z) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]).
+  set (r0 := N / z). assert (Hr0 : 0 <= r0 <= 102 / 100 * (s * Q + 101 / 100 * (t * Q))).
+  { unfold r0. split; [apply Rmult_le_pos; [unfold N; lra|apply Rlt_le, Rinv_0_lt_compat; lra]|].
+    apply Rmult_le_reg_r with z; [exact Bz2|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    apply Rle_trans with (102 / 100 * (s * Q + 101 / 100 * (t * Q)) * (99 / 100 * C)); [|apply Rmult_le_compat_l; lra].
+    replace (102 / 100 * (s * Q + 101 / 100 * (t * Q)) * (99 / 100 * C)) with (10098 / 10000 * (s * Q * C + 101 / 100 * (t * Q * C))) by field.
+    unfold N. lra. }
+  pose proof (unit_times r0 (proj1 Hr0)) as Ur0. pose proof (unit_times _ (proj1 Ur0)) as UUr0.
+  assert (Low : r0 - 4 * (unit53 * r0) - 3 * (tiny / z) <= num / z <= 101 / 100 * r0 + 3 * (tiny / z)).
+  { unfold r0. split.
+    - replace (N / z - 4 * (unit53 * (N / z)) - 3 * (tiny / z)) with ((N - 4 * (unit53 * N) - 3 * tiny) / z) by (field; lra).
+      apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; lra|lra].
+    - replace (101 / 100 * (N / z) + 3 * (tiny / z)) with ((101 / 100 * N + 3 * tiny) / z) by (field; lra).
+      apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; lra|lra]. }
+  assert (Bratio : 0 <= num / z) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]).
   pose proof (over_is _ _ _ _ J2 Z ltac:(lra) ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as J3.
-  pose proof (rounded_near _ (proj1 Bratio)) as R3. pose proof (proj1 (rounded_up (num / z) (num / z) ltac:(lra))) as N3.
-  pose proof (unit_times _ (proj1 Bratio)) as U3. set (v := nearest64 (num / z)) in *.
-  destruct (error_covers _ p _ v (101 / 100 * b0 + tiny) P J3 ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg).
+  pose proof (rounded_near _ Bratio) as R3. pose proof (proj1 (rounded_up (num / z) (num / z) ltac:(lra))) as N3.
+  pose proof (unit_times _ Bratio) as U3. set (v := nearest64 (num / z)) in *.
+  destruct (error_covers _ p _ v (103 / 100 * r0 + 10 * (100000000000000000000000000000000000 * tiny)) P J3 ltac:(lra) ltac:(lra)
+      ltac:(lra)) as (g & G & Bg).
   assert (Hshare_p : 31 * (unit53 * uQ) <= 98 / 100 * (share101 * Rabs p)).
   { rewrite share_is. replace (98 / 100 * (32 * (unit53 * unit53) * Rabs p)) with (unit53 * (unit53 * (98 / 100 * 32 * Rabs p))) by ring.
-    replace (31 * (unit53 * uQ)) with (unit53 * (unit53 * (31 * Q))) by (unfold uQ; ring). apply unit_times_compat, unit_times_compat. lra.
-      }
+    replace (31 * (unit53 * uQ)) with (unit53 * (unit53 * (31 * Q))) by (unfold uQ; ring). apply unit_times_compat, unit_times_compat. lra. }
+  assert (TQ : 100000000000000000000000000000000000 * tiny <= / 10000000 * (unit53 * uQ)).
+  { apply Rle_trans with (/ 10000000 * (unit53 * (unit53 * / 10000000000000000000000000000000000000000000000000000000000000000000000)));
+      [unfold unit53; lra|]. apply Rmult_le_compat_l; [lra|].
+    apply unit_times_compat, unit_times_compat. lra. }
+  assert (TQ0 : 0 <= 100000000000000000000000000000000000 * tiny) by lra.
+  split; [|unfold rounded; cbn [hi]; rewrite (proj1 P); exact Bp].
   exists p, q, g. unfold rounded. cbn [hi lo error]. split; [exact P|]. split; [exact Qt|]. split; [exact G|]. split; [exact Bq|].
   assert (Hsp : s * Q <= s * (102 / 100 * Rabs p)) by (apply Rmult_le_compat_l; lra).
   assert (Htp : t * Q <= t * (102 / 100 * Rabs p)) by (apply Rmult_le_compat_l; lra).
-  assert (0 <= s * Rabs p) by (apply Rmult_le_pos; lra). assert (0 <= t * Rabs p) by (apply Rmult_le_pos; lra). pose proof (unit_times v
-    N3) as Uv0.
-  split; [split; [lra|unfold b0 in *; lra]|].
+  assert (0 <= s * Rabs p) by (apply Rmult_le_pos; lra). assert (0 <= t * Rabs p) by (apply Rmult_le_pos; lra).
+  pose proof (unit_times v N3) as Uv0. assert (0 <= share101 * Rabs p) by (unfold share101; lra).
+  split; [split; lra|].
   (* what is held, and what is meant *)
   pose proof (size_by c (c + k)) as Sck. replace (c - (c + k)) with (- k) in Sck by ring. rewrite Rabs_Ropp in Sck. fold C in Sck, Bk.
-  set (D := Rabs (c + k)) in *. assert (HDz : z <= D) by lra.
-  assert (Hck : c + k <> 0) by (intro X; unfold D in HDz; rewrite X, Rabs_R0 in HDz; lra).
-  set (w := Rabs (x / y)) in *. assert (Pw : 0 <= w) by apply Rabs_pos.
-  assert (Pf : 0 <= f) by lra.
-  assert (Off2 : Rabs ((h + l) / (c + k) - x / y) <= (e + w * f) / D).
-  { replace ((h + l) / (c + k) - x / y) with (((h + l - x) - x / y * (c + k - y)) / (c + k)) by (field; split; assumption).
-    apply quotient_size; [fold D; lra|]. fold D. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    apply Rle_trans with (1 := minus_size _ _). pose proof (product_size _ _ _ _ (Rle_refl (Rabs (x / y))) B') as T. fold w in T. lra. }
-  assert (Hw : w <= Rabs p + 40 * (unit53 * Rabs p)).
-  { pose proof (size_by (x / y) ((h + l) / (c + k))) as S1. rewrite (Rabs_minus_sym (x / y)) in S1. fold w in S1.
-    pose proof (size_by ((h + l) / (c + k)) (p + q)) as S2. rewrite (Rabs_minus_sym _ (p + q)) in S2. pose proof (Rabs_triang p q) as S3.
-      pose proof (unit_times _ Pp) as Up.
-    assert (S4 : (e + w * f) / D <= 102 / 100 * (s * Q + t * w)).
-    { apply Rmult_le_reg_r with D; [lra|]. unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-      assert (w * f <= w * (t * C)) by (apply Rmult_le_compat_l; lra).
-      assert (0 <= t * w) by (apply Rmult_le_pos; lra).
-      apply Rle_trans with (102 / 100 * (s * Q + t * w) * (99 / 100 * C)); [|apply Rmult_le_compat_l; lra].
-      replace (102 / 100 * (s * Q + t * w) * (99 / 100 * C)) with (10098 / 10000 * (s * Q * C + w * (t * C))) by field.
-      assert (0 <= w * (t * C)) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]). assert (0 <= s * Q * C) by (apply Rmult_le_pos;
-        lra). lra. }
-    assert (S5 : t * w <= 10 * unit53 * w) by (apply Rmult_le_compat_r; [lra|unfold unit53; lra]).
-    assert (S6 : s * Q <= 10 * unit53 * Q) by (apply Rmult_le_compat_r; [lra|unfold unit53; lra]). fold uQ in S6.
-    assert (S7 : w <= 103 / 100 * Q).
-    { assert (10 * unit53 * w <= / 10000000 * w) by (apply Rmult_le_compat_r; lra). lra. }
-    assert (S8 : 10 * unit53 * w <= 103 / 10 * uQ).
-    { replace (103 / 10 * uQ) with (10 * unit53 * (103 / 100 * Q)) by (unfold uQ; field). apply Rmult_le_compat_l; lra. }
-    assert (S9 : uQ <= 102 / 100 * (unit53 * Rabs p)).
-    { unfold uQ. replace (102 / 100 * (unit53 * Rabs p)) with (unit53 * (102 / 100 * Rabs p)) by ring. apply unit_times_compat. lra. }
-    replace (10 * unit53 * Q) with (10 * uQ) in S6 by (unfold uQ; ring). lra. }
-  set (r0 := N / D). assert (Hr0 : 0 <= r0) by (unfold r0; apply Rmult_le_pos; [unfold N; lra|apply Rlt_le, Rinv_0_lt_compat; lra]).
-  pose proof (unit_times r0 Hr0) as Ur0.
-  assert (Off3 : (e + w * f) / D <= r0 + 40 * (unit53 * r0)).
-  { unfold r0. replace (N / D + 40 * (unit53 * (N / D))) with ((N + 40 * (unit53 * N)) / D) by (field; lra).
+  pose proof (size_by (c + k) y) as Sy. assert (HDz : z <= Rabs y) by lra.
+  assert (Hck : c + k <> 0) by (intro X; rewrite X, Rabs_R0 in Sck; lra).
+  assert (Hy0 : y <> 0) by (intro X; rewrite X, Rabs_R0 in HDz; lra).
+  set (w := Rabs ((h + l) / (c + k))). assert (Pw : 0 <= w) by apply Rabs_pos. assert (Pf : 0 <= f) by lra.
+  assert (Off2 : Rabs ((h + l) / (c + k) - x / y) <= (e + w * f) / z).
+  { replace ((h + l) / (c + k) - x / y) with (((h + l - x) - (h + l) / (c + k) * (c + k - y)) / y) by (field; split; assumption).
+    apply quotient_size; [lra|]. apply Rle_trans with (e + w * f).
+    - apply Rle_trans with (1 := minus_size _ _). pose proof (product_size _ _ _ _ (Rle_refl (Rabs ((h + l) / (c + k)))) B') as T.
+      fold w in T. lra.
+    - assert (0 <= w * f) by (apply Rmult_le_pos; lra).
+      assert (I : 0 <= (e + w * f) / z) by (apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]).
+      apply Rle_trans with ((e + w * f) / z * z); [right; field; lra|apply Rmult_le_compat_l; lra]. }
+  pose proof (unit_times _ Pp) as Up.
+  assert (UQp : uQ <= 102 / 100 * (unit53 * Rabs p)).
+  { unfold uQ. replace (102 / 100 * (unit53 * Rabs p)) with (unit53 * (102 / 100 * Rabs p)) by ring. apply unit_times_compat. lra. }
+  assert (Hw : w <= Rabs p + 2 * (unit53 * Rabs p)).
+  { pose proof (size_by ((h + l) / (c + k)) (p + q)) as S2. rewrite (Rabs_minus_sym _ (p + q)) in S2. fold w in S2.
+    pose proof (Rabs_triang p q) as S3. lra. }
+  assert (Off3 : (e + w * f) / z <= r0 + 2 * (unit53 * r0)).
+  { unfold r0. replace (N / z + 2 * (unit53 * (N / z))) with ((N + 2 * (unit53 * N)) / z) by (field; lra).
     apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat; lra|].
-    assert (w * f <= (Rabs p + 40 * (unit53 * Rabs p)) * f) by (apply Rmult_le_compat_r; lra).
-    replace ((Rabs p + 40 * (unit53 * Rabs p)) * f) with (F + 40 * (unit53 * F)) in * by (unfold F; ring). unfold N in *. lra. }
-  assert (Low : r0 - 4 * (unit53 * r0) - 400 * tiny <= num / z).
-  { apply Rle_trans with (num / D).
-    - unfold r0. apply Rle_trans with ((N - 4 * (unit53 * N) - 3 * tiny) / D); [|apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat;
-      lra|lra]].
-      replace ((N - 4 * (unit53 * N) - 3 * tiny) / D) with (N / D - 4 * (unit53 * (N / D)) - 3 * tiny / D) by (field; lra).
-      assert (3 * tiny / D <= 400 * tiny); [|lra]. apply Rmult_le_reg_r with D; [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r
-        by lra.
-      assert (400 * tiny * / 110 <= 400 * tiny * D) by (apply Rmult_le_compat_l; lra). lra.
-    - apply Rmult_le_compat_l; [lra|]. apply Rinv_le; lra. }
-  assert (ULow : 0 <= unit53 * (num / z - (r0 - 4 * (unit53 * r0) - 400 * tiny)) <= / 1000000000000 * (num / z - (r0 - 4 * (unit53 * r0) -
-    400 * tiny))).
-  { apply unit_times. lra. }
-  assert (Vlow : r0 - 6 * (unit53 * r0) - 402 * tiny <= v).
-  { pose proof (unit_times _ (proj1 Ur0)) as UUr0. lra. }
-  assert (Uv : unit53 * (r0 - 6 * (unit53 * r0) - 402 * tiny) <= unit53 * v) by (apply unit_times_compat; exact Vlow).
-  pose proof (unit_times _ (proj1 Ur0)) as UUr0.
+    assert (w * f <= (Rabs p + 2 * (unit53 * Rabs p)) * f) by (apply Rmult_le_compat_r; lra).
+    replace ((Rabs p + 2 * (unit53 * Rabs p)) * f) with (F + 2 * (unit53 * F)) in * by (unfold F; ring). unfold N in *. lra. }
+  assert (Vlow : r0 - 6 * (unit53 * r0) - 10 * (100000000000000000000000000000000000 * tiny) <= v).
+  { assert (U4 : unit53 * (num / z) <= unit53 * (101 / 100 * r0 + 3 * (tiny / z))) by (apply unit_times_compat; lra).
+    pose proof (unit_times _ Tz0) as UTz. lra. }
+  assert (Uv : unit53 * (r0 - 6 * (unit53 * r0) - 10 * (100000000000000000000000000000000000 * tiny)) <= unit53 * v) by (apply
+      unit_times_compat; exact Vlow).
+  pose proof (unit_times _ TQ0) as UTQ0.
   replace (p + q - x / y) with ((p + q - (h + l) / (c + k)) + ((h + l) / (c + k) - x / y)) by ring.
   apply Rle_trans with (1 := Rabs_triang _ _). lra.
 Qed.
 
+(* The same where both operands are good, in terms of the exact numbers. *)
+Theorem encloses_divide : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
+  x = 0 \/ / 1000000000000000000000000000000 <= Rabs x <= 1000000000 -> / 100 <= Rabs y <= 100000 -> Rabs (x / y) <= 100000000 ->
+  encloses (3 * (s + t) + 3 * share101) (divide a b) (x / y).
+Proof.
+  intros s t a b x y Ea Eb Hs Ht Hx Hy Hxy. assert (Hshare : 0 < share101) by (unfold share101; lra).
+  pose proof unit_is_small as Hu. pose proof (first_size _ _ _ Eb Ht) as Sc. pose proof (first_size _ _ _ Ea Hs) as Sh.
+  destruct Hx as [-> | Hx].
+  { destruct (enclosed_zero _ _ Ea Hs) as (H & L & E). replace (0 / y) with 0 by (unfold Rdiv; ring).
+    destruct Eb as (c & k & f & H' & L' & E' & Bk & Bf & B'). rewrite (proj1 H') in Sc.
+    assert (Hc0 : c <> 0) by (intro X; rewrite X, Rabs_R0 in Sc; lra).
+    assert (tC : t * Rabs c <= / 1000 * Rabs c) by (apply Rmult_le_compat_r; lra).
+    destruct (size_is _ c f H' _ E' ltac:(lra) ltac:(lra)) as (z & Z & Bz).
+    unfold divide. cbv zeta. rewrite (less_is _ _ _ _ zero_is Z), Rlt_bool_true by lra. cbn [negb].
+    destruct (quotient_of_zero _ _ _ _ _ _ H L H' L' Hc0) as [P Q].
+    apply encloses_more with 0; [|lra]. apply encloses_exact. split; [exact P|]. split; [exact Q|]. apply error_of_nothing; [exact P|].
+    apply (over_zero _ _ z); [|exact Z|lra].
+    assert (I : is64 (times (absolute (fst (quotient_of (hi a) (lo a) (hi b) (lo b)))) (error b)) 0).
+    { apply (times_exact _ _ (Rabs 0) f); trivial; [now apply absolute_is|rewrite Rabs_R0; ring|apply generic_format_0|apply
+      zero_is_not_too_large]. }
+    exact_step plus_exact. }
+  apply divide_encloses; trivial; try lra. set (h := Rabs (value64 (hi a))) in *. set (c := Rabs (value64 (hi b))) in *.
+  assert (Hy0 : y <> 0) by (intro E; rewrite E, Rabs_R0 in Hy; lra).
+  assert (Exy : Rabs x = Rabs (x / y) * Rabs y) by (rewrite <- Rabs_mult; f_equal; field; exact Hy0).
+  assert (Rabs (x / y) * Rabs y <= 100000000 * Rabs y) by (apply Rmult_le_compat_r; lra).
+  split; apply Rmult_le_reg_r with c; try lra; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra; lra.
+Qed.
+
 (* ---- Roots ---- *)
 
-Theorem encloses_root : forall s a x, encloses s a x -> 0 <= s <= / 1000000000000000 -> x = 0 \/ / 100000000000 <= x <= 100000000000 ->
+Theorem encloses_root : forall s a x, encloses s a x -> 0 <= s <= / 1000 ->
+  x = 0 \/ / 100000000000000000000000000000000000000000000000000000000000 <= x <= 100000000000 ->
   encloses (3 * s + 3 * share101) (root_of a) (sqrt x).
 Proof.
   intros s a x Ea Hs Hx. assert (Hshare : 0 < share101) by (unfold share101; lra). pose proof unit_is_small as Hu.
@@ -314,7 +324,7 @@ Proof.
       (conj H (conj L E)). }
   destruct Ea as (h & l & e & H & L & E & Bl & Be & B). pose proof (enclosed_size _ _ _ _ _ Bl Be B ltac:(lra)) as Sh.
   rewrite (Rabs_pos_eq x) in Sh by lra. pose proof (unit_times (Rabs h) ltac:(lra)) as Uh.
-  assert (sh : s * Rabs h <= / 1000000000000000 * Rabs h) by (apply Rmult_le_compat_r; lra).
+  assert (sh : s * Rabs h <= / 1000 * Rabs h) by (apply Rmult_le_compat_r; lra).
   assert (Hh : 0 < h).
   { destruct (Rle_lt_dec h 0) as [Hn|]; [exfalso|assumption]. rewrite (Rabs_left1 h Hn) in *. absolute_values. lra. }
   rewrite (Rabs_pos_eq h) in * by lra.
@@ -324,23 +334,26 @@ Proof.
   pose proof (rounded_near (h - 8 * (unit53 * h)) ltac:(lra)) as Rhk.
   assert (Uhk : unit53 * (h - 8 * (unit53 * h)) <= unit53 * h) by (apply unit_times_compat; lra).
   rewrite (less_is _ _ _ _ E Ihk), Rlt_bool_true by lra. cbn [negb]. cbv zeta.
-  destruct (root_of_both _ _ h l H L) as (y & q & Y & Q & Ey & Cy & _ & Off).
-  { change (bpow radix2 (-40)) with (/ 1099511627776). change (bpow radix2 40) with 1099511627776. lra. } { lra. }
+  destruct (root_of_both_from _ _ h l H L) as (y & q & Y & Q & Ey & Cy & _ & Off).
+  { change (bpow radix2 (-200)) with (/ 1606938044258990275541962092341162602522202993782792835301376).
+    change (bpow radix2 40) with 1099511627776. lra. } { lra. }
   set (r := sqrt h) in *. assert (Hr2 : r * r = h) by (apply sqrt_sqrt; lra). assert (Hr0 : 0 < r) by (now apply sqrt_lt_R0).
-  assert (Hr : / 1000000 <= r <= 1000000).
+  assert (Hr : / 1000000000000000000000000000000 <= r <= 1000000).
   { split.
-    - replace (/ 1000000) with (sqrt (/ 1000000 * / 1000000)) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra.
+    - replace (/ 1000000000000000000000000000000) with (sqrt (/ 1000000000000000000000000000000 * / 1000000000000000000000000000000))
+        by (apply sqrt_square; lra).
+      apply sqrt_le_1_alt. lra.
     - replace 1000000 with (sqrt (1000000 * 1000000)) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
   absolute_values. assert (Hy : 0 < y) by lra.
   assert (Bq : Rabs q <= unit53 * y).
-  { pose proof (rounding_tail (y + q)) as T. rewrite <- Ey in T. replace (y + q - y) with q in T by ring. apply T. lra. }
+  { pose proof (rounding_rest (y + q)) as T. rewrite <- Ey, (Rabs_pos_eq y) in T by lra. replace (y + q - y) with q in T by ring. apply T. lra. }
   assert (Hey : 0 <= e / y <= 11 / 10 * (s * y)).
   { split; [apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]|]. apply Rmult_le_reg_r with y; [lra|].
     unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply Rle_trans with (1 := proj2 Be). rewrite <- Hr2.
     replace (11 / 10 * (s * y) * y) with (s * (11 / 10 * (y * y))) by ring. apply Rmult_le_compat_l; [lra|].
     apply Rle_trans with (11 / 10 * ((99 / 100 * r) * (99 / 100 * r))); [pose proof (Rle_0_sqr r) as S; unfold Rsqr in S; lra|].
     apply Rmult_le_compat_l; [lra|apply Rmult_le_compat; lra]. }
-  assert (sy : 0 <= s * y <= / 1000000000000000 * y) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (sy : 0 <= s * y <= / 1000 * y) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   pose proof (over_is _ _ _ _ E Y ltac:(lra) ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as J.
   pose proof (rounded_near _ (proj1 Hey)) as R1. pose proof (proj1 (rounded_up (e / y) (e / y) ltac:(lra))) as N1.
   pose proof (unit_times _ (proj1 Hey)) as U1. set (v := nearest64 (e / y)) in *.

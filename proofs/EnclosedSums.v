@@ -18,7 +18,8 @@ Proof.
     lia.
 Qed.
 
-Lemma error_of_two : forall v x a b e f, is64 v x -> Rabs x <= 1000000000000 -> is64 a e -> is64 b f -> 0 <= e <= 500000 -> 0 <= f <= 400000 ->
+Lemma error_of_two : forall v x a b e f, is64 v x -> Rabs x <= 1000000000000 -> is64 a e -> is64 b f ->
+  0 <= e <= 10000000000000000000000000000000000000000 -> 0 <= f <= 10000000000000000000000000000000000000000 ->
   exists g, is64 (error_of v (plus a b)) g /\ e + f <= g.
 Proof.
   intros v x a b e f Hv Hx Ha Hb He Hf. pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
@@ -34,7 +35,7 @@ Proof.
   pose proof (times_is _ _ _ _ I1 (absolute_is _ _ Hv) ltac:(apply big_enough; fold sx; rewrite Rabs_pos_eq; lra)) as I2. fold sx in I2.
   pose proof (nonneg sx 1 Hsx) as B1. set (r := nearest64 sx) in *.
   pose proof (plus_is _ _ _ _ Ip I2 ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as I3.
-  pose proof (nonneg (p + r) 1000003 ltac:(lra)) as B2.
+  pose proof (nonneg (p + r) 100000000000000000000000000000000000000000 ltac:(lra)) as B2.
   assert (L1 : p <= nearest64 (p + r)).
   { rewrite <- (round_generic radix2 fexp64 ZnearestE p) at 1 by (now apply format_of in Ip). apply round_le; auto with
     typeclass_instances. lra. }
@@ -63,21 +64,17 @@ Qed.
 
 (* ---- Any two numbers of either sign ---- *)
 
-Lemma enclosed_first : forall s h l e x lowest, Rabs l <= unit53 * Rabs h -> 0 <= e <= s * Rabs h -> Rabs (h + l - x) <= e -> 0 <= s <= / 1000 ->
-  x = 0 \/ lowest <= Rabs x <= 50000000 -> (h = 0 \/ 99 / 100 * lowest <= Rabs h) /\ Rabs h <= 60000000 /\ 0 <= e <= 60000.
-Proof.
-  intros s h l e x lowest Bl Be B Hs Hx. pose proof (enclosed_size _ _ _ _ _ Bl Be B Hs) as S. pose proof (Rabs_pos h) as P.
-  assert (s * Rabs h <= / 1000 * Rabs h) by (apply Rmult_le_compat_r; lra).
-  destruct Hx as [-> |Hx]; [rewrite Rabs_R0 in S; split; [left; apply no_size; lra|lra]|]. split; [right; lra|lra].
-Qed.
-
-Theorem sum_contains : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
-  x = 0 \/ / 1000000000000000000000000000000 <= Rabs x <= 50000000 -> y = 0 \/ / 1000000000000000000000000000000 <= Rabs y <= 50000000 ->
+(* The first terms are not both tiny. The bounds may be larger than they. *)
+Theorem sum_of_contained : forall a b x y, contains a x -> contains b y ->
+  value64 (error a) <= 1000000000000000000000000000000000000000 -> value64 (error b) <= 1000000000000000000000000000000000000000 ->
+  Rabs (value64 (hi a)) <= 6000000000 -> Rabs (value64 (hi b)) <= 6000000000 ->
+  value64 (hi a) = 0 /\ value64 (hi b) = 0 \/ / 1000000000000000000000000000000000000000 <= Rabs (value64 (hi a)) \/ /
+      1000000000000000000000000000000000000000 <= Rabs (value64 (hi b)) ->
   contains (add a b) (x + y).
 Proof.
-  intros s t a b x y (h & l & e & H & L & E & Bl & Be & B) (c & k & f & H' & L' & E' & Bk & Bf & B') Hs Ht Hx Hy.
-  pose proof unit_is_small as Hu. pose proof (enclosed_first _ _ _ _ _ _ Bl Be B Hs Hx) as (Lh & Bh & Be2).
-  pose proof (enclosed_first _ _ _ _ _ _ Bk Bf B' Ht Hy) as (Lc & Bc & Bf2). unfold contains, add, rounded. cbn [hi lo error].
+  intros a b x y (h & l & e & H & L & E & Bl & Be & B & _) (c & k & f & H' & L' & E' & Bk & Bf & B' & _) Be2 Bf2 Bh Bc Low.
+  rewrite (proj1 H) in Bh, Low. rewrite (proj1 H') in Bc, Low. rewrite (proj1 E) in Be2. rewrite (proj1 E') in Bf2.
+  pose proof unit_is_small as Hu. unfold contains, add, rounded. cbn [hi lo error].
   pose proof (unit_times _ (Rabs_pos h)) as Uh. pose proof (unit_times _ (Rabs_pos c)) as Uc.
   set (S := Rabs (h + c)). pose proof (size_by h (h + c)) as S1. pose proof (size_by c (h + c)) as S2. fold S in S1, S2.
   replace (h - (h + c)) with (- c) in S1 by ring. replace (c - (h + c)) with (- h) in S2 by ring. rewrite Rabs_Ropp in S1, S2.
@@ -86,7 +83,7 @@ Proof.
   { intros p q g Hg _. replace (p + q - (x + y)) with ((p + q - (h + l + (c + k))) + (h + l - x) + (c + k - y)) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _). pose proof (Rabs_triang (p + q - (h + l + (c + k))) (h + l - x)). lra. }
   assert (inexact : forall p q, is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) p -> is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) q ->
-    Rabs q <= unit53 * Rabs p -> / 100000000000000000000000000000000000000000000000000 <= Rabs p <= 1000000000 ->
+    Rabs q <= unit53 * Rabs p -> / 1000000000000000000000000000000000000000000000000000000000000 <= Rabs p <= 100000000000 ->
     Rabs (p + q - (h + l + (c + k))) <= 30 * (unit53 * (unit53 * Rabs p)) -> exists h l e0,
     is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) h /\ is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) l /\
     is64 (error_of (fst (sum_of (hi a) (lo a) (hi b) (lo b))) (plus (error a) (error b))) e0 /\
@@ -94,14 +91,14 @@ Proof.
   { intros p q P Q Bq Bp Off. destruct (plus_close _ _ _ _ E E' ltac:(rewrite !Rabs_pos_eq; lra)) as [I C].
     rewrite (Rabs_pos_eq (e + f)) in C by lra. apply Rabs_le_inv in C. pose proof (unit_times (e + f) ltac:(lra)) as U.
     set (r := nearest64 (e + f)) in *. assert (Ur : unit53 * (99 / 100 * (e + f)) <= unit53 * r) by (apply unit_times_compat; lra).
-    destruct (error_covers _ p _ r 500000 P I ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg).
+    destruct (error_covers _ p _ r 10000000000000000000000000000000000000000 P I ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg).
     assert (30 * (unit53 * (unit53 * Rabs p)) <= 98 / 100 * (share101 * Rabs p)).
     { rewrite share_is. replace (98 / 100 * (32 * (unit53 * unit53) * Rabs p)) with (unit53 * (unit53 * (98 / 100 * 32 * Rabs p))) by ring.
       replace (30 * (unit53 * (unit53 * Rabs p))) with (unit53 * (unit53 * (30 * Rabs p))) by ring. apply unit_times_compat, unit_times_compat. lra. }
     pose proof (close p q _ Off ltac:(lra)) as D. exists p, q, g. repeat (split; [assumption|]). split; [pose proof (Rabs_pos (p + q - (x + y))); lra|].
     split; lra. }
   assert (exactly : forall p q, is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) p -> is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) q ->
-    Rabs q <= unit53 * Rabs p -> Rabs p <= 1000000000 -> p + q = h + l + (c + k) -> exists h l e0,
+    Rabs q <= unit53 * Rabs p -> Rabs p <= 100000000000 -> p + q = h + l + (c + k) -> exists h l e0,
     is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) h /\ is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) l /\
     is64 (error_of (fst (sum_of (hi a) (lo a) (hi b) (lo b))) (plus (error a) (error b))) e0 /\
     Rabs l <= unit53 * Rabs h /\ 0 <= e0 /\ Rabs (h + l - (x + y)) <= e0 /\ Rabs h <= 1000000000000).
@@ -127,21 +124,32 @@ Proof.
     assert (UUp : unit53 * (unit53 * (99 / 100 * S)) <= unit53 * (unit53 * Rabs p)) by (apply unit_times_compat; exact Up).
     destruct (Req_dec S 0) as [H0|H0].
     + apply (exactly p q); trivial; [lra|]. rewrite H0, !Rmult_0_r in Off2. pose proof (no_size _ Off2). lra.
-    + apply (inexact p q); trivial; [|lra]. split; [|lra]. assert (/ 10000000000000000000000000000000 <= S); [|lra].
-      assert (h <> 0 \/ c <> 0).
-      { destruct (Req_dec h 0) as [Z1|]; [|now left]. destruct (Req_dec c 0) as [Z2|]; [|now right]. exfalso. apply H0. unfold S.
-        rewrite Z1, Z2, Rplus_0_l. apply Rabs_R0. }
-      lra.
-  - assert (c <> 0) by (intro Z; rewrite Z, Rabs_R0 in F2; lra).
-    assert (h <> 0) by (intro Z; unfold S in F2; rewrite Z, Rplus_0_l in F2; lra).
+    + apply (inexact p q); trivial; [|lra]. split; [|lra]. assert (/ 10000000000000000000000000000000000000000 <= S); [|lra].
+      destruct Low as [[Zh Zc]|Low]; [|lra]. exfalso. apply H0. unfold S. rewrite Zh, Zc, Rplus_0_l. apply Rabs_R0.
+  - assert (LL : / 10000000000000000000000000000000000000000 <= Rabs h /\
+      / 10000000000000000000000000000000000000000 <= Rabs c) by (destruct Low as [[_ Z]|Low]; [rewrite Z, Rabs_R0 in F2|]; lra).
     destruct (sum_of_cancelling _ _ _ _ h l c k H L H' L' Bl Bk ltac:(lra) ltac:(lra) ltac:(fold S; lra) ltac:(fold S; lra) ltac:(lra) ltac:(lra)
       ltac:(lra) ltac:(lra)) as (p & q & P & Q & Bq & Bp & [Eq|[Lp Off]]); [now apply (exactly p q)|apply (inexact p q); trivial; [lra|]].
     apply Rle_trans with (1 := Off). pose proof (unit_times _ (Rabs_pos p)) as Up. pose proof (unit_times _ (proj1 Up)). lra.
-  - assert (h <> 0) by (intro Z; rewrite Z, Rabs_R0 in F1; lra).
-    assert (c <> 0) by (intro Z; unfold S in F1; rewrite Z, Rplus_0_r in F1; lra).
+  - assert (LL : / 10000000000000000000000000000000000000000 <= Rabs h /\
+      / 10000000000000000000000000000000000000000 <= Rabs c) by (destruct Low as [[Z _]|Low]; [rewrite Z, Rabs_R0 in F1|]; lra).
     destruct (sum_of_cancelling _ _ _ _ h l c k H L H' L' Bl Bk ltac:(lra) ltac:(lra) ltac:(fold S; lra) ltac:(fold S; lra) ltac:(lra) ltac:(lra)
       ltac:(lra) ltac:(lra)) as (p & q & P & Q & Bq & Bp & [Eq|[Lp Off]]); [now apply (exactly p q)|apply (inexact p q); trivial; [lra|]].
     apply Rle_trans with (1 := Off). pose proof (unit_times _ (Rabs_pos p)) as Up. pose proof (unit_times _ (proj1 Up)). lra.
+Qed.
+
+Theorem sum_contains : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
+  x = 0 \/ / 100000000000000000000000000000000000000 <= Rabs x <= 5000000000 ->
+      y = 0 \/ / 100000000000000000000000000000000000000 <= Rabs y <= 5000000000 -> contains (add a b) (x + y).
+Proof.
+  intros s t a b x y Ea Eb Hs Ht Hx Hy. pose proof (first_size _ _ _ Ea Hs) as Sa. pose proof (first_size _ _ _ Eb Ht) as Sb.
+  assert (Bh : Rabs (value64 (hi a)) <= 6000000000) by (destruct Hx as [-> |Hx]; [rewrite Rabs_R0 in Sa|]; lra).
+  assert (Bc : Rabs (value64 (hi b)) <= 6000000000) by (destruct Hy as [-> |Hy]; [rewrite Rabs_R0 in Sb|]; lra).
+  destruct (enclosed_is_bounded s a x _ Ea ltac:(lra) Bh ltac:(lra)) as [Ca Be].
+  destruct (enclosed_is_bounded t b y _ Eb ltac:(lra) Bc ltac:(lra)) as [Cb Bf].
+  apply sum_of_contained; trivial; try lra. destruct Hx as [-> |Hx]; [|right; left; lra].
+  destruct Hy as [-> |Hy]; [|right; right; lra]. rewrite Rabs_R0 in Sa, Sb. pose proof (Rabs_pos (value64 (hi a))).
+  pose proof (Rabs_pos (value64 (hi b))). left. split; apply no_size; lra.
 Qed.
 
 Lemma encloses_negated : forall s a x, encloses s a x -> encloses s (negated a) (- x).
@@ -152,7 +160,8 @@ Proof.
 Qed.
 
 Theorem difference_of_two_contains : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
-  x = 0 \/ / 1000000000000000000000000000000 <= Rabs x <= 50000000 -> y = 0 \/ / 1000000000000000000000000000000 <= Rabs y <= 50000000 ->
+  x = 0 \/ / 100000000000000000000000000000000000000 <= Rabs x <= 5000000000 ->
+      y = 0 \/ / 100000000000000000000000000000000000000 <= Rabs y <= 5000000000 ->
   contains (add a (negated b)) (x - y).
 Proof.
   intros s t a b x y Ea Eb Hs Ht Hx Hy. apply (sum_contains s t); trivial; [now apply encloses_negated|].
@@ -171,7 +180,8 @@ Proof.
 Qed.
 
 Theorem encloses_add : forall s t a b x y, encloses s a x -> encloses t b y -> 0 <= s <= / 1000 -> 0 <= t <= / 1000 ->
-  x = 0 \/ / 10000000000 <= x <= 50000000 -> y = 0 \/ / 10000000000 <= y <= 50000000 ->
+  x = 0 \/ / 1000000000000000000000000000000000000000000000000000000000000 <= x <= 1000000000 ->
+  y = 0 \/ / 1000000000000000000000000000000000000000000000000000000000000 <= y <= 1000000000 ->
   encloses (3 * (s + t) + 3 * share101) (add a b) (x + y).
 Proof.
   intros s t a b x y (h & l & e & H & L & E & Bl & Be & B) (c & k & f & H' & L' & E' & Bk & Bf & B') Hs Ht Hx Hy.
@@ -182,7 +192,7 @@ Proof.
   pose proof (unit_times S ltac:(unfold S; lra)) as US. pose proof (unit_times _ (proj1 US)) as UUS.
   assert (HL : Rabs l + Rabs k <= unit53 * S) by (unfold S; lra).
   destruct (sum_of_is_off _ _ _ _ h l c k S (unit53 * S) H L H' L' ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_pos_eq; lra)
-    ltac:(lra) HL ltac:(unfold S in *; lra)) as (p & q & P & Q & Off & Bp & Bq & _ & T).
+    ltac:(lra) HL ltac:(unfold S in *; lra)) as (p & q & P & Q & Off & Bp & Bq & T & _).
   assert (Off2 : Rabs (p + q - (h + l + (c + k))) <= 5 * (unit53 * (unit53 * S))) by lra.
   destruct (plus_close _ _ _ _ E E' ltac:(rewrite !Rabs_pos_eq; lra)) as [I C]. rewrite (Rabs_pos_eq (e + f)) in C by lra.
   apply Rabs_le_inv in C. pose proof (unit_times (e + f) ltac:(lra)) as U. unfold add, rounded. set (r := nearest64 (e + f)) in *.
@@ -196,13 +206,14 @@ Proof.
     assert (q = 0) as -> by (apply no_size; lra). apply encloses_more with 0; [|unfold share101; lra]. apply encloses_exact.
     split; [exact P|]. split; [exact Q|]. cbn [error]. apply error_of_nothing; [exact P|].
     replace 0 with r; [exact I|]. unfold r. rewrite Rplus_0_r. apply round_0. auto with typeclass_instances.
-  - assert (LS : / 20000000000 <= S <= 102000000) by (unfold S in *; lra). specialize (T ltac:(fold S; lra) ltac:(fold S; lra)).
+  - assert (LS : / 10000000000000000000000000000000000000000000000000000000000000 <= S <= 10200000000) by (unfold S in *; lra).
+    specialize (T ltac:(fold S; rewrite (Rabs_pos_eq S); lra)).
     assert (Bp2 : 99 / 100 * S <= p).
-    { assert (Hq : Rabs q <= unit53 * Rabs p) by (apply Rle_trans with (1 := T); apply unit_times_compat, Rle_abs).
+    { pose proof T as Hq.
       pose proof (unit_times _ (Rabs_pos p)) as Up. apply Rabs_le_inv in Off2.
       pose proof (Rabs_triang l k) as Tlk. pose proof (Rle_abs (l + k)) as A1. pose proof (Rle_abs (- (l + k))) as A2. rewrite Rabs_Ropp in A2.
       pose proof (Rle_abs q) as A3. unfold S in *. lra. }
-    rewrite (Rabs_pos_eq p) in Bp by lra.
+    rewrite (Rabs_pos_eq p) in Bp, T by lra.
     assert (Ur : unit53 * (99 / 100 * (e + f)) <= unit53 * r) by (apply unit_times_compat; lra).
     destruct (error_covers _ p _ r (101 / 100 * (e + f)) P I ltac:(lra) ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)) as (g & G & Bg).
     rewrite (Rabs_pos_eq p) in Bg by lra.

@@ -54,17 +54,19 @@ Proof. intros v a b [<- _] [<- _]. reflexivity. Qed.
 
 (* ---- The bound covers what it is charged for ---- *)
 
-Lemma error_covers : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b -> b <= 1000000000000 ->
-  / 1000000000000000000000000000000000000000000000000000000000000000000000000000 <= Rabs x <= 1000000000000 ->
+Lemma error_covers : forall v x propagated p b, is64 v x -> is64 propagated p -> 0 <= p <= b ->
+  b <= 1000000000000000000000000000000000000000000000 ->
+  / 100000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000 <= Rabs x <=
+      1000000000000000000000000000000000000000000000 ->
   exists e, is64 (error_of v propagated) e /\ p + 2000 * (unit53 * p) + 98 / 100 * (share101 * Rabs x) <= e <= 201 / 100 * (b + share101 *
     Rabs x).
 Proof.
   intros v x propagated p b Hv Hp Hpb Hb Hx. pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
-  destruct (error_of_is v x propagated p b Hv Hp Hpb Hb ltac:(lra)) as (e & E & Be & _). exists e. split; [exact E|].
+  destruct (error_of_is v x propagated p b Hv Hp Hpb ltac:(lra) ltac:(lra)) as (e & E & Be & _). exists e. split; [exact E|].
   assert (Ht : tiny <= / 10000 * (share101 * Rabs x)) by (unfold share101; lra). split; [|lra].
   assert (K : bpow radix2 (-101) = share101) by (unfold share101; simpl; lra).
   pose proof (two_to_is (-101) ltac:(lia)) as I1. rewrite K in I1. set (sx := share101 * Rabs x) in *.
-  assert (Hsx : 0 <= sx <= 1) by (unfold sx, share101; lra).
+  assert (Hsx : 0 <= sx <= 1000000000000000) by (unfold sx, share101; lra).
   pose proof (times_is _ _ _ _ I1 (absolute_is _ _ Hv) ltac:(apply big_enough; fold sx; rewrite Rabs_pos_eq; lra)) as I2. fold sx in I2.
   pose proof (product_is_close sx) as C1. rewrite (Rabs_pos_eq sx) in C1 by lra. set (t := nearest64 sx) in *.
   pose proof (unit_times sx ltac:(lra)) as U1. apply Rabs_le_inv in C1.
@@ -85,19 +87,20 @@ Proof.
 Qed.
 
 (* It is never smaller than what is propagated, and larger by the slack where that is not tiny. *)
-Lemma error_is_at_least : forall v x propagated p, is64 v x -> is64 propagated p -> 0 <= p <= 1000000000000 -> Rabs x <= 1000000000000 ->
+Lemma error_is_at_least : forall v x propagated p, is64 v x -> is64 propagated p ->
+  0 <= p <= 1000000000000000000000000000000000000000000000 -> Rabs x <= 1000000000000000000000000000000000000000000000 ->
   exists e, is64 (error_of v propagated) e /\ p <= e /\ p + 8000 * (unit53 * p) - tiny <= e.
 Proof.
   intros v x propagated p Hv Hp Hpb Hx. pose proof unit_is_small as Hu.
   pose proof (Rabs_pos x) as Px. assert (K : bpow radix2 (-101) = share101) by (unfold share101; simpl; lra).
   pose proof (two_to_is (-101) ltac:(lia)) as I1. rewrite K in I1. set (sx := share101 * Rabs x).
-  assert (Hsx : 0 <= sx <= 1) by (unfold sx, share101; lra).
+  assert (Hsx : 0 <= sx <= 1000000000000000) by (unfold sx, share101; lra).
   assert (nonneg : forall a b, 0 <= a <= b -> 0 <= nearest64 a <= b * (1 + unit53) + tiny) by exact rounded_up.
   pose proof tiny_is_tiny as Htiny.
   pose proof (times_is _ _ _ _ I1 (absolute_is _ _ Hv) ltac:(apply big_enough; fold sx; rewrite Rabs_pos_eq; lra)) as I2. fold sx in I2.
-  pose proof (nonneg sx 1 Hsx) as B1. set (t := nearest64 sx) in *.
+  pose proof (nonneg sx 1000000000000000 Hsx) as B1. set (t := nearest64 sx) in *.
   pose proof (plus_is _ _ _ _ Hp I2 ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as I3.
-  pose proof (nonneg (p + t) 1000000000003 ltac:(lra)) as B2.
+  pose proof (nonneg (p + t) 10000000000000000000000000000000000000000000000 ltac:(lra)) as B2.
   assert (L1 : p <= nearest64 (p + t)).
   { rewrite <- (round_generic radix2 fexp64 ZnearestE p) at 1 by (now apply format_of in Hp). apply round_le; auto with
     typeclass_instances. lra. }
@@ -130,30 +133,39 @@ Proof. intros a Ha. pose proof (product_is_close a) as C. rewrite (Rabs_pos_eq a
 
 (* ---- The sum of two numbers of binary64 ---- *)
 
-Theorem encloses_sum : forall a b x y, is_exactly a x -> is_exactly b y -> Rabs x <= 100000000 -> Rabs y <= 100000000 ->
-  x + y = 0 \/ / 100000000000000000000 <= x + y -> encloses (3 * share101) (add a b) (x + y).
+Theorem encloses_sum_of_either_sign : forall a b x y, is_exactly a x -> is_exactly b y -> Rabs x <= 100000000 -> Rabs y <= 100000000 ->
+  x + y = 0 \/ / 100000000000000000000 <= Rabs (x + y) -> encloses (3 * share101) (add a b) (x + y).
 Proof.
   intros a b x y (H & L & E) (H' & L' & E') Bx By Hxy. pose proof unit_is_small as Hu.
   assert (B0 : Rabs 0 + Rabs 0 <= 0) by (rewrite Rabs_R0; lra).
-  destruct (sum_of_cancels _ _ _ _ x 0 y 0 0 H L H' L' Bx By B0 ltac:(lra)) as (p & q & P & Q & Off & Bp & Bq & _ & T).
+  destruct (sum_of_cancels _ _ _ _ x 0 y 0 0 H L H' L' ltac:(lra) ltac:(lra) B0 ltac:(lra)) as (p & q & P & Q & Off & Bp & Bq & T & _).
   replace (x + 0 + (y + 0)) with (x + y) in Off by ring. rewrite !Rplus_0_r in *. rewrite Rmult_0_r, Rplus_0_r in Bq.
   assert (Ie : is64 (plus (error a) (error b)) 0) by exact_step plus_exact. unfold add, rounded.
-  set (S := x + y) in *. destruct Hxy as [HS|HS].
-  - rewrite HS, Rabs_R0, !Rmult_0_r in *. assert (p = 0) as -> by (apply no_size; lra).
-    assert (q = 0) as -> by (apply no_size; lra).
+  set (S := Rabs (x + y)) in *. assert (PS : 0 <= S) by apply Rabs_pos. destruct (Req_dec S 0) as [HS|HS].
+  - rewrite HS, !Rmult_0_r in *. assert (p = 0) as -> by (apply no_size; lra).
+    assert (q = 0) as -> by (apply no_size; lra). rewrite (no_size (x + y) ltac:(fold S; lra)).
     apply encloses_more with 0; [|unfold share101; lra]. apply encloses_exact. split; [exact P|]. split; [exact Q|]. cbn [error].
     now apply error_of_nothing.
-  - specialize (T HS ltac:(lra)). assert (ES : Rabs S = S) by (apply Rabs_pos_eq; lra). rewrite ES in *.
-    assert (BS : S <= 200000000) by (pose proof (Rabs_triang x y) as Tr; fold S in Tr; rewrite ES in Tr; lra).
-    pose proof (unit_times S ltac:(lra)) as U. pose proof (unit_times _ (proj1 U)) as UU.
-    assert (Off2 : Rabs (p + q - S) <= 21 / 10 * (unit53 * (unit53 * S))) by lra. pose proof Off2 as Off3. absolute_values.
-    assert (Hp : 99 / 100 * S <= p) by lra.
-    destruct (error_covers _ p _ 0 0 P Ie ltac:(lra) ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra)) as (e & Ee & Be).
-    rewrite (Rabs_pos_eq p) in Be by lra. exists p, q, e. rewrite (Rabs_pos_eq p) by lra. cbn [hi lo error].
-    split; [exact P|]. split; [exact Q|]. split; [exact Ee|]. split; [now apply Rabs_le|].
+  - assert (LS : / 100000000000000000000 <= S).
+    { destruct Hxy as [Hxy|Hxy]; [|exact Hxy]. exfalso. apply HS. unfold S. rewrite Hxy. apply Rabs_R0. }
+    specialize (T ltac:(lra)). pose proof (Rabs_triang x y) as Tr. fold S in Tr.
+    pose proof (unit_times S PS) as U. pose proof (unit_times _ (proj1 U)) as UU.
+    assert (Off2 : Rabs (p + q - (x + y)) <= 21 / 10 * (unit53 * (unit53 * S))) by lra.
+    assert (Hp : 99 / 100 * S <= Rabs p).
+    { pose proof (size_by (x + y) (p + q)) as D. rewrite (Rabs_minus_sym (x + y)) in D. fold S in D. pose proof (Rabs_triang p q).
+      pose proof (unit_times _ (Rabs_pos p)). lra. }
+    destruct (error_covers _ p _ 0 0 P Ie ltac:(lra) ltac:(lra) ltac:(lra)) as (e & Ee & Be).
+    exists p, q, e. cbn [hi lo error]. split; [exact P|]. split; [exact Q|]. split; [exact Ee|]. split; [exact T|].
     assert (share101 = 32 * (unit53 * unit53)) as Es by (unfold share101, unit53; lra).
-    assert (31 * (unit53 * (unit53 * S)) <= 98 / 100 * (share101 * p)).
-    { rewrite Es. replace (98 / 100 * (32 * (unit53 * unit53) * p)) with (unit53 * (unit53 * (98 / 100 * (32 * p)))) by ring.
+    assert (31 * (unit53 * (unit53 * S)) <= 98 / 100 * (share101 * Rabs p)).
+    { rewrite Es. replace (98 / 100 * (32 * (unit53 * unit53) * Rabs p)) with (unit53 * (unit53 * (98 / 100 * (32 * Rabs p)))) by ring.
       replace (31 * (unit53 * (unit53 * S))) with (unit53 * (unit53 * (31 * S))) by ring. apply unit_times_compat, unit_times_compat. lra. }
-    split; [unfold share101 in *; lra|apply Rabs_le; lra].
+    split; [unfold share101 in *; lra|lra].
+Qed.
+
+Theorem encloses_sum : forall a b x y, is_exactly a x -> is_exactly b y -> Rabs x <= 100000000 -> Rabs y <= 100000000 ->
+  x + y = 0 \/ / 100000000000000000000 <= x + y -> encloses (3 * share101) (add a b) (x + y).
+Proof.
+  intros a b x y Ia Ib Bx By Hxy. apply encloses_sum_of_either_sign; trivial.
+  destruct Hxy as [Hxy|Hxy]; [now left|right; rewrite Rabs_pos_eq; lra].
 Qed.

@@ -57,7 +57,7 @@ Qed.
 Lemma difference_is_close : forall a b, in_binary64 a -> in_binary64 b -> Rabs (nearest64 (a - b) - (a - b)) <= unit53 * Rabs (a - b).
 Proof. intros a b Ha Hb. exact (sum_is_close a (- b) Ha (generic_format_opp radix2 fexp64 b Hb)). Qed.
 
-Definition tiny : R := bpow radix2 (-400).
+Definition tiny : R := bpow radix2 (-1000).
 Lemma product_is_close : forall a, Rabs (nearest64 a - a) <= unit53 * Rabs a + tiny.
 Proof.
   intro a. destruct (error_N_FLT radix2 (-1074) 53 (eq_refl _) (fun n => negb (Z.even n)) a) as (e & f & He & Hf & _ & E). rewrite E.
@@ -70,6 +70,13 @@ Qed.
 Lemma tiny_is_tiny : 0 <= tiny <= / 1000000000000000000000000000000000000000000000000000000000000.
 Proof.
   unfold tiny. split; [apply bpow_ge_0|]. apply Rle_trans with (bpow radix2 (-200)); [apply bpow_le; lia|]. simpl. lra.
+Qed.
+
+Lemma tiny_is_tinier : 0 <= tiny <=
+  / 100000000000000000000000000000000000000000000000000000000000000000000000000000000 *
+  / 100000000000000000000000000000000000000000000000000000000000000000000000000000000.
+Proof.
+  unfold tiny. split; [apply bpow_ge_0|]. apply Rle_trans with (bpow radix2 (-600)); [apply bpow_le; lia|]. simpl. lra.
 Qed.
 
 (* |a - b| in terms of the two, for linear arithmetic. *)

@@ -46,12 +46,12 @@ Proof.
   assert (BsA : 0 <= s * Rabs A <= / 1000 * Rabs A) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (BtB : 0 <= t * Rabs B <= / 1000 * Rabs B) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   exists g. split; [exists h, l; now repeat (split; [assumption|])|].
-  destruct (error_of_two (hi (add a b)) h (error a) (error b) e f H Bh E1 E2 ltac:(lra) ltac:(lra)) as (g1 & G1 & Lg).
+  destruct (error_of_two (hi (add a b)) h (error a) (error b) e f H ltac:(lra) E1 E2 ltac:(lra) ltac:(lra)) as (g1 & G1 & Lg).
   change (error_of (hi (add a b)) (plus (error a) (error b))) with (error (add a b)) in G1. rewrite (is64_same _ _ _ G1 G) in Lg. clear g1 G1.
   destruct (plus_close _ _ _ _ E1 E2 ltac:(rewrite !Rabs_pos_eq; lra)) as [I C]. rewrite (Rabs_pos_eq (e + f)) in C by lra.
   pose proof (unit_times (e + f) ltac:(lra)) as Uef. pose proof (proj1 (rounded_up (e + f) (e + f) ltac:(lra))) as N1.
   set (r := nearest64 (e + f)) in *. apply Rabs_le_inv in C.
-  destruct (error_of_is (hi (add a b)) h _ r (1001 / 1000 * (e + f)) H I ltac:(lra) ltac:(lra) Bh) as (g1 & G1 & Ug & _).
+  destruct (error_of_is (hi (add a b)) h _ r (1001 / 1000 * (e + f)) H I ltac:(lra) ltac:(lra) ltac:(lra)) as (g1 & G1 & Ug & _).
   change (error_of (hi (add a b)) (plus (error a) (error b))) with (error (add a b)) in G1. rewrite (is64_same _ _ _ G1 G) in Ug. clear g1 G1.
   assert (PA : 0 <= share101 * Rabs A) by (apply Rmult_le_pos; lra).
   assert (Low : 99 / 100 * (share101 * Rabs A) <= share101 * Rabs h1).

@@ -145,11 +145,12 @@ Qed.
 (* First terms that a component may have. *)
 Definition fits (value : double_double) : Prop := Rabs (value64 (hi value)) <= 26214400.
 
-Lemma rounded_from_is_nearest : forall s value x, encloses s value x -> 0 <= s <= 100 -> fits value ->
+Lemma rounded_from_is_nearest : forall value x, contains value x ->
+  value64 (error value) <= 10000000000000000000000000000000000000000 -> fits value ->
   forall n c j f, (0 <= j)%Z -> (j + Z.of_nat n <= 30)%Z -> is_finite 24 128 c = true -> Rabs (value32 c) <= IZR j * 1048576 ->
   rounded_from n value c = Some f -> is_nearest32 f x.
 Proof.
-  intros s value x Hvalue Hs Hx. induction n as [|n IH]; intros c j f Hj Hn Fc Bc H; [discriminate|]. rewrite one_step in H. cbv zeta in H.
+  intros value x Hvalue Hs Hx. induction n as [|n IH]; intros c j f Hj Hn Fc Bc H; [discriminate|]. rewrite one_step in H. cbv zeta in H.
   assert (Hj1 : IZR (j + 1) <= 30) by (apply IZR_le; lia). pose proof (IZR_le _ _ Hj) as Hj0. rewrite plus_IZR in Hj1.
   assert (Gj : in_binary32 (IZR (j + 1) * 1048576)).
   { apply generic_format_FLT. exists (Float radix2 (j + 1) 20); [reflexivity| |cbn [Fexp]; lia]. cbn [Fnum]. change (Zpower radix2 24) with
@@ -164,7 +165,8 @@ Proof.
   { intros d N k Fd Bd E HN Hk t. pose proof (Rabs_triang (value32 c) (value32 d)) as T.
     destruct (tie_is c d N k Fc Fd E (proj2 HN) Hk ltac:(lra)) as [It Et]. fold t in It, Et.
     assert (Bt : Rabs t <= 100000000) by (unfold t, Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 2)) by lra; lra).
-    pose proof (sign_is_right _ _ (difference_contains s value x _ t N (k - 1) Hvalue Hs It Et ltac:(lia) (proj2 HN) ltac:(lia) Bt ltac:(unfold fits in Hx; lra))) as S.
+    pose proof (sign_is_right _ _ (difference_from_contained value x _ t N (k - 1) Hvalue Hs It Et ltac:(lia) (proj2 HN) ltac:(lia) Bt
+        ltac:(unfold fits in Hx; lra))) as S.
     unfold sign_beside. destruct (sign_of _); try exact Logic.I; lra. }
   destruct (middle_above _ Gc) as (N & k & E & HN & Hk). rewrite <- Ea in E. pose proof (beside _ N k Fa Ba E HN Hk) as Sup. cbv zeta in
     Sup.
@@ -184,18 +186,33 @@ Proof.
       refine (accepted _ _ H); first [left; exact Sup|left; exact Sdown|right; exact (conj Sup eq_refl)|right; exact (conj Sdown eq_refl)]].
 Qed.
 
-Theorem rounded_to_binary32_is_nearest : forall s value x f, encloses s value x -> 0 <= s <= 100 -> fits value ->
+(* The bound may be larger than the value: what is accepted is right. *)
+Theorem rounded_from_contained_is_nearest : forall value x f, contains value x ->
+  value64 (error value) <= 10000000000000000000000000000000000000000 -> fits value ->
   rounded_to_binary32 value = Some f -> is_nearest32 f x.
 Proof.
-  intros s value x f Hvalue Hs Hx H. pose proof Hvalue as (h & l & e & [Vh Fh] & _ & _ & Bl & Be & B).
+  intros value x f Hvalue Hs Hx H. pose proof Hvalue as (h & l & e & [Vh Fh] & _ & _ & Bl & Be & B).
   assert (Bn : Rabs (nearest32 h) <= 26214400).
   { apply abs_round_le_generic; auto with typeclass_instances; [|unfold fits in Hx; rewrite Vh in Hx; exact Hx].
     apply generic_format_FLT. exists (Float radix2 25 20); [unfold F2R; simpl; lra|reflexivity|cbn [Fexp]; lia]. }
   destruct (to32_rounds_once (hi value) Fh) as [V F]; [rewrite Vh; apply Rle_lt_trans with (1 := Bn); apply Rlt_le_trans with (bpow radix2
     25); [simpl; lra|apply bpow_le; lia]|].
   rewrite Vh in V. unfold rounded_to_binary32 in H.
-  refine (rounded_from_is_nearest s value x Hvalue Hs Hx 3 (to32 (hi value)) 25 f _ _ F _ H); [lia|cbn; lia|].
+  refine (rounded_from_is_nearest value x Hvalue Hs Hx 3 (to32 (hi value)) 25 f _ _ F _ H); [lia|cbn; lia|].
   rewrite V. apply Rle_trans with (1 := Bn). lra.
+Qed.
+
+Lemma enclosed_fits : forall s value x, encloses s value x -> 0 <= s <= 100 -> fits value ->
+  contains value x /\ value64 (error value) <= 10000000000000000000000000000000000000000.
+Proof.
+  intros s value x E Hs Hf. destruct (enclosed_is_bounded s value x _ E Hs Hf ltac:(lra)) as [C B]. split; [exact C|].
+  assert (s * 26214400 <= 100 * 26214400) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+
+Theorem rounded_to_binary32_is_nearest : forall s value x f, encloses s value x -> 0 <= s <= 100 -> fits value ->
+  rounded_to_binary32 value = Some f -> is_nearest32 f x.
+Proof.
+  intros s value x f E Hs Hf H. destruct (enclosed_fits s value x E Hs Hf) as [C B]. now apply (rounded_from_contained_is_nearest value).
 Qed.
 
 (* ---- decide() ---- *)
@@ -216,19 +233,36 @@ Definition is_answer (answer : evaluation) (touches : Prop) (Fx Fz : R) : Prop :
   ~ touches /\ answer = no_force free \/
   touches /\ exists fx fz, answer = (contact, (fx, zero32, fz)) /\ is_nearest32 fx Fx /\ is_nearest32 fz Fz.
 
+(* What a component has to be where the force acts. *)
+Definition acceptable (value : double_double) (x : R) : Prop := contains value x /\
+  value64 (error value) <= 10000000000000000000000000000000000000000 /\ fits value.
+
+(* What a law's exact() finds of the contact, and the components where there is one. *)
+Theorem decided_outcome_is_right : forall contact_sign fx fz Fx Fz touches answer,
+  match contact_sign with
+  | is_unknown => True
+  | is_positive => touches /\ acceptable fx Fx /\ acceptable fz Fz
+  | _ => ~ touches
+  end -> decide contact_sign fx fz = Some answer -> is_answer answer touches Fx Fz.
+Proof.
+  intros contact_sign fx fz Fx Fz touches answer S H. unfold decide in H.
+  destruct contact_sign; [left; now injection H as <-|left; now injection H as <-| |discriminate].
+  right. destruct S as (T & (Ex & Bx & Cx) & (Ez & Bz & Cz)). split; [exact T|].
+  destruct (rounded_to_binary32 fx) as [f|] eqn:Hx; [|discriminate]. destruct (rounded_to_binary32 fz) as [g|] eqn:Hz; [|discriminate].
+  injection H as <-. exists f, g. split; [reflexivity|].
+  split; [now apply (rounded_from_contained_is_nearest fx)|now apply (rounded_from_contained_is_nearest fz)].
+Qed.
+
+Lemma enclosed_is_acceptable : forall s value x, encloses s value x -> 0 <= s <= 100 -> fits value -> acceptable value x.
+Proof. intros s value x E Hs Hf. destruct (enclosed_fits s value x E Hs Hf) as [C B]. now split. Qed.
+
 Theorem decided_is_right : forall gap G fx fz s Fx Fz touches answer, contains gap G -> (0 < G <-> touches) -> 0 <= s <= 100 ->
   (sign_of gap = is_positive -> touches -> (encloses s fx Fx /\ fits fx) /\ (encloses s fz Fz /\ fits fz)) ->
   decide (sign_of gap) fx fz = Some answer -> is_answer answer touches Fx Fz.
 Proof.
-  intros gap G fx fz s Fx Fz touches answer Hgap Ht Hs Hforce H. pose proof (sign_is_right gap G Hgap) as S. unfold decide in H.
-  destruct (sign_of gap) eqn:Hsign; [| | |discriminate].
-  - left. injection H as <-. split; [intro T; apply Ht in T; lra|reflexivity].
-  - left. injection H as <-. split; [intro T; apply Ht in T; lra|reflexivity].
-  - right. apply Ht in S. split; [exact S|]. destruct (Hforce eq_refl S) as [[Ex Cx] [Ez Cz]].
-    destruct (rounded_to_binary32 fx) as [f|] eqn:Hx; [|discriminate]. destruct (rounded_to_binary32 fz) as [g|] eqn:Hz; [|discriminate].
-    injection H as <-. exists f, g. split; [reflexivity|]. split.
-    + now apply (rounded_to_binary32_is_nearest s fx).
-    + now apply (rounded_to_binary32_is_nearest s fz).
+  intros gap G fx fz s Fx Fz touches answer Hgap Ht Hs Hforce. apply decided_outcome_is_right. pose proof (sign_is_right gap G Hgap) as S.
+  destruct (sign_of gap); [intro T; apply Ht in T; lra|intro T; apply Ht in T; lra| |exact Logic.I].
+  apply Ht in S. destruct (Hforce eq_refl S) as [[Ex Cx] [Ez Cz]]. split; [exact S|]. split; now apply (enclosed_is_acceptable s).
 Qed.
 
 (* The second stage between a first and a third one. *)

@@ -48,7 +48,7 @@ Proof.
 Qed.
 
 (* fast_two_sum is exact where the larger number's last bit divides the smaller one. *)
-Lemma fast_two_sum_of_multiples : forall G r q x y, is64 r x -> is64 q y -> Rabs x <= 1000000000 -> Rabs y <= 1000000000 ->
+Lemma fast_two_sum_of_multiples : forall G r q x y, is64 r x -> is64 q y -> Rabs x <= 1000000000000 -> Rabs y <= 1000000000000 ->
   (-1074 <= G)%Z -> multiple (- G) x -> multiple (- G) y -> Rabs y < bpow radix2 (53 + G) ->
   let s := nearest64 (x + y) in is64 (plus r q) s /\ is64 (minus q (minus (plus r q) r)) (x + y - s).
 Proof.
@@ -96,12 +96,12 @@ Qed.
 (* ---- Where the first terms cancel ---- *)
 
 Lemma sum_of_cancelling : forall a a_lo b b_lo h l c k, is64 a h -> is64 a_lo l -> is64 b c -> is64 b_lo k ->
-  Rabs l <= unit53 * Rabs h -> Rabs k <= unit53 * Rabs c -> Rabs h <= 100000000 -> Rabs c <= 100000000 ->
+  Rabs l <= unit53 * Rabs h -> Rabs k <= unit53 * Rabs c -> Rabs h <= 10000000000 -> Rabs c <= 10000000000 ->
   Rabs (h + c) <= Rabs h -> Rabs (h + c) <= Rabs c -> Rabs h <= 2 * Rabs c -> Rabs c <= 2 * Rabs h ->
-  / 10000000000000000000000000000000 <= Rabs h -> / 10000000000000000000000000000000 <= Rabs c ->
+  / 10000000000000000000000000000000000000000 <= Rabs h -> / 10000000000000000000000000000000000000000 <= Rabs c ->
   exists p q, is64 (fst (sum_of a a_lo b b_lo)) p /\ is64 (snd (sum_of a a_lo b b_lo)) q /\ Rabs q <= unit53 * Rabs p /\
-    Rabs p <= 1000000000 /\
-    (p + q = h + l + (c + k) \/ / 10000000000000000000000000000000000000000000000000 <= Rabs p /\
+    Rabs p <= 100000000000 /\
+    (p + q = h + l + (c + k) \/ / 10000000000000000000000000000000000000000000000000000000000 <= Rabs p /\
       Rabs (p + q - (h + l + (c + k))) <= 3 * (unit53 * (unit53 * Rabs p))).
 Proof.
   intros a a_lo b b_lo h l c k Ha Hal Hb Hbl Bl Bk Bh Bc H1 H2 H3 H4 Lh Lc. pose proof unit_is_small as Hu.
@@ -121,7 +121,7 @@ Proof.
   { apply Rle_trans with (1 := Rabs_triang _ _). rewrite bpow_plus. change (bpow radix2 2) with 4.
     apply Rle_trans with (unit53 * (Rabs h + Rabs c)); [lra|].
     apply Rle_trans with (unit53 * (3 * (9007199254740992 * bpow radix2 E))); [apply Rmult_le_compat_l; lra|unfold unit53; lra]. }
-  assert (LE : / 100000000000000000000000000000000000000000000000 <= bpow radix2 E) by lra.
+  assert (LE : / 100000000000000000000000000000000000000000000000000000000 <= bpow radix2 E) by lra.
   pose proof (unit_times _ (Rabs_pos h)) as Uh. pose proof (unit_times _ (Rabs_pos c)) as Uc. unfold sum_of. cbv zeta. cbn [fst snd].
   destruct (two_sum_terms _ _ _ _ Ha Hb ltac:(lra) ltac:(lra)) as (s' & I1 & I6 & _). cbv zeta in I6.
   destruct (two_sum_terms _ _ _ _ Hal Hbl ltac:(lra) ltac:(lra)) as (t & I7 & I14 & C2). cbv zeta in I14.
@@ -157,10 +157,10 @@ Proof.
   pose proof (sum_is_close s t Fs (format_of _ _ I7)) as C9.
   set (t9 := plus t1 t8) in *. set (t16 := minus t8 (minus t9 t1)) in *. set (v := nearest64 (s + t)) in *.
   set (vl := s + t - v) in *. pose proof (Rabs_triang s t) as Tst. pose proof (unit_times _ (Rabs_pos (s + t))) as Ust.
-  assert (Bv : Rabs v <= 200000000) by (pose proof (size_by v (s + t)); lra).
-  assert (B900 : 1000000000 <= bpow radix2 900) by (apply Rle_trans with (bpow radix2 30); [simpl; lra|apply bpow_le; lia]).
+  assert (Bv : Rabs v <= 21000000000) by (pose proof (size_by v (s + t)); lra).
+  assert (B900 : 1000000000000 <= bpow radix2 900) by (apply Rle_trans with (bpow radix2 40); [simpl; lra|apply bpow_le; lia]).
   assert (tail : forall w, in_binary64 v -> in_binary64 w -> Rabs w <= 1000000 -> let p := nearest64 (v + w) in
-    Rabs (v + w - p) <= unit53 * Rabs p /\ Rabs p <= 1000000000 /\ 99 / 100 * Rabs (v + w) <= Rabs p).
+    Rabs (v + w - p) <= unit53 * Rabs p /\ Rabs p <= 100000000000 /\ 99 / 100 * Rabs (v + w) <= Rabs p).
   { intros w Fv Fw Bw p. split; [now apply sum_rest|]. pose proof (sum_is_close v w Fv Fw) as C. fold p in C.
     pose proof (unit_times _ (Rabs_pos (v + w))) as U. pose proof (size_by (v + w) p) as S1. pose proof (size_by p (v + w)) as S2.
     rewrite (Rabs_minus_sym (v + w)) in *. pose proof (Rabs_triang v w) as T. lra. }

@@ -29,7 +29,7 @@ Proof.
   destruct (plus_close _ _ _ _ E1 E2 ltac:(rewrite !Rabs_pos_eq; lra)) as [I C]. rewrite (Rabs_pos_eq (e + f)) in C by lra.
   pose proof (unit_times (e + f) ltac:(lra)) as Uef. pose proof (proj1 (rounded_up (e + f) (e + f) ltac:(lra))) as N1.
   set (r := nearest64 (e + f)) in *. apply Rabs_le_inv in C.
-  destruct (error_of_is (hi (add a (negated b))) h _ r (1001 / 1000 * (e + f)) H I ltac:(lra) ltac:(lra) Bh) as (g' & G' & Bg & _).
+  destruct (error_of_is (hi (add a (negated b))) h _ r (1001 / 1000 * (e + f)) H I ltac:(lra) ltac:(lra) ltac:(lra)) as (g' & G' & Bg & _).
   change (error_of (hi (add a (negated b))) (plus (error a) (error b))) with (error (add a (negated b))) in G'.
   rewrite (is64_same _ _ _ G' G) in Bg. clear g' G'.
   pose proof (unit_times _ (Rabs_pos h)) as Uh. pose proof (Rabs_triang h l) as T.
