@@ -82,14 +82,20 @@ Proof.
   unfold value, signed. rewrite S. apply Rmult_le_pos; [|apply bpow_ge_0]. apply IZR_le. now apply (normal_digits width a W N).
 Qed.
 
-Lemma root_exponent : forall x a e g, bpow radix2 (e - 1) <= a -> Rabs (a - x * x) <= a / 4 -> Rabs x < bpow radix2 g -> (e - 1 <= 2 * g)%Z.
+Lemma root_exponent : forall width x a e, (0 < width)%Z -> normal width x -> bpow radix2 (e - 1) <= a < bpow radix2 e ->
+  Rabs (a - value width x * value width x) <= a / 4 -> is_zero x = false /\ (e - 1 <= 2 * exponent x <= e + 2)%Z.
 Proof.
-  intros x a e g A H X. pose proof (bpow_gt_0 radix2 (e - 1)) as G. apply Rabs_le_inv in H.
-  assert (Q : x * x < bpow radix2 (2 * g)).
-  { replace (2 * g)%Z with (g + g)%Z by ring. rewrite bpow_plus. rewrite <- (Rabs_pos_eq (x * x)) by apply Rle_0_sqr. rewrite Rabs_mult.
-    pose proof (Rabs_pos x). apply Rmult_le_0_lt_compat; assumption. }
-  assert (L : (e - 2 < 2 * g)%Z); [|lia]. apply (lt_bpow radix2). pose proof (bpow_double (e - 2)) as D.
-  replace (e - 2 + 1)%Z with (e - 1)%Z in D by ring. lra.
+  intros width x a e W N [A1 A2] H. pose proof (bpow_gt_0 radix2 (e - 1)) as G. apply Rabs_le_inv in H.
+  assert (Z : is_zero x = false) by (destruct (is_zero x) eqn:Z; [rewrite (value_of_zero width x Z) in H; lra|reflexivity]).
+  split; [exact Z|]. pose proof (value_above width x W N Z) as X1. pose proof (value_below width x W N) as X2.
+  assert (Q : value width x * value width x = Rabs (value width x) * Rabs (value width x)) 
+    by (rewrite <- Rabs_mult; symmetry; apply Rabs_pos_eq; lra).
+  pose proof (Rabs_pos (value width x)) as P. split.
+  - assert (L : (e - 2 < exponent x + exponent x)%Z); [|lia]. apply (lt_bpow radix2). rewrite (bpow_plus radix2 (exponent x)).
+    pose proof (bpow_double (e - 2)) as D. replace (e - 2 + 1)%Z with (e - 1)%Z in D by ring.
+    pose proof (Rmult_le_0_lt_compat _ _ _ _ P P X2 X2). lra.
+  - assert (L : (exponent x - 1 + (exponent x - 1) < e + 1)%Z); [|lia]. apply (lt_bpow radix2). rewrite bpow_plus, bpow_double.
+    pose proof (bpow_ge_0 radix2 (exponent x - 1)) as B. pose proof (Rmult_le_compat _ _ _ _ B B X1 X1). lra.
 Qed.
 
 (* What the bound of a root is made of: of the root's own remainder, which is some units in the last place, and of the operand's. *)
@@ -98,7 +104,7 @@ Theorem big_root_is_narrow : forall width k j a inverse, (14 <= width)%Z -> (60 
   may_be_zero a = false -> negative a = false -> 0 < value width inverse ->
   Rabs (1 - value width a * (value width inverse * value width inverse)) <= bpow radix2 (- j) ->
   let r := square_root width a inverse in
-  (exponent a - 1 <= 2 * exponent r)%Z /\
+  is_zero r = false /\ (exponent a - 1 <= 2 * exponent r <= exponent a + 2)%Z /\
   (error r = none \/ (error r - exponent r <= Z.max (error a - exponent a + 4) (13 - width))%Z).
 Proof.
   intros width k j a inverse W Hr J J2 Na Ni Fa Fi Zm Zn Pi U r. assert (K : (0 <= k)%Z) by (destruct Fa; lia).
@@ -153,9 +159,8 @@ Proof.
     - unfold e. rewrite <- bpow_plus. apply bpow_le. lia. }
   assert (T : 0 <= e * A <= A / 1000).
   { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (/ 1000 * A); [apply Rmult_le_compat_r; lra|lra]. }
-  assert (X : (exponent a - 1 <= 2 * exponent root)%Z).
-  { apply (root_exponent (value width root) A); [exact A1|lra|]. apply value_below; assumption. }
-  split; [exact X|].
+  destruct (root_exponent width root A (exponent a) W0 N5 (conj A1 A2) ltac:(lra)) as [Zr X].
+  split; [exact Zr|]. split; [exact X|].
   set (R := value width root * value width root) in *.
   assert (QB : Rabs R <= 1012 / 1000 * A) by (apply Rabs_le_inv in Q; apply Rabs_le; lra).
   pose proof (share_times e _ _ _ (proj1 E) QB) as R6'. pose proof (off_by_share _ _ _ R6) as V6.
