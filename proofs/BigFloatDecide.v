@@ -43,7 +43,8 @@ Qed.
 Lemma exactly_exponent : forall width v m e, (53 <= width)%Z -> is64 v m -> Rabs m <= bpow radix2 e -> is_zero (exactly width v) = false ->
   (exponent (exactly width v) <= e + 1)%Z.
 Proof.
-  intros width v m e W [<- _] B Z. destruct (big_exactly_contains width v W) as (_ & N & _). apply (exponent_below width); try assumption; [lia|].
+  intros width v m e W [<- _] B Z. destruct (big_exactly_contains width v W) as (_ & N & _).
+  apply (exponent_below width); try assumption; [lia|].
   now rewrite exactly_is.
 Qed.
 

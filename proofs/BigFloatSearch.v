@@ -114,7 +114,8 @@ Proof.
   { intros d N k Fd Bd E HN Hk T. pose proof (Rabs_triang (value32 c) (value32 d)) as R.
     destruct (tie_is c d N k Fc Fd E (proj2 HN) Hk ltac:(lra)) as [It _]. apply (H _ _ It T).
     unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ 2)) by lra. change (bpow radix2 29) with 536870912. lra. }
-  split; [now split|]. split; [now split|]. destruct (middle_above _ Gc) as (N & k & E & HN & Hk). destruct (middle_below _ Gc) as (N' & k' & E' & HN' & Hk').
+  split; [now split|]. split; [now split|]. destruct (middle_above _ Gc) as (N & k & E & HN & Hk).
+  destruct (middle_below _ Gc) as (N' & k' & E' & HN' & Hk').
   rewrite <- Ea in E. rewrite <- Eb in E'. split.
   - rewrite <- Ea. apply (one _ N k); try assumption. exists (value32 c). split; [exact Gc|left]. now rewrite Ea.
   - rewrite <- Eb. apply (one _ N' k'); try assumption. exists (value32 c). split; [exact Gc|right]. now rewrite Eb.
@@ -216,9 +217,11 @@ Proof.
   assert (G27 : in_binary32 134217728) by (change 134217728 with (bpow radix2 27); apply generic_format_bpow; unfold FLT_exp; lia).
   destruct (neighbours c 134217728 Fc G27 room ltac:(change 134217728 with (bpow radix2 27); apply bpow_le; lia)) as [(_ & _ & Ba) (_ & _ & Bb)].
   destruct (Rtotal_order (nearest32 x) (value32 c)) as [Hlt|[Heq|Hgt]].
-  - assert (E : nearest32 x = value32 (next_below c)) by (rewrite Eb; apply Rle_antisym; [apply pred_ge_gt; auto with typeclass_instances|exact N2]).
+  - assert (E : nearest32 x = value32 (next_below c))
+      by (rewrite Eb; apply Rle_antisym; [apply pred_ge_gt; auto with typeclass_instances|exact N2]).
     rewrite (search_goes_down beside x c 2 H Fc Bc) by (now rewrite <- Eb). apply here; [exact Fb|lra|exact E].
   - now apply here.
-  - assert (E : nearest32 x = value32 (next_above c)) by (rewrite Ea; apply Rle_antisym; [exact N1|apply succ_le_lt; auto with typeclass_instances]).
+  - assert (E : nearest32 x = value32 (next_above c))
+      by (rewrite Ea; apply Rle_antisym; [exact N1|apply succ_le_lt; auto with typeclass_instances]).
     rewrite (search_goes_up beside x c 2 H Fc Bc) by (now rewrite <- Ea). apply here; [exact Fa|lra|exact E].
 Qed.
