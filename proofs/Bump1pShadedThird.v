@@ -46,7 +46,8 @@ Proof.
     assert (E0 : value32 K * - Z * 0 = 0) by ring.
     enough (A : is_answer (along_big 768 K (exactly 768 (opp (to64 (quantised z)))) (exactly 768 zero64) (exactly 768 (two_to 0))) (Z < 0)
       (value32 K * - Z * 0) (value32 K * - Z * 1)) by (rewrite E0 in A; exact A).
-    refine (along_big_is_right 768 1074 t 406 R w K _ (- Z) _ 0 _ 1 (Z < 0) _ _ _ Hp Tg T0 T1 _ _ _ _ _ _); try (unfold t; numbers; lia); try lra.
+    refine (along_big_is_right 768 1074 t 406 R w K _ (- Z) _ 0 _ 1 (Z < 0) _ _ _ Hp Tg T0 T1 _ _ _ _ _ _);
+      try (unfold t; numbers; lia); try lra.
     - intro T. specialize (LZ T). split; apply component_size; rewrite ?Rabs_R0, ?Rabs_R1; lra.
     - intros m Hm. destruct (Sep m Hm) as [S1 S2]. rewrite E0. now split. }
   assert (HXR : Rabs X <= value32 R) by lra. destruct (shading_root_enclosed R w K _ X Hp Cx HXR) as [_ Lr]. cbv zeta in Lr.

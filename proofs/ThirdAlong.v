@@ -32,18 +32,22 @@ Theorem along_big_is_right : forall width k t s R w K gap G nx NX nz NZ touches,
     (value32 K * G * NZ = 0 \/ bpow radix2 (-90) <= Rabs (value32 K * G * NZ) <= bpow radix2 25)) ->
   (forall m, is_tie m -> (value32 K * G * NX <> m -> bpow radix2 (- s) <= Rabs (value32 K * G * NX - m)) /\
     (value32 K * G * NZ <> m -> bpow radix2 (- s) <= Rabs (value32 K * G * NZ - m))) ->
-  (29 <= s)%Z -> (t + s + 37 <= 0)%Z -> (s + 38 <= width)%Z -> is_answer (along_big width K gap nx nz) touches (value32 K * G * NX) (value32 K * G * NZ).
+  (29 <= s)%Z -> (t + s + 37 <= 0)%Z -> (s + 38 <= width)%Z ->
+  is_answer (along_big width K gap nx nz) touches (value32 K * G * NX) (value32 K * G * NZ).
 Proof.
   intros width k t s R w K gap G nx NX nz NZ touches W Hk Hr Hp Tg Tx Tz Hc HB Sep S0 S1 S2. destruct Hp as ((_ & _ & FK) & _).
-  pose proof (tight_exactly width (Z.max t (1 - width)) _ _ ltac:(lia) ltac:(destruct Tg as (_ & _ & _ & T & _); numbers; lia) (to64_is_exact K FK)) as TK.
+  pose proof (tight_exactly width (Z.max t (1 - width)) _ _ ltac:(lia)
+    ltac:(destruct Tg as (_ & _ & _ & T & _); numbers; lia) (to64_is_exact K FK)) as TK.
   assert (TK' : tight width k (Z.max t (1 - width)) (exactly width (to64 K)) (value32 K)).
   { apply tight_more with (1 := TK); [lia|]. destruct Tg as (_ & _ & _ & T & _). lia. }
   pose proof (tight_multiply width k (Z.max t (1 - width)) t _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) TK' Tg) as TM. unfold along_big.
   set (magnitude := multiply width (exactly width (to64 K)) gap) in *.
-  assert (one : forall n N, tight width k t n N -> tight width (4 * k + 3 * width + 12) (Z.max t (1 - width) + 6) (multiply width magnitude n) (value32 K * G * N)).
+  assert (one : forall n N, tight width k t n N ->
+    tight width (4 * k + 3 * width + 12) (Z.max t (1 - width) + 6) (multiply width magnitude n) (value32 K * G * N)).
   { intros n N Tn. pose proof Tn as (_ & _ & _ & T & _).
     assert (Tn' : tight width (2 * k + width + 4) t n N) by (apply tight_more with (1 := Tn); lia).
-    pose proof (tight_multiply width (2 * k + width + 4) (Z.max (Z.max (Z.max t (1 - width)) t) (1 - width) + 3) t _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) TM Tn') as P.
+    pose proof (tight_multiply width (2 * k + width + 4) (Z.max (Z.max (Z.max t (1 - width)) t) (1 - width) + 3) t _ _ _ _
+      ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) TM Tn') as P.
     apply tight_more with (1 := P); lia. }
   apply (decided_big_is_right width (4 * k + 3 * width + 12) (Z.max t (1 - width) + 6) s _ G); try assumption; try lia.
   - apply (sign_of_tight width k t); [lia|lia|exact Tg].
@@ -93,7 +97,8 @@ Proof.
     assert (Eb : b = negated radius); [|rewrite Eb; now apply less_itself]. rewrite Hb. destruct Hv as [[Vv Fv] _ _ _].
     assert (E : v = opp (to64 R)).
     { destruct (opp_is _ _ IR) as [Vo Fo]. apply B2R_inj; [| |rewrite Vo, Vv; lra]; apply strictly_finite; [rewrite Vv|rewrite Vo]; lra. }
-    rewrite E. unfold radius. destruct (to64 R) as [s|s|s p q|s m e H] eqn:ER64; try reflexivity; exfalso; destruct IR as [V0 F0]; simpl in V0, F0;
+    rewrite E. unfold radius.
+    destruct (to64 R) as [s|s|s p q|s m e H]; try reflexivity; exfalso; destruct IR as [V0 F0]; simpl in V0, F0;
       try discriminate; lra.
   - assert (EXR : (exponent radius <= 15)%Z) by (apply (exactly_exponent width (to64 R) (value32 R) 14); [lia|exact IR| |exact ZR];
       rewrite Rabs_pos_eq by lra; simpl; lra).
