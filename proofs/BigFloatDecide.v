@@ -74,9 +74,9 @@ Qed.
 (* ---- Where the search starts ---- *)
 
 Lemma approximately_is : forall width k t a x, (128 <= width)%Z -> (k <= range)%Z -> tight width k t a x -> (t <= -60)%Z ->
-  x = 0 \/ bpow radix2 (-90) <= Rabs x <= bpow radix2 25 ->
+  x = 0 \/ bpow radix2 (-900) <= Rabs x <= bpow radix2 25 ->
   exists v, is64 (approximately width a) v /\
-    (v = x /\ x = 0 \/ bpow radix2 (-126) <= Rabs v <= bpow radix2 26 /\ Rabs (x - v) <= bpow radix2 (-40) * Rabs v).
+    (v = x /\ x = 0 \/ Rabs v <= bpow radix2 26 /\ Rabs (x - v) <= bpow radix2 (-40) * Rabs v).
 Proof.
   intros width k t a x W K T Ht Bx. pose proof T as (N & F & C & Bt & _). unfold approximately.
   destruct (tight_cases width k t a x ltac:(lia) ltac:(lia) T) as [[X ->]|(_ & Z & M & X0 & Ea & P & _)].
@@ -89,9 +89,9 @@ Proof.
     - rewrite bpow_plus. apply Rmult_le_compat; try apply bpow_ge_0; [|exact P]. change (bpow radix2 (-50)) with (/ 1125899906842624). lra. }
   assert (D' := D). apply Rabs_le_inv in D'.
   pose proof (Rabs_triang_inv x (value width a)) as T1. pose proof (Rabs_triang_inv (value width a) x) as T2. rewrite Rabs_minus_sym in T2.
-  assert (X90 : bpow radix2 (-90) = 2 * bpow radix2 (-91)) by (apply (bpow_double (-91))).
-  pose proof (bpow_gt_0 radix2 (-91)) as G91.
-  assert (E : (-91 < exponent a)%Z).
+  assert (X90 : bpow radix2 (-900) = 2 * bpow radix2 (-901)) by (apply (bpow_double (-901))).
+  pose proof (bpow_gt_0 radix2 (-901)) as G91.
+  assert (E : (-901 < exponent a)%Z).
   { apply (lt_bpow radix2). pose proof (value_below width a ltac:(lia) N). lra. }
   rewrite Z.max_l by lia. pose proof (value_is_share width a) as V. set (g := if negative a then -1 else 1) in *.
   assert (G : Rabs g = 1) by (unfold g; destruct (negative a); [rewrite Rabs_left|rewrite Rabs_pos_eq]; lra).
@@ -105,13 +105,13 @@ Proof.
   pose proof (Rabs_triang_inv v (value width a)) as T3. pose proof (Rabs_triang_inv (value width a) v) as T4. rewrite Rabs_minus_sym in T4.
   assert (Sv : Rabs q = Rabs v) by (unfold v; rewrite Rabs_mult, G; ring).
   assert (B25 : bpow radix2 26 = 2 * bpow radix2 25) by (apply (bpow_double 25)).
-  assert (Vb : bpow radix2 (-91) <= Rabs v <= bpow radix2 26) by lra.
+  assert (Vb : bpow radix2 (-901) <= Rabs v <= bpow radix2 26) by lra.
   assert (I : is64 (ldexp (fraction width a) (exponent a)) q).
   { apply ldexp_is; [exact Hf|]. fold q. rewrite Sv. split; [apply Rle_trans with (2 := proj1 Vb)|apply Rle_trans with (1 := proj2 Vb)];
       apply bpow_le; lia. }
   exists v. split.
   - unfold v, g. destruct (negative a); [replace (-1 * q) with (- q) by ring; now apply opp_is|now rewrite Rmult_1_l].
-  - right. split; [split; [apply Rle_trans with (2 := proj1 Vb); apply bpow_le; lia|lra]|].
+  - right. split; [lra|].
     replace (x - v) with ((x - value width a) - (v - value width a)) by ring. apply Rle_trans with (1 := minus_triangle _ _).
     change (bpow radix2 (-40)) with (/ 1099511627776). lra.
 Qed.
@@ -119,13 +119,13 @@ Qed.
 (* ---- The answer ---- *)
 
 Theorem rounded_big_is_nearest : forall width k t s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
-  tight width k t a x -> x = 0 \/ bpow radix2 (-90) <= Rabs x <= bpow radix2 25 ->
+  tight width k t a x -> x = 0 \/ bpow radix2 (-900) <= Rabs x <= bpow radix2 25 ->
   (forall m, is_tie m -> x <> m -> bpow radix2 (- s) <= Rabs (x - m)) -> (29 <= s)%Z -> (t + s + 31 <= 0)%Z -> (s + 36 <= width)%Z ->
   exists f, rounded_big width a = Some f /\ is_nearest32 f x.
 Proof.
   intros width k t s a x W K Hr T Bx Sep S0 S1 S2. destruct (approximately_is width k t a x W ltac:(lia) T ltac:(lia) Bx) as (v & [Vv Fv] & Hv).
   assert (Bx2 : Rabs x <= bpow radix2 25) by (destruct Bx as [->|[_ B]]; [rewrite Rabs_R0; apply bpow_ge_0|exact B]).
-  assert (Bv : Rabs v <= bpow radix2 26) by (destruct Hv as [[-> ->]|[[_ B] _]]; [rewrite Rabs_R0; apply bpow_ge_0|exact B]).
+  assert (Bv : Rabs v <= bpow radix2 26) by (destruct Hv as [[-> ->]|[B _]]; [rewrite Rabs_R0; apply bpow_ge_0|exact B]).
   assert (Bn : Rabs (nearest32 v) < bpow radix2 128).
   { apply Rle_lt_trans with (bpow radix2 26); [|apply bpow_lt; lia]. apply abs_round_le_generic; auto with typeclass_instances.
     apply generic_format_bpow. unfold FLT_exp. lia. }
@@ -137,7 +137,7 @@ Qed.
 Theorem decided_big_is_right : forall width k t s c G fx fz Fx Fz touches, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
   is_sign c G -> (0 < G <-> touches) ->
   (touches -> tight width k t fx Fx /\ tight width k t fz Fz) ->
-  (touches -> (Fx = 0 \/ bpow radix2 (-90) <= Rabs Fx <= bpow radix2 25) /\ (Fz = 0 \/ bpow radix2 (-90) <= Rabs Fz <= bpow radix2 25)) ->
+  (touches -> (Fx = 0 \/ bpow radix2 (-900) <= Rabs Fx <= bpow radix2 25) /\ (Fz = 0 \/ bpow radix2 (-900) <= Rabs Fz <= bpow radix2 25)) ->
   (forall m, is_tie m -> (Fx <> m -> bpow radix2 (- s) <= Rabs (Fx - m)) /\ (Fz <> m -> bpow radix2 (- s) <= Rabs (Fz - m))) ->
   (29 <= s)%Z -> (t + s + 31 <= 0)%Z -> (s + 36 <= width)%Z -> is_answer (decide_big width c fx fz) touches Fx Fz.
 Proof.

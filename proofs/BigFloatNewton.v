@@ -66,7 +66,7 @@ Proof.
   operation C. destruct C as (C1 & C2 & _). now split.
 Qed.
 
-Lemma ldexp_is : forall v a k, is64 v a -> bpow radix2 (-100) <= Rabs (a * bpow radix2 k) <= bpow radix2 1000 ->
+Lemma ldexp_is : forall v a k, is64 v a -> bpow radix2 (-1000) <= Rabs (a * bpow radix2 k) <= bpow radix2 1000 ->
   is64 (ldexp v k) (a * bpow radix2 k).
 Proof.
   intros v a k Hv S. pose proof (format_of _ _ Hv) as G. destruct Hv as [<- Fv]. unfold ldexp.
@@ -77,7 +77,7 @@ Proof.
   assert (K : F2R (Float radix2 (Fnum f) (Fexp f + k)) = value64 v * bpow radix2 k).
   { rewrite F1. unfold F2R. cbn [Fnum Fexp]. rewrite bpow_plus. ring. }
   set (x := value64 v * bpow radix2 k) in *. apply generic_format_F2R' with (Float radix2 (Fnum f) (Fexp f + k)); [exact K|]. intro X0.
-  cbn [Fexp]. assert (M : (-99 <= mag radix2 x)%Z) by (apply mag_ge_bpow; apply S).
+  cbn [Fexp]. assert (M : (-999 <= mag radix2 x)%Z) by (apply mag_ge_bpow; apply S).
   assert (V0 : value64 v <> 0) by (intro V0; apply X0; unfold x; rewrite V0; ring).
   assert (Mx : (mag radix2 x = mag radix2 (value64 v) + k :> Z)%Z) by (unfold x; now apply mag_mult_bpow).
   unfold cexp, FLT_exp. assert (Mf : (mag radix2 (value64 v) <= 53 + Fexp f)%Z); [|lia].

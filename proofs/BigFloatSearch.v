@@ -83,6 +83,20 @@ Proof.
   intros c Gc. pose proof (gap_above (- c) ltac:(now apply generic_format_opp)) as H. rewrite Rabs_Ropp in H. unfold pred. lra.
 Qed.
 
+Lemma gap_is_not_tiny : forall c, in_binary32 c -> bpow radix2 (-149) <= succ radix2 fexp32 c - c.
+Proof.
+  assert (least : forall c, bpow radix2 (-149) <= ulp radix2 fexp32 c).
+  { intro c. destruct (Req_dec c 0) as [->|Hne]; [rewrite ulp_FLT_0 by (auto with typeclass_instances); apply Rle_refl|].
+    rewrite ulp_neq_0 by exact Hne. apply bpow_le. unfold cexp, FLT_exp. lia. }
+  intros c Gc. destruct (Rle_lt_dec 0 c) as [Hc|Hc].
+  - rewrite succ_eq_pos by exact Hc. pose proof (least c). lra.
+  - set (p := pred radix2 fexp32 (- c)). assert (G2 : in_binary32 (- c)) by now apply generic_format_opp.
+    assert (Hp : 0 <= p) by (apply pred_ge_0; auto with typeclass_instances; lra).
+    assert (Es : succ radix2 fexp32 p = - c) by (apply succ_pred; auto with typeclass_instances).
+    assert (Ep : succ radix2 fexp32 c = - p) by (unfold p; rewrite pred_opp; ring).
+    rewrite succ_eq_pos in Es by exact Hp. pose proof (least p). lra.
+Qed.
+
 Lemma above_is_other : forall c, in_binary32 c -> c < succ radix2 fexp32 c.
 Proof.
   intros c Gc. destruct (Req_dec c 0) as [->|Hne]; [|now apply succ_gt_id]. rewrite succ_0. rewrite ulp_FLT_0 by (auto with typeclass_instances).
@@ -177,23 +191,35 @@ Qed.
 
 (* v: where the search starts. *)
 Theorem search_ends : forall beside x v c, signs_are_right beside x -> is_finite 24 128 c = true -> value32 c = nearest32 v ->
-  v = x /\ x = 0 \/ bpow radix2 (-126) <= Rabs v <= bpow radix2 26 /\ Rabs (x - v) <= bpow radix2 (-40) * Rabs v ->
+  v = x /\ x = 0 \/ Rabs v <= bpow radix2 26 /\ Rabs (x - v) <= bpow radix2 (-40) * Rabs v ->
   exists f, search beside 3 c = Some f /\ is_nearest32 f x.
 Proof.
   intros beside x v c H Fc Ec Hv. pose proof (generic_format_B2R 24 128 c) as Gc. change (SpecFloat.fexp 24 128) with fexp32 in Gc.
   assert (here : forall d rest, is_finite 24 128 d = true -> Rabs (value32 d) < bpow radix2 28 -> nearest32 x = value32 d ->
     exists f, search beside (S rest) d = Some f /\ is_nearest32 f x).
   { intros d rest Fd Bd Hd. exists (b32_plus mode_NE d zero32). split; [now apply (search_at_nearest beside x)|now apply plus_zero_is_nearest]. }
-  change (bpow radix2 28) with 268435456 in *. destruct Hv as [[-> ->]|[[V1 V2] D]].
+  change (bpow radix2 28) with 268435456 in *. destruct Hv as [[-> ->]|[V2 D]].
   { apply here; [exact Fc| |now rewrite Ec]. rewrite Ec, round_0, Rabs_R0 by auto with typeclass_instances. lra. }
   change (bpow radix2 26) with 67108864 in V2. change (bpow radix2 (-40)) with (/ 1099511627776) in D.
-  assert (C1 : Rabs (value32 c - v) <= / 1000 * Rabs v).
-  { rewrite Ec. pose proof (relative_error_N_FLT radix2 (-149) 24 (eq_refl _) (fun n => negb (Z.even n)) v) as R.
-    change (-149 + 24 - 1)%Z with (-126)%Z in R. specialize (R V1). apply Rle_trans with (1 := R). apply Rmult_le_compat_r; [apply Rabs_pos|].
-    change (bpow radix2 (- (24) + 1)) with (/ 8388608). lra. }
-  pose proof (Rabs_triang_inv v (value32 c)) as T1. rewrite Rabs_minus_sym in T1. pose proof (Rabs_triang_inv (value32 c) v) as T2.
-  assert (Bc : Rabs (value32 c) < 268435456) by lra.
   pose proof (gap_above _ Gc) as Ga. pose proof (gap_below _ Gc) as Gb. change (bpow radix2 (-25)) with (/ 33554432) in Ga, Gb.
+  assert (near : Rabs (value32 c) <= 70000000 /\ Rabs (x - v) <= (succ radix2 fexp32 (value32 c) - value32 c) / 2 /\
+    Rabs (x - v) <= (value32 c - pred radix2 fexp32 (value32 c)) / 2).
+  { destruct (Rle_lt_dec (bpow radix2 (-126)) (Rabs v)) as [V1|V1].
+    - assert (C1 : Rabs (value32 c - v) <= / 1000 * Rabs v).
+      { rewrite Ec. pose proof (relative_error_N_FLT radix2 (-149) 24 (eq_refl _) (fun n => negb (Z.even n)) v) as R.
+        change (-149 + 24 - 1)%Z with (-126)%Z in R. specialize (R V1). apply Rle_trans with (1 := R).
+        apply Rmult_le_compat_r; [apply Rabs_pos|]. change (bpow radix2 (- (24) + 1)) with (/ 8388608). lra. }
+      pose proof (Rabs_triang_inv v (value32 c)) as T1. rewrite Rabs_minus_sym in T1. pose proof (Rabs_triang_inv (value32 c) v) as T2.
+      lra.
+    - assert (C1 : Rabs (value32 c) <= 1).
+      { rewrite Ec. apply abs_round_le_generic; auto with typeclass_instances.
+        - apply (generic_format_bpow radix2 fexp32 0). unfold FLT_exp. lia.
+        - apply Rlt_le, Rlt_le_trans with (1 := V1). apply (bpow_le radix2 (-126) 0). lia. }
+      pose proof (gap_is_not_tiny _ Gc) as A. pose proof (gap_is_not_tiny (- value32 c) ltac:(now apply generic_format_opp)) as B.
+      assert (E : bpow radix2 (-126) = 8388608 * bpow radix2 (-149)).
+      { change (-126)%Z with (23 + -149)%Z. rewrite bpow_plus. reflexivity. }
+      pose proof (bpow_gt_0 radix2 (-149)) as P. set (b := bpow radix2 (-149)) in *. unfold pred. lra. }
+  destruct near as (Bc0 & Da & Db). assert (Bc : Rabs (value32 c) < 268435456) by lra.
   destruct (signs_of_step beside x c H Fc Bc) as ((Ea & Fa) & (Eb & Fb) & _).
   assert (Fua : in_binary32 (succ radix2 fexp32 (value32 c))) by (apply generic_format_succ; auto with typeclass_instances).
   assert (Fub : in_binary32 (pred radix2 fexp32 (value32 c))) by (apply generic_format_pred; auto with typeclass_instances).
@@ -208,7 +234,7 @@ Proof.
     pose proof (round_N_le_midp radix2 fexp32 (fun n => negb (Z.even n)) (pred radix2 fexp32 (value32 c)) v Fub) as R.
     rewrite succ_pred in R by (auto with typeclass_instances). specialize (R ltac:(lra)). pose proof (below_is_other _ Gc).
     change (round radix2 fexp32 (Znearest (fun n => negb (Z.even n))) v) with (nearest32 v) in R. lra. }
-  apply Rabs_le_inv in D.
+  apply Rabs_le_inv in Da, Db.
   assert (N1 : nearest32 x <= succ radix2 fexp32 (value32 c)) by (apply round_le_generic; auto with typeclass_instances; lra).
   assert (N2 : pred radix2 fexp32 (value32 c) <= nearest32 x) by (apply round_ge_generic; auto with typeclass_instances; lra).
   pose proof (Rabs_def2 _ _ Bc) as Bc2.

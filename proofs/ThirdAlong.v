@@ -18,40 +18,89 @@ Definition along_shaded_big (width : Z) (K R x : binary32) (gap : big) : evaluat
   along_big width K (divide_newton width gap radius) X
     (square_root_newton width (multiply width (subtract width radius X) (add width radius X))).
 
-Lemma sign_of_tight : forall width k t a x, (0 < width)%Z -> (k <= range)%Z -> tight width k t a x -> is_sign (sign_of_big a) x.
+(* A gap that may cancel: it is 0, whatever its bound is, or it is tight. *)
+Definition seen (width k t : Z) (a : big) (x : R) : Prop :=
+  normal width a /\ fits k a /\ contains width a x /\ (x <> 0 -> tight width k t a x).
+
+Lemma tight_is_seen : forall width k t a x, tight width k t a x -> seen width k t a x.
+Proof. intros width k t a x T. pose proof T as (N & F & C & _). exact (conj N (conj F (conj C (fun _ => T)))). Qed.
+
+Lemma seen_more : forall width k t a x j u, seen width k t a x -> (k <= j <= range)%Z -> (t <= u <= -3)%Z -> seen width j u a x.
 Proof.
-  intros width k t a x W K T. pose proof T as (_ & F & _). unfold sign_of_big.
-  destruct (tight_cases width k t a x W K T) as [[X ->]|(_ & _ & -> & _ & _ & _ & S)]; [|exact S].
-  destruct (exact_zero_parts k a K F X) as [Z _]. unfold may_be_zero. now rewrite Z.
+  intros width k t a x j u (N & F & C & T) J U. split; [exact N|]. split; [now apply fits_le with k|]. split; [exact C|].
+  intro X. apply tight_more with (1 := T X); lia.
+Qed.
+
+(* What is 0 is never found to have a sign. *)
+Lemma sign_of_seen : forall width k t a x, (0 < width)%Z -> (k <= range)%Z -> seen width k t a x -> is_sign (sign_of_big a) x.
+Proof.
+  intros width k t a x W K (N & F & C & T). unfold sign_of_big. destruct (may_be_zero a) eqn:M.
+  - destruct (Req_dec x 0) as [X|X]; [exact X|].
+    destruct (tight_cases width k t a x W K (T X)) as [[_ X0]|(_ & _ & M' & _)]; [easy|congruence].
+  - apply (surely_not_zero width k a x W K N F C M).
+Qed.
+
+Lemma seen_divide : forall width k t u a b x y, (128 <= width)%Z -> (60 * (k + width + 1110) <= range)%Z -> (t <= -10)%Z -> (u <= -10)%Z ->
+  seen width k t a x -> tight width k u b y -> y <> 0 ->
+  seen width (60 * (k + width + 1110)) (Z.max (Z.max t u + 6) (14 - width)) (divide_newton width a b) (x / y).
+Proof.
+  intros width k t u a b x y W Hr Ht Hu (N & F & C & T) Tb Y. pose proof Tb as (Nb & Fb & Cb & _).
+  destruct (big_quotient_is_right width k a b W Hr N Nb F Fb) as (Nq & Fq & Cq & _).
+  split; [exact Nq|]. split; [exact Fq|]. split; [now apply Cq|]. intro Q. apply tight_divide; try assumption. apply T.
+  intro X. apply Q. rewrite X. unfold Rdiv. ring.
+Qed.
+
+(* A sum of two numbers that may be 0: where it is not 0, it is not m bits below 2^e. *)
+Lemma seen_sum : forall width k t u e m a b x y, (64 <= width)%Z -> (k + width + 3 <= range)%Z ->
+  tight width k t a x -> tight width k u b y -> (0 <= m)%Z -> (Z.max (Z.max t u) (1 - width) + m + 3 <= -3)%Z ->
+  Rabs x <= bpow radix2 (e - 2) -> Rabs y <= bpow radix2 (e - 2) -> (x + y <> 0 -> bpow radix2 (e - m) <= Rabs (x + y)) ->
+  seen width (k + width + 3) (Z.max (Z.max t u) (1 - width) + m + 3) (add width a b) (x + y).
+Proof.
+  intros width k t u e m a b x y W Hr Ta Tb M T Bx By S. pose proof Ta as (Na & Fa & Ca & Bt & _). pose proof Tb as (Nb & Fb & Cb & Bu & _).
+  assert (K : (0 <= k)%Z) by (destruct Fa; lia).
+  destruct (big_sum_contains width k a b ltac:(lia) Hr Na Nb Fa Fb) as (N & F & C).
+  split; [exact N|]. split; [exact F|]. split; [now apply C|]. intro Hne. specialize (S Hne). specialize (C x y Ca Cb).
+  destruct (tight_cases width k t a x ltac:(lia) ltac:(lia) Ta) as [[Xa X0]|(Xa & Za & _ & _ & Ea & Pa & _)].
+  { destruct (exact_zero_parts k a ltac:(lia) Fa Xa) as [Z E].
+    destruct (tight_cases width k u b y ltac:(lia) ltac:(lia) Tb) as [[_ Y0]|(_ & Zb & _ & _ & Eb & _)]; [lra|].
+    split; [exact N|]. split; [exact F|]. split; [exact C|]. split; [numbers; lia|]. right. unfold add. rewrite Z, E. split; [exact Zb|].
+    cbn [error exponent with_error]. destruct (clamp_at_most (Z.max none (error b) + 1) (exponent b + u + 1)) as [B|B];
+      [destruct Fb; numbers; lia|now left|right; lia]. }
+  destruct (tight_cases width k u b y ltac:(lia) ltac:(lia) Tb) as [[Xb Y0]|(Xb & Zb & _ & _ & Eb & Pb & _)].
+  { destruct (exact_zero_parts k b ltac:(lia) Fb Xb) as [Z E].
+    split; [exact N|]. split; [exact F|]. split; [exact C|]. split; [numbers; lia|]. right. unfold add. rewrite Za, Z, E. split; [exact Za|].
+    cbn [error exponent with_error]. destruct (clamp_at_most (Z.max (error a) none + 1) (exponent a + t + 1)) as [B|B];
+      [destruct Fa; numbers; lia|now left|right; lia]. }
+  apply tight_sum; try assumption. apply Rle_trans with (2 := S). apply bpow_le.
+  assert (exponent a - 2 <= e - 2)%Z by (apply (le_bpow radix2); lra). assert (exponent b - 2 <= e - 2)%Z by (apply (le_bpow radix2); lra). lia.
 Qed.
 
 Theorem along_big_is_right : forall width k t s R w K gap G nx NX nz NZ touches, (128 <= width)%Z -> (1074 <= k)%Z ->
-  (4 * k + 4 * width + 15 <= range)%Z -> parameters R w K -> tight width k t gap G -> tight width k t nx NX -> tight width k t nz NZ ->
+  (4 * k + 4 * width + 15 <= range)%Z -> parameters R w K -> seen width k t gap G -> tight width k t nx NX -> tight width k t nz NZ ->
   (0 < G <-> touches) ->
-  (touches -> (value32 K * G * NX = 0 \/ bpow radix2 (-90) <= Rabs (value32 K * G * NX) <= bpow radix2 25) /\
-    (value32 K * G * NZ = 0 \/ bpow radix2 (-90) <= Rabs (value32 K * G * NZ) <= bpow radix2 25)) ->
+  (touches -> (value32 K * G * NX = 0 \/ bpow radix2 (-900) <= Rabs (value32 K * G * NX) <= bpow radix2 25) /\
+    (value32 K * G * NZ = 0 \/ bpow radix2 (-900) <= Rabs (value32 K * G * NZ) <= bpow radix2 25)) ->
   (forall m, is_tie m -> (value32 K * G * NX <> m -> bpow radix2 (- s) <= Rabs (value32 K * G * NX - m)) /\
     (value32 K * G * NZ <> m -> bpow radix2 (- s) <= Rabs (value32 K * G * NZ - m))) ->
   (29 <= s)%Z -> (t + s + 37 <= 0)%Z -> (s + 38 <= width)%Z ->
   is_answer (along_big width K gap nx nz) touches (value32 K * G * NX) (value32 K * G * NZ).
 Proof.
-  intros width k t s R w K gap G nx NX nz NZ touches W Hk Hr Hp Tg Tx Tz Hc HB Sep S0 S1 S2. destruct Hp as ((_ & _ & FK) & _).
-  pose proof (tight_exactly width (Z.max t (1 - width)) _ _ ltac:(lia)
-    ltac:(destruct Tg as (_ & _ & _ & T & _); numbers; lia) (to64_is_exact K FK)) as TK.
-  assert (TK' : tight width k (Z.max t (1 - width)) (exactly width (to64 K)) (value32 K)).
-  { apply tight_more with (1 := TK); [lia|]. destruct Tg as (_ & _ & _ & T & _). lia. }
-  pose proof (tight_multiply width k (Z.max t (1 - width)) t _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) TK' Tg) as TM. unfold along_big.
-  set (magnitude := multiply width (exactly width (to64 K)) gap) in *.
-  assert (one : forall n N, tight width k t n N ->
+  intros width k t s R w K gap G nx NX nz NZ touches W Hk Hr Hp Sg Tx Tz Hc HB Sep S0 S1 S2. destruct Hp as ((_ & _ & FK) & _).
+  pose proof Tx as (_ & _ & _ & T & _).
+  pose proof (tight_exactly width (Z.max t (1 - width)) _ _ ltac:(lia) ltac:(numbers; lia) (to64_is_exact K FK)) as TK.
+  assert (TK' : tight width k (Z.max t (1 - width)) (exactly width (to64 K)) (value32 K)) by (apply tight_more with (1 := TK); lia).
+  unfold along_big. set (magnitude := multiply width (exactly width (to64 K)) gap).
+  assert (one : forall n N, touches -> tight width k t n N ->
     tight width (4 * k + 3 * width + 12) (Z.max t (1 - width) + 6) (multiply width magnitude n) (value32 K * G * N)).
-  { intros n N Tn. pose proof Tn as (_ & _ & _ & T & _).
+  { intros n N Hits Tn. apply Hc in Hits. destruct Sg as (_ & _ & _ & Tg). specialize (Tg ltac:(lra)).
+    pose proof (tight_multiply width k (Z.max t (1 - width)) t _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) TK' Tg) as TM.
     assert (Tn' : tight width (2 * k + width + 4) t n N) by (apply tight_more with (1 := Tn); lia).
     pose proof (tight_multiply width (2 * k + width + 4) (Z.max (Z.max (Z.max t (1 - width)) t) (1 - width) + 3) t _ _ _ _
       ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) TM Tn') as P.
     apply tight_more with (1 := P); lia. }
   apply (decided_big_is_right width (4 * k + 3 * width + 12) (Z.max t (1 - width) + 6) s _ G); try assumption; try lia.
-  - apply (sign_of_tight width k t); [lia|lia|exact Tg].
-  - intros _. split; now apply one.
+  - apply (sign_of_seen width k t); [lia|lia|exact Sg].
+  - intro Hits. split; now apply one.
 Qed.
 
 (* ---- Force shading ---- *)
