@@ -18,7 +18,8 @@ Lemma component_size : forall K g n, / 1000 <= K <= 1000 -> 0 < g -> (n = 0 \/ /
 Proof.
   intros K g n HK Hg Hn Lg U. destruct Hn as [->|Hn]; [left; ring|right]. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq K) by lra.
   rewrite Rabs_mult, (Rabs_pos_eq g) by lra. split.
-  - apply Rle_trans with (bpow radix2 (-90)); [apply bpow_le; lia|]. apply Rle_trans with (/ 1000 * (/ 100000000000000 * / 10000000000)); [simpl; lra|]. apply Rmult_le_compat; try lra.
+  - apply Rle_trans with (bpow radix2 (-90)); [apply bpow_le; lia|].
+    apply Rle_trans with (/ 1000 * (/ 100000000000000 * / 10000000000)); [simpl; lra|]. apply Rmult_le_compat; try lra.
     apply Rmult_le_compat; lra.
   - apply Rle_trans with (1000 * 10000); [|simpl; lra]. apply Rmult_le_compat; try lra. apply Rmult_le_pos; lra.
 Qed.
