@@ -12,7 +12,7 @@ From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pSha
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
 From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch BigFloatDecide.
-From Forceshade Require Import ThirdAlong Bump1pShadedThird.
+From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -159,6 +159,12 @@ Print Assumptions along_big_is_right.
 Print Assumptions shading_root_tight.
 Print Assumptions bump_1p_shaded_third_stage_answers_right.
 Print Assumptions bump_1p_shaded_answers_right.
+Print Assumptions face_third.
+Print Assumptions side_gap_third_is.
+Print Assumptions bump_2p_third_stage_answers_right.
+Print Assumptions bump_2p_answers_right.
+Print Assumptions bump_2p_shaded_third_stage_answers_right.
+Print Assumptions bump_2p_shaded_answers_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.
