@@ -14,6 +14,8 @@ From Forceshade Require Import Contained CylinderNearness CylinderSecondParts Cy
 From Forceshade Require Import BumpCylinderSecond.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
+From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch BigFloatDecide.
+From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -169,6 +171,29 @@ Print Assumptions big_product_is_narrow.
 Print Assumptions big_quotient_is_narrow.
 Print Assumptions big_sign_is_right.
 Print Assumptions big_proved_sign_is_right.
+Print Assumptions big_root_is_narrow.
+Print Assumptions newton_inverse_is_good.
+Print Assumptions newton_inverse_root_is_good.
+Print Assumptions loop_ends.
+Print Assumptions big_quotient_is_right.
+Print Assumptions big_root_is_right.
+Print Assumptions tight_multiply.
+Print Assumptions tight_divide.
+Print Assumptions tight_root.
+Print Assumptions tight_sum.
+Print Assumptions search_ends.
+Print Assumptions rounded_big_is_nearest.
+Print Assumptions decided_big_is_right.
+Print Assumptions along_big_is_right.
+Print Assumptions shading_root_tight.
+Print Assumptions bump_1p_shaded_third_stage_answers_right.
+Print Assumptions bump_1p_shaded_answers_right.
+Print Assumptions face_third.
+Print Assumptions side_gap_third_is.
+Print Assumptions bump_2p_third_stage_answers_right.
+Print Assumptions bump_2p_answers_right.
+Print Assumptions bump_2p_shaded_third_stage_answers_right.
+Print Assumptions bump_2p_shaded_answers_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.

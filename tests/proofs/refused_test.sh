@@ -220,5 +220,10 @@ refuses proofs/BigFloatQuotients.v "(error a < boundless)%Z ->" "True ->" "Error
 refuses proofs/BigFloatNarrow.v "(exponent a) (exponent b) - width + 1)) + 2)%Z." "(exponent a) (exponent b) - width + 1)) + 1)%Z." "Error"
 refuses proofs/BigFloatNarrow.v "inverse * value width inverse) <= 2) ->" "inverse * value width inverse) <= 4) ->" "Error"
 refuses proofs/BigFloatNarrowQuotient.v "(width - 4 <= 2 * j)%Z" "(width - 5 <= 2 * j)%Z" "Error"
+refuses fast/numbers/big_float_ball.h "bits = 49; bits < kBits" "bits = 50; bits < kBits" "proofs/code.txt"
+refuses proofs/BigFloatNewton.v "(width / 64 - (bits / 64 + 2))" "(width / 64 - (bits / 64 + 1))" "Error"
+refuses proofs/BigFloatRight.v "(error a - exponent a + 4) (13 - width)" "(error a - exponent a + 3) (13 - width)" "Error"
+refuses proofs/Bump1pShadedThird.v "exactly 768 (opp (to64 z)) in" "exactly 768 (to64 z) in" "Error"
+refuses proofs/TwoPolygonsThird.v "(-218) <= Rabs M) -> seen" "(-219) <= Rabs M) -> seen" "Error"
 echo "$planted planted, $wrong not refused"
 [ "$wrong" = 0 ]

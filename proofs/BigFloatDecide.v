@@ -1,0 +1,151 @@
+(* SPDX-License-Identifier: BSD-3-Clause *)
+(* What a law's third stage decides from its components is right, if their bounds are finer than the separation of the exact components
+   from ties: fast/numbers/ball.h and fast/evaluate.h with numbers of fast/numbers/big_float_ball.h. *)
+From Coq Require Import ZArith Reals Lia Lra Bool.
+From Flocq Require Import Core BinarySingleNaN Binary Bits.
+From Forceshade Require Import Formats Operations Nearness Evaluate Inputs SecondStage Separation.
+From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow BigFloatNarrowQuotient.
+From Forceshade Require Import BigFloatNewton BigFloatNewtonStart BigFloatTight BigFloatSearch.
+Open Scope R_scope.
+
+(* sign_of_difference(value, tie) and approximately(value). *)
+Definition sign_beside_big (width : Z) (value : big) (tie : binary64) : comparison :=
+  sign_of_big (subtract width value (exactly width tie)).
+Definition approximately (width : Z) (a : big) : binary64 :=
+  if is_zero a then zero64
+  else let v := ldexp (fraction width a) (Z.max (exponent a) (-1070)) in if negative a then opp v else v.
+
+(* round_to_binary32(value) and decide(outcome). *)
+Definition rounded_big (width : Z) (value : big) : option binary32 :=
+  search (sign_beside_big width value) 3 (to32 (approximately width value)).
+Definition decide_big (width : Z) (contact_sign : comparison) (fx fz : big) : evaluation :=
+  match contact_sign with
+  | Gt =>
+    match rounded_big width fx, rounded_big width fz with
+    | Some x, Some z => (contact, (x, zero32, z))
+    | _, _ => no_force invalid
+    end
+  | _ => no_force free
+  end.
+
+(* ---- The signs beside ties ---- *)
+
+Lemma error_of_sum : forall width a b, let r := add width a b in error r = none \/
+  (error r <= Z.max (Z.max (error a) (error b)) (if is_zero a || is_zero b then none else
+    Z.max none (Z.max (exponent a) (exponent b) - width + 1)) + 2)%Z.
+Proof.
+  intros width a b r. unfold r. destruct (is_zero a || is_zero b) eqn:Z.
+  - unfold add. apply orb_prop in Z. destruct (is_zero a); [|destruct Z as [Z|Z]; [discriminate|rewrite Z]];
+      cbn [error with_error]; apply clamp_at_most; lia.
+  - apply orb_false_iff in Z. destruct Z as [Za Zb]. exact (big_sum_is_narrow width a b Za Zb).
+Qed.
+
+Lemma exactly_exponent : forall width v m e, (53 <= width)%Z -> is64 v m -> Rabs m <= bpow radix2 e -> is_zero (exactly width v) = false ->
+  (exponent (exactly width v) <= e + 1)%Z.
+Proof.
+  intros width v m e W [<- _] B Z. destruct (big_exactly_contains width v W) as (_ & N & _).
+  apply (exponent_below width); try assumption; [lia|].
+  now rewrite exactly_is.
+Qed.
+
+Lemma signs_beside_are_right : forall width k t s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z -> tight width k t a x ->
+  Rabs x <= bpow radix2 25 -> (forall m, is_tie m -> x <> m -> bpow radix2 (- s) <= Rabs (x - m)) ->
+  (0 <= s)%Z -> (t + s + 31 <= 0)%Z -> (s + 36 <= width)%Z -> signs_are_right (sign_beside_big width a) x.
+Proof.
+  intros width k t s a x W K Hr T Bx Sep S0 S1 S2 v m Hv Hm Bm. unfold sign_beside_big, subtract. pose proof T as (N & F & C & Bt & _).
+  destruct (big_exactly_contains width v ltac:(lia)) as (Cv & Nv & Fv). rewrite (proj1 Hv) in Cv.
+  assert (Fv' : fits k (exactly width v)) by (apply fits_le with (2 := Fv); lia).
+  destruct (big_difference_contains width k a (exactly width v) ltac:(lia) Hr N Nv F Fv') as (Nr & Fr & Cr).
+  specialize (Cr _ _ C Cv). unfold subtract in *.
+  assert (E : (error (add width a (negated (exactly width v))) < - s - 1)%Z).
+  { destruct (error_of_sum width a (negated (exactly width v))) as [E|E]; [rewrite E; numbers; lia|].
+    change (is_zero (negated (exactly width v))) with (is_zero (exactly width v)) in E.
+    change (exponent (negated (exactly width v))) with (exponent (exactly width v)) in E.
+    assert (Ev : error (negated (exactly width v)) = none) by (destruct v; reflexivity). rewrite Ev in E.
+    apply Z.le_lt_trans with (1 := E). clear E Ev. pose proof (exactly_exponent width v m 29 ltac:(lia) Hv Bm) as Xv.
+    destruct (tight_cases width k t a x ltac:(lia) ltac:(lia) T) as [[X _]|(_ & Za & _ & _ & Ea & P & _)].
+    - destruct (exact_zero_parts k a ltac:(lia) F X) as [Za ->]. rewrite Za. cbn [orb]. numbers. lia.
+    - assert (Xa : (exponent a - 2 <= 25)%Z) by (apply (le_bpow radix2); lra). rewrite Za. cbn [orb].
+      destruct (is_zero (exactly width v)); [|specialize (Xv eq_refl)]; numbers; lia. }
+  apply (big_sign_is_right width (k + width + 3) _ (x - m) s); try assumption; try (numbers; lia).
+  destruct (Req_dec x m) as [->|Hne]; [left; ring|right; now apply Sep].
+Qed.
+
+(* ---- Where the search starts ---- *)
+
+Lemma approximately_is : forall width k t a x, (128 <= width)%Z -> (k <= range)%Z -> tight width k t a x -> (t <= -60)%Z ->
+  x = 0 \/ bpow radix2 (-900) <= Rabs x <= bpow radix2 25 ->
+  exists v, is64 (approximately width a) v /\
+    (v = x /\ x = 0 \/ Rabs v <= bpow radix2 26 /\ Rabs (x - v) <= bpow radix2 (-40) * Rabs v).
+Proof.
+  intros width k t a x W K T Ht Bx. pose proof T as (N & F & C & Bt & _). unfold approximately.
+  destruct (tight_cases width k t a x ltac:(lia) ltac:(lia) T) as [[X ->]|(_ & Z & M & X0 & Ea & P & _)].
+  { destruct (exact_zero_parts k a K F X) as [Z _]. rewrite Z. exists 0. split; [exact zero_is|left; now split]. }
+  rewrite Z. destruct Bx as [Bx|Bx]; [easy|]. destruct (fraction_is width a ltac:(lia) N Z) as (f & Hf & Nf).
+  assert (D : Rabs (x - value width a) <= / 1000000000000000 * Rabs x).
+  { destruct C as [C|C]; [destruct F; numbers; lia|]. apply Rle_trans with (1 := C).
+    apply Rle_trans with (bpow radix2 (-50 + (exponent a - 2))).
+    - rewrite <- (size_some (-50 + (exponent a - 2))) by (destruct F; numbers; lia). apply size_le. lia.
+    - rewrite bpow_plus. apply Rmult_le_compat; try apply bpow_ge_0; [|exact P]. change (bpow radix2 (-50)) with (/ 1125899906842624). lra. }
+  assert (D' := D). apply Rabs_le_inv in D'.
+  pose proof (Rabs_triang_inv x (value width a)) as T1. pose proof (Rabs_triang_inv (value width a) x) as T2. rewrite Rabs_minus_sym in T2.
+  assert (X90 : bpow radix2 (-900) = 2 * bpow radix2 (-901)) by (apply (bpow_double (-901))).
+  pose proof (bpow_gt_0 radix2 (-901)) as G91.
+  assert (E : (-901 < exponent a)%Z).
+  { apply (lt_bpow radix2). pose proof (value_below width a ltac:(lia) N). lra. }
+  rewrite Z.max_l by lia. pose proof (value_is_share width a) as V. set (g := if negative a then -1 else 1) in *.
+  assert (G : Rabs g = 1) by (unfold g; destruct (negative a); [rewrite Rabs_left|rewrite Rabs_pos_eq]; lra).
+  set (q := f * bpow radix2 (exponent a)).
+  assert (Nv : near (11 / 10) (g * q) (value width a)).
+  { rewrite V. unfold q. rewrite <- Rmult_assoc. replace (11 / 10) with (0 + 11 / 10 + 0) by ring.
+    apply near_times; [apply near_times; [apply near_exactly|exact Nf]|apply near_exactly]. }
+  pose proof (near_is_close _ _ _ Nv ltac:(lra)) as Cl. set (v := g * q) in *.
+  assert (Cl2 : Rabs (v - value width a) <= / 1000000000000000 * Rabs (value width a)).
+  { apply Rle_trans with (1 := Cl). apply Rmult_le_compat_r; [apply Rabs_pos|]. unfold unit53. lra. }
+  pose proof (Rabs_triang_inv v (value width a)) as T3. pose proof (Rabs_triang_inv (value width a) v) as T4. rewrite Rabs_minus_sym in T4.
+  assert (Sv : Rabs q = Rabs v) by (unfold v; rewrite Rabs_mult, G; ring).
+  assert (B25 : bpow radix2 26 = 2 * bpow radix2 25) by (apply (bpow_double 25)).
+  assert (Vb : bpow radix2 (-901) <= Rabs v <= bpow radix2 26) by lra.
+  assert (I : is64 (ldexp (fraction width a) (exponent a)) q).
+  { apply ldexp_is; [exact Hf|]. fold q. rewrite Sv. split; [apply Rle_trans with (2 := proj1 Vb)|apply Rle_trans with (1 := proj2 Vb)];
+      apply bpow_le; lia. }
+  exists v. split.
+  - unfold v, g. destruct (negative a); [replace (-1 * q) with (- q) by ring; now apply opp_is|now rewrite Rmult_1_l].
+  - right. split; [lra|].
+    replace (x - v) with ((x - value width a) - (v - value width a)) by ring. apply Rle_trans with (1 := minus_triangle _ _).
+    change (bpow radix2 (-40)) with (/ 1099511627776). lra.
+Qed.
+
+(* ---- The answer ---- *)
+
+Theorem rounded_big_is_nearest : forall width k t s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
+  tight width k t a x -> x = 0 \/ bpow radix2 (-900) <= Rabs x <= bpow radix2 25 ->
+  (forall m, is_tie m -> x <> m -> bpow radix2 (- s) <= Rabs (x - m)) -> (29 <= s)%Z -> (t + s + 31 <= 0)%Z -> (s + 36 <= width)%Z ->
+  exists f, rounded_big width a = Some f /\ is_nearest32 f x.
+Proof.
+  intros width k t s a x W K Hr T Bx Sep S0 S1 S2. destruct (approximately_is width k t a x W ltac:(lia) T ltac:(lia) Bx) as (v & [Vv Fv] & Hv).
+  assert (Bx2 : Rabs x <= bpow radix2 25) by (destruct Bx as [->|[_ B]]; [rewrite Rabs_R0; apply bpow_ge_0|exact B]).
+  assert (Bv : Rabs v <= bpow radix2 26) by (destruct Hv as [[-> ->]|[B _]]; [rewrite Rabs_R0; apply bpow_ge_0|exact B]).
+  assert (Bn : Rabs (nearest32 v) < bpow radix2 128).
+  { apply Rle_lt_trans with (bpow radix2 26); [|apply bpow_lt; lia]. apply abs_round_le_generic; auto with typeclass_instances.
+    apply generic_format_bpow. unfold FLT_exp. lia. }
+  rewrite <- Vv in Bn. destruct (to32_rounds_once _ Fv Bn) as [V32 F32]. rewrite Vv in V32.
+  apply (search_ends _ x v); [|exact F32|exact V32|exact Hv]. now apply (signs_beside_are_right width k t s a x); try lia.
+Qed.
+
+(* A law's third stage: the sign of the gap G and both components are right, so the answer is. *)
+Theorem decided_big_is_right : forall width k t s c G fx fz Fx Fz touches, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
+  is_sign c G -> (0 < G <-> touches) ->
+  (touches -> tight width k t fx Fx /\ tight width k t fz Fz) ->
+  (touches -> (Fx = 0 \/ bpow radix2 (-900) <= Rabs Fx <= bpow radix2 25) /\ (Fz = 0 \/ bpow radix2 (-900) <= Rabs Fz <= bpow radix2 25)) ->
+  (forall m, is_tie m -> (Fx <> m -> bpow radix2 (- s) <= Rabs (Fx - m)) /\ (Fz <> m -> bpow radix2 (- s) <= Rabs (Fz - m))) ->
+  (29 <= s)%Z -> (t + s + 31 <= 0)%Z -> (s + 36 <= width)%Z -> is_answer (decide_big width c fx fz) touches Fx Fz.
+Proof.
+  intros width k t s c G fx fz Fx Fz touches W K Hr Hc Ht HT HB Sep S0 S1 S2. unfold decide_big. destruct c; cbn [is_sign] in Hc.
+  - left. split; [intro H; apply Ht in H; lra|reflexivity].
+  - left. split; [intro H; apply Ht in H; lra|reflexivity].
+  - right. apply Ht in Hc. split; [exact Hc|]. destruct (HT Hc) as [Tx Tz]. destruct (HB Hc) as [Bx Bz].
+    destruct (rounded_big_is_nearest width k t s fx Fx W K Hr Tx Bx) as (f & -> & Nf); try lia; [intros m Hm; now apply Sep|].
+    destruct (rounded_big_is_nearest width k t s fz Fz W K Hr Tz Bz) as (g & -> & Ng); try lia; [intros m Hm; now apply Sep|].
+    exists f, g. now split.
+Qed.

@@ -1,0 +1,138 @@
+(* SPDX-License-Identifier: BSD-3-Clause *)
+(* The face of two polygons and the gap beside it in the third stage, with numbers of 2048 bits: two_polygon_face() of
+   fast/laws/bump_geometry.h and side_gap() of fast/laws/polygon_gap.h. *)
+From Coq Require Import ZArith Reals Lia Lra Bool.
+From Flocq Require Import Core BinarySingleNaN Binary Bits.
+From Forceshade Require Import Formats Comparisons Operations Evaluate Inputs Polygons TwoPolygonsConstants TwoPolygonsGap.
+From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatQuotients BigFloatRight BigFloatTight ThirdAlong.
+Open Scope R_scope.
+
+Notation number := (exactly 2048).
+Definition depth_third (R w : binary32) : big :=
+  square_root_newton 2048 (multiply 2048 (subtract 2048 (number (to64 R)) (number (half_width w)))
+    (add 2048 (number (to64 R)) (number (half_width w)))).
+Definition sum_third (R w : binary32) : big := add 2048 (number (to64 R)) (depth_third R w).
+Definition diameter_third (R : binary32) : big := add 2048 (number (to64 R)) (number (to64 R)).
+Definition cosine_third (R w : binary32) : big := square_root_newton 2048 (divide_newton 2048 (sum_third R w) (diameter_third R)).
+Definition sine_third (R w : binary32) : big :=
+  divide_newton 2048 (number (half_width w)) (multiply 2048 (diameter_third R) (cosine_third R w)).
+Definition tangent_third (R w : binary32) : big := divide_newton 2048 (number (half_width w)) (sum_third R w).
+Definition side_gap_third (R w x z : binary32) : big :=
+  subtract 2048 (multiply 2048 (tangent_third R w) (subtract 2048 (number (half_width w)) (number (to64 (b32_abs x))))) (number (to64 z)).
+
+Lemma exact_third : forall v a, is64 v a -> tight 2048 1074 (-2048) (number v) a.
+Proof. intros v a H. apply tight_exactly; [lia|numbers; lia|exact H]. Qed.
+
+Lemma sum_third_is : forall R w K, parameters R w K ->
+  tight 2048 1000000 (-1969) (sum_third R w) (value32 R + axis_depth (value32 R) (value32 w)).
+Proof.
+  intros R w K Hp. pose proof (half_width_coordinate _ _ _ Hp) as Hc. pose proof Hp as ((FR & _) & HR & Hw & _).
+  pose proof (shading_root_tight 2048 R w K _ _ ltac:(lia) ltac:(numbers; lia) Hp Hc ltac:(rewrite Rabs_pos_eq; lra)) as T. cbv zeta in T.
+  replace ((value32 R - value32 w / 2) * (value32 R + value32 w / 2)) with (Rsqr (value32 R) - Rsqr (value32 w / 2)) in T
+    by (unfold Rsqr; ring).
+  change (sqrt (Rsqr (value32 R) - Rsqr (value32 w / 2))) with (axis_depth (value32 R) (value32 w)) in T. fold (depth_third R w) in T.
+  destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (HS & _).
+  set (d := axis_depth (value32 R) (value32 w)) in *. assert (d0 : 0 <= d) by (unfold d, axis_depth; apply sqrt_pos).
+  assert (TR : tight 2048 (60 * (3268 + 4 * 2048)) (-2048) (number (to64 R)) (value32 R)).
+  { apply tight_more with (1 := exact_third _ _ (to64_is_exact R FR)); [numbers; lia|lia]. }
+  destruct (seen_sum 2048 (60 * (3268 + 4 * 2048)) (-2048) (56 - 2048) 16 20 _ _ _ _ ltac:(lia) ltac:(numbers; lia) TR T) as (_ & _ & _ & Ts);
+    try lia; try intros _; try (rewrite Rabs_pos_eq by lra; simpl; lra).
+  apply tight_more with (1 := Ts ltac:(lra)); [numbers; lia|lia].
+Qed.
+
+Lemma diameter_third_is : forall R w K, parameters R w K -> tight 2048 1000000 (-2024) (diameter_third R) (2 * value32 R).
+Proof.
+  intros R w K ((FR & _) & HR & _). pose proof (exact_third _ _ (to64_is_exact R FR)) as TR.
+  replace (2 * value32 R) with (value32 R + value32 R) by ring.
+  destruct (seen_sum 2048 1074 (-2048) (-2048) 16 20 _ _ _ _ ltac:(lia) ltac:(numbers; lia) TR TR) as (_ & _ & _ & Ts);
+    try lia; try intros _; try (rewrite Rabs_pos_eq by lra; simpl; lra).
+  apply tight_more with (1 := Ts ltac:(lra)); [numbers; lia|lia].
+Qed.
+
+Lemma face_third : forall R w K, parameters R w K -> let slope := slope_2p (value32 R) (value32 w) in
+  tight 2048 100000000 (-1963) (tangent_third R w) slope /\ tight 2048 2000000000000 (-1950) (sine_third R w) (sine_of slope) /\
+  tight 2048 2000000000000 (-1950) (cosine_third R w) (cosine_of slope).
+Proof.
+  intros R w K Hp slope. pose proof (sum_third_is R w K Hp) as Ts. pose proof (diameter_third_is R w K Hp) as Td.
+  pose proof (exact_third _ _ (half_width_is _ _ _ Hp)) as Th0. destruct Hp as ((FR & _) & HR & Hw & _).
+  destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (HS & HcS & ET & _ & EC & ES). fold slope in ET, EC, ES.
+  rewrite EC, ES, ET. set (S := value32 R + axis_depth (value32 R) (value32 w)) in *. set (c := value32 w / 2) in *. set (Rad := value32 R) in *.
+  assert (Th : tight 2048 1000000 (-2048) (number (half_width w)) c) by (apply tight_more with (1 := Th0); [numbers; lia|lia]).
+  assert (HQ : 0 < S / (2 * Rad)) by (apply Rdiv_lt_0_compat; lra). assert (Hq : 0 < sqrt (S / (2 * Rad))) by now apply sqrt_lt_R0.
+  pose proof (tight_divide 2048 1000000 (-2048) (-1969) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Th Ts ltac:(lra)) as T1.
+  pose proof (tight_divide 2048 1000000 (-1969) (-2024) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Ts Td ltac:(lra)) as T2.
+  assert (T2' : tight 2048 100000000 (-1963) (divide_newton 2048 (sum_third R w) (diameter_third R)) (S / (2 * Rad)))
+    by (apply tight_more with (1 := T2); [numbers; lia|lia]).
+  pose proof (tight_root 2048 100000000 (-1963) _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) T2' ltac:(lra)) as T3.
+  fold (cosine_third R w) in T3.
+  assert (T3' : tight 2048 10000000000 (-1959) (cosine_third R w) (sqrt (S / (2 * Rad))))
+    by (apply tight_more with (1 := T3); [numbers; lia|lia]).
+  assert (Td' : tight 2048 10000000000 (-2024) (diameter_third R) (2 * Rad)) by (apply tight_more with (1 := Td); [numbers; lia|lia]).
+  pose proof (tight_multiply 2048 10000000000 (-2024) (-1959) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Td' T3') as T4.
+  assert (T4' : tight 2048 30000000000 (-1956) (multiply 2048 (diameter_third R) (cosine_third R w)) (2 * Rad * sqrt (S / (2 * Rad))))
+    by (apply tight_more with (1 := T4); [numbers; lia|lia]).
+  assert (Th' : tight 2048 30000000000 (-2048) (number (half_width w)) c) by (apply tight_more with (1 := Th); [numbers; lia|lia]).
+  assert (HD : 2 * Rad * sqrt (S / (2 * Rad)) <> 0) by (apply Rgt_not_eq, Rmult_lt_0_compat; lra).
+  pose proof (tight_divide 2048 30000000000 (-2048) (-1956) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Th' T4' HD) as T5.
+  split; [apply tight_more with (1 := T1); [numbers; lia|lia]|]. split.
+  - apply tight_more with (1 := T5); [numbers; lia|lia].
+  - apply tight_more with (1 := T3'); [numbers; lia|lia].
+Qed.
+
+(* ---- The gap ---- *)
+
+(* The distance from the edge, which may be 0 and is 0 exactly then. *)
+Lemma from_edge_third : forall R w K x X, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
+  Rabs X <= value32 w / 2 ->
+  tight 2048 100000000 (-1975) (subtract 2048 (number (half_width w)) (number (to64 (b32_abs x)))) (value32 w / 2 - Rabs X).
+Proof.
+  intros R w K x X Hp Fx Vx Cx Hin. pose proof (half_width_coordinate _ _ _ Hp) as Cc. pose proof (half_width_is _ _ _ Hp) as Ic.
+  destruct Hp as (_ & HR & Hw & _). assert (Ix : is64 (to64 (b32_abs x)) (Rabs X)).
+  { assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs). destruct (to64_is_exact _ Fa) as [V F].
+    split; [|exact F]. rewrite V, <- Vx. apply B2R_Babs. }
+  pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *. assert (Hc : / 2000 <= c <= 10000) by (unfold c; lra).
+  pose proof (exact_third _ _ Ic) as Tc. pose proof (tight_negated _ _ _ _ _ (exact_third _ _ Ix)) as Tx.
+  assert (S : seen 2048 3125 (-1975) (subtract 2048 (number (half_width w)) (number (to64 (b32_abs x)))) (c + - Rabs X)).
+  { apply (seen_sum 2048 1074 (-2048) (-2048) 16 69); try assumption; try lia; try (numbers; lia).
+    - rewrite Rabs_pos_eq by lra. simpl. lra.
+    - rewrite Rabs_Ropp, Rabs_Rabsolu. apply Rle_trans with 10000; [|simpl; lra]. lra.
+    - intro Hne. apply (difference_is_not_tiny c (Rabs X)); [exact (coordinate_format _ _ Cc)|apply generic_format_abs; exact
+        (coordinate_format _ _ Cx)| | |exact Hne].
+      + right. rewrite Rabs_pos_eq by lra. simpl. lra.
+      + rewrite Rabs_Rabsolu. destruct (coordinate_not_tiny _ _ Cx) as [->|L]; [left; apply Rabs_R0|now right]. }
+  change (c - Rabs X) with (c + - Rabs X). destruct (Req_dec (c + - Rabs X) 0) as [E|Hne].
+  - assert (Ev : to64 (b32_abs x) = half_width w).
+    { apply B2R_inj; [| |rewrite (proj1 Ix), (proj1 Ic); lra]; apply strictly_finite; [rewrite (proj1 Ix)|rewrite (proj1 Ic)]; lra. }
+    destruct S as (N & F & C & _). split; [exact N|]. split; [apply fits_le with (2 := F); numbers; lia|]. split; [exact C|].
+    split; [numbers; lia|]. left. rewrite Ev. unfold subtract. apply less_itself; [|destruct (half_width w); reflexivity].
+    destruct (tight_cases 2048 1074 (-2048) _ _ ltac:(lia) ltac:(numbers; lia) Tc) as [[_ C0]|(_ & Z & _)]; [lra|exact Z].
+  - destruct S as (_ & _ & _ & T). apply tight_more with (1 := T Hne); [numbers; lia|lia].
+Qed.
+
+Lemma side_gap_third_is : forall R w K x X z Z, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
+  coordinate (to64 z) Z -> Rabs X <= value32 w / 2 -> let M := penetration_2p (value32 R) (value32 w) X Z in
+  (M <> 0 -> bpow radix2 (-218) <= Rabs M) -> seen 2048 400000000 (-1723) (side_gap_third R w x z) M /\ M <= 20000.
+Proof.
+  intros R w K x X z Z Hp Fx Vx Cx Cz Hin M Sep. destruct (face_third R w K Hp) as (Tt & _). destruct (face_enclosed _ _ _ Hp) as ([_ BT] & _).
+  pose proof (from_edge_third R w K x X Hp Fx Vx Cx Hin) as Te. pose proof (coordinate_range _ _ Cz) as BZ.
+  destruct Hp as (_ & HR & Hw & _). destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & ET & EH & _).
+  set (T := slope_2p (value32 R) (value32 w)) in *. pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *.
+  assert (EM : M = T * (c - Rabs X) + - Z).
+  { unfold M, penetration_2p. rewrite Rle_bool_true by exact Hin. rewrite EH, <- ET. unfold c. field. lra. }
+  assert (Hc : 0 <= c <= 10000) by (unfold c; lra).
+  assert (BA : 0 <= T * (c - Rabs X) <= 10000).
+  { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (1 * 10000); [apply Rmult_le_compat; lra|lra]. }
+  pose proof (tight_multiply 2048 100000000 (-1963) (-1975) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Tt Te) as Tp.
+  assert (Tp' : tight 2048 300000000 (-1960) (multiply 2048 (tangent_third R w) (subtract 2048 (number (half_width w)) (number (to64
+    (b32_abs x)))))
+    (T * (c - Rabs X))) by (apply tight_more with (1 := Tp); [numbers; lia|lia]).
+  assert (Tz : tight 2048 300000000 (-2048) (negated (number (to64 z))) (- Z)).
+  { apply tight_more with (1 := tight_negated _ _ _ _ _ (exact_third _ _ (coordinate_is _ _ Cz))); [numbers; lia|lia]. }
+  split; [|apply Rabs_le_inv in BZ; lra]. rewrite EM in Sep |- *. clear EM. clearbody M.
+  assert (S : seen 2048 (300000000 + 2048 + 3) (Z.max (Z.max (-1960) (-2048)) (1 - 2048) + 234 + 3) (side_gap_third R w x z) (T *
+    (c - Rabs X) + - Z)).
+  { apply (seen_sum 2048 300000000 (-1960) (-2048) 16 234); try assumption; try lia; try (numbers; lia).
+    - rewrite Rabs_pos_eq by lra. simpl. lra.
+    - rewrite Rabs_Ropp. simpl. lra. }
+  apply seen_more with (1 := S); [numbers; lia|lia].
+Qed.
