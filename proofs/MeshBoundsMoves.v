@@ -142,3 +142,121 @@ Proof.
     apply volume_in_cube; [apply S| |apply H|apply T]. apply landing_in_cube; [apply P|apply G|].
     assert (D : m = m / d * d) by (field; lra). set (part := m / d) in *. clearbody part. split; destruct On; nra.
 Qed.
+
+(* ---- A sub-goal (SubGoal::goal_in()): g is the god-object's point in the triangle (a, b, c), with the corners' whole weights, and N
+   the corners' normals with these weights. ---- *)
+
+Definition a_normal (N : vector) := multiples 149 N /\ no_larger 2 N.
+
+(* What is interpolated in a triangle has the weights of its three corners. *)
+Definition in_three {T} (weights : R * R * R) (first second third : T) : list (R * T) :=
+  let '(u, v, w) := weights in [(u, first); (v, second); (w, third)].
+Definition whole (k l m : Z) := (IZR k, IZR l, IZR m).
+Definition of_the_grid (k l m : Z) := (0 <= k /\ 0 <= l /\ 0 <= m /\ k + l + m = 2 ^ 24)%Z.
+
+Definition way_to_grid (k l m : Z) (a b c p : vector) :=  (* 2^24 (g - p) *)
+  weighted_sum (fun corner => minus corner p) (in_three (whole k l m) a b c).
+Definition shading_normal (k l m : Z) (N1 N2 N3 : vector) := weighted_sum (fun N => N) (in_three (whole k l m) N1 N2 N3).
+Definition under_sub_goal (n N : vector) := IZR (2 ^ 24) * (square N * square n).
+(* p + ((g - p)·N/N²) (N - (N·n/n²) n), times that. *)
+Definition over_sub_goal (n N way p : vector) :=
+  plus (scaled (under_sub_goal n N) p) (scaled (dot way N) (minus (scaled (square n) N) (scaled (dot N n) n))).
+
+Lemma weights_of_the_grid : forall T k l m (first second third : T), of_the_grid k l m ->
+  all_weights (in_three (whole k l m) first second third) = IZR (2 ^ 24) /\
+  (forall weight corner, In (weight, corner) (in_three (whole k l m) first second third) ->
+    multiple 0 weight /\ 0 <= weight /\ (corner = first \/ corner = second \/ corner = third)).
+Proof.
+  intros T k l m first second third (K & L & M & S). split.
+  - cbn [all_weights in_three whole]. rewrite <- S, !plus_IZR. ring.
+  - intros weight corner H. apply IZR_le in K, L, M.
+    destruct H as [E|[E|[E|[]]]]; injection E as <- <-; (split; [apply multiple_of_integer|split; [assumption|tauto]]).
+Qed.
+
+Lemma difference_no_larger : forall a b, in_cube a -> in_cube b -> no_larger (IZR side) (minus b a).
+Proof.
+  intros a b ([? ?] & [? ?] & [? ?]) ([? ?] & [? ?] & [? ?]). change (IZR side) with 20000. unfold end_of_domain in *.
+  repeat split; cbn [minus x_of y_of z_of]; apply Rabs_le; lra.
+Qed.
+
+Lemma way_to_grid_is : forall k l m a b c p, given a -> given b -> given c -> given p -> of_the_grid k l m ->
+  multiples 53 (way_to_grid k l m a b c p) /\ no_larger (IZR (2 ^ 24 * side)) (way_to_grid k l m a b c p).
+Proof.
+  intros k l m a b c p A B C P G. destruct (weights_of_the_grid _ k l m a b c G) as [S W]. split.
+  - apply (weighted_unit _ _ _ 0 53); [lia|lia|]. intros weight corner H. destruct (W weight corner H) as (U & _ & E).
+    split; [exact U|]. destruct E as [->|[->| ->]]; now apply edge_unit.
+  - rewrite mult_IZR, <- S. apply weighted_size. intros weight corner H. destruct (W weight corner H) as (_ & U & E).
+    split; [exact U|]. destruct E as [->|[->| ->]]; (apply difference_no_larger; [apply P|]); [apply A|apply B|apply C].
+Qed.
+
+Lemma shading_normal_is : forall k l m N1 N2 N3, a_normal N1 -> a_normal N2 -> a_normal N3 -> of_the_grid k l m ->
+  multiples 149 (shading_normal k l m N1 N2 N3) /\ no_larger (IZR (2 ^ 24 * 2)) (shading_normal k l m N1 N2 N3).
+Proof.
+  intros k l m N1 N2 N3 [U1 L1] [U2 L2] [U3 L3] G. destruct (weights_of_the_grid _ k l m N1 N2 N3 G) as [S W]. split.
+  - apply (weighted_unit _ _ _ 0 149); [lia|lia|]. intros weight corner H. destruct (W weight corner H) as (U & _ & E).
+    split; [exact U|]. destruct E as [->|[->| ->]]; assumption.
+  - rewrite mult_IZR, <- S. apply weighted_size. intros weight corner H. destruct (W weight corner H) as (_ & U & E).
+    split; [exact U|]. destruct E as [->|[->| ->]]; assumption.
+Qed.
+
+(* What of n² N is along the plane. *)
+Lemma along_plane_size : forall n N p q, square n <= IZR p -> square N <= IZR q ->
+  square (minus (scaled (square n) N) (scaled (dot N n) n)) <= IZR (p * p * q).
+Proof.
+  intros n N p q P Q. rewrite !mult_IZR. pose proof (square_is_not_negative n) as P0. pose proof (square_is_not_negative N) as Q0.
+  replace (square (minus (scaled (square n) N) (scaled (dot N n) n))) with
+    (square n * (square n * square N - dot N n * dot N n)) by (components; ring).
+  assert (L : square n * square N - dot N n * dot N n <= square n * square N) by (pose proof (Rle_0_sqr (dot N n)); unfold Rsqr in *; lra).
+  apply Rle_trans with (square n * (square n * square N)); [now apply Rmult_le_compat_l|].
+  rewrite <- Rmult_assoc. apply Rmult_le_compat; auto; [now apply Rmult_le_pos|]. now apply Rmult_le_compat.
+Qed.
+
+Notation most_normal := (2 ^ 24 * 2)%Z.
+Notation most_under_goal := (2 ^ 24 * (3 * (most_normal * most_normal) * (3 * S4)))%Z.
+
+Lemma position_no_larger : forall p, given p -> no_larger (IZR end_of_domain) p.
+Proof. intros p (([? ?] & [? ?] & [? ?]) & _). repeat split; apply Rabs_le; lra. Qed.
+
+(* | a coordinate of a sub-goal, times 2²⁴ N² n² | 2^-563 | 714 | *)
+Theorem sub_goal_fits : forall a b c p N1 N2 N3 (k l m : Z), given a -> given b -> given c -> given p -> a_normal N1 -> a_normal N2 ->
+  a_normal N3 -> of_the_grid k l m ->
+  all_fit 563 714 (over_sub_goal (normal a b c) (shading_normal k l m N1 N2 N3) (way_to_grid k l m a b c p) p).
+Proof.
+  intros a b c p N1 N2 N3 k l m A B C P A1 A2 A3 G.
+  destruct (way_to_grid_is k l m a b c p A B C P G) as [WU WL].
+  destruct (shading_normal_is k l m N1 N2 N3 A1 A2 A3 G) as [NU NL].
+  pose proof (normal_unit a b c A B C) as U. pose proof (normal_size a b c A B C) as L.
+  set (N := shading_normal k l m N1 N2 N3) in *. set (w := way_to_grid k l m a b c p) in *. set (n := normal a b c) in *.
+  clearbody N w n. pose proof (square_no_larger _ _ WL) as WS. pose proof (square_no_larger _ _ NL) as NS.
+  apply they_fit with (most_under_goal * end_of_domain + 6 * (2 ^ 24 * (2 ^ 24 * side)) * (21 * 2 ^ 23 * S4))%Z.
+  - apply multiples_plus.
+    + apply (multiples_scaled 510 53); [lia|lia| |apply P].
+      apply (multiple_mult 0 510); [lia|lia|apply multiple_of_integer|].
+      apply (multiple_mult 298 212); [lia|lia|apply (multiple_dot 149 149)|apply (multiple_dot 106 106)]; (lia || assumption).
+    + apply (multiples_scaled 202 361); [lia|lia|apply (multiple_dot 53 149); (lia || assumption)|].
+      apply multiples_minus.
+      * apply (multiples_scaled 212 149); [lia|lia|apply (multiple_dot 106 106); (lia || assumption)|assumption].
+      * apply (multiples_scaled 255 106); [lia|lia|apply (multiple_dot 149 106); (lia || assumption)|assumption].
+  - rewrite plus_IZR. apply plus_no_larger.
+    + rewrite mult_IZR. apply scaled_no_larger; [|now apply position_no_larger].
+      apply product_size; [apply size_of_integer; lia|]. apply product_size; now apply square_size.
+    + rewrite mult_IZR. apply scaled_no_larger.
+      * apply dot_size with (2 := NS) (1 := WS); [discriminate|vm_compute; discriminate].
+      * apply components_no_larger; [discriminate|].
+        apply Rle_trans with (1 := along_plane_size n N _ _ L NS). apply IZR_le. vm_compute. discriminate.
+  - reflexivity.
+  - lia.
+Qed.
+
+(* ---- A slip that friction shortens by i/2^24 (exact_weight_after()): whether it ends before it comes to the border. h(x), the height of x
+   over a side (s, t) of the triangle, is n times twice the area of s, t and x, and n² times the weight of the opposite corner. ---- *)
+
+Definition height_over (a b c s t x : vector) := dot (cross (minus t s) (minus x s)) (normal a b c).
+
+(* The weights that the code computes are these heights, and so is 2^-24 G n² for a point of the grid where that corner's weight is G. *)
+Lemma heights_are_weights : forall a b c p,
+  dot (cross (minus p a) (minus c a)) (normal a b c) = height_over a b c c a p /\
+  dot (cross (minus b a) (minus p a)) (normal a b c) = height_over a b c a b p /\
+  square (normal a b c) - (dot (cross (minus p a) (minus c a)) (normal a b c) + dot (cross (minus b a) (minus p a)) (normal a b c)) =
+    height_over a b c b c p.
+Proof. intros. unfold height_over. repeat split; components; ring. Qed.
