@@ -260,3 +260,43 @@ Lemma heights_are_weights : forall a b c p,
   square (normal a b c) - (dot (cross (minus p a) (minus c a)) (normal a b c) + dot (cross (minus b a) (minus p a)) (normal a b c)) =
     height_over a b c b c p.
 Proof. intros. unfold height_over. repeat split; components; ring. Qed.
+
+Lemma heights_of_the_grid : forall a b c g u v w, u + v + w = 1 -> g = plus (scaled u a) (plus (scaled v b) (scaled w c)) ->
+  height_over a b c b c g = u * square (normal a b c) /\ height_over a b c c a g = v * square (normal a b c) /\
+  height_over a b c a b g = w * square (normal a b c).
+Proof.
+  intros a b c g u v w S ->. replace u with (1 - v - w) by lra. unfold height_over. repeat split; components; ring.
+Qed.
+
+Lemma height_unit : forall a b c s t p, given a -> given b -> given c -> given s -> given t -> given p ->
+  multiple 212 (height_over a b c s t p).
+Proof. intros. apply (multiple_dot 106 106); units; apply (multiples_cross 53 53); units. Qed.
+
+Lemma height_size : forall a b c s t p, given a -> given b -> given c -> given s -> given t -> given p ->
+  Rabs (height_over a b c s t p) <= IZR (3 * S4).
+Proof. intros. apply dot_size with (3 * S4)%Z (3 * S4)%Z; try discriminate; now apply normal_size. Qed.
+
+(* i 2^24 h(g) + (2^24 - i) 2^24 h(q), with 2^24 h(g) = G n². *)
+Definition weight_after (i G : Z) (all q : R) := all * (IZR i * IZR G) + q * IZR (2 ^ 24 - i) * IZR (2 ^ 24).
+
+(* | the share or the border first: i·h(g) + (2²⁴ − i)·h(q), h the height over a side, times 2²⁴ | 2^-212 | 319 | *)
+Theorem share_or_border_fits : forall a b c s t p (i G : Z), given a -> given b -> given c -> given s -> given t -> given p ->
+  (0 <= i < 2 ^ 24)%Z -> (0 <= G <= 2 ^ 24)%Z ->
+  fits 212 319 (weight_after i G (square (normal a b c)) (height_over a b c s t p)).
+Proof.
+  intros a b c s t p i G A B C S T P I K. of size (2 ^ 48 * (3 * S4))%Z.
+  - apply multiple_plus.
+    + apply (multiple_mult 212 0); [lia|lia|apply (multiple_dot 106 106); units|]. apply (multiple_mult 0 0); try lia; apply multiple_of_integer.
+    + apply (multiple_mult 212 0); [lia|lia| |apply multiple_of_integer].
+      apply (multiple_mult 212 0); [lia|lia|now apply height_unit|apply multiple_of_integer].
+  - pose proof (height_size a b c s t p A B C S T P) as H. pose proof (square_size _ _ (normal_size a b c A B C)) as N.
+    unfold weight_after. set (h := height_over a b c s t p) in *. set (n := square (normal a b c)) in *. clearbody h n.
+    apply Rle_trans with (1 := Rabs_triang _ _).
+    assert (X : Rabs (n * (IZR i * IZR G)) <= IZR (3 * S4 * (i * 2 ^ 24))).
+    { apply product_size; [exact N|]. apply product_size; apply size_of_integer; lia. }
+    assert (Y : Rabs (h * IZR (2 ^ 24 - i) * IZR (2 ^ 24)) <= IZR (3 * S4 * (2 ^ 24 - i) * 2 ^ 24)).
+    { apply product_size; [apply product_size; [exact H|]|]; apply size_of_integer; lia. }
+    replace (2 ^ 48 * (3 * S4))%Z with (3 * S4 * (i * 2 ^ 24) + 3 * S4 * (2 ^ 24 - i) * 2 ^ 24)%Z.
+    + rewrite plus_IZR. lra.
+    + change (2 ^ 48)%Z with (2 ^ 24 * 2 ^ 24)%Z. ring.
+Qed.
