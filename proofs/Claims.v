@@ -12,7 +12,7 @@ From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pSha
 From Forceshade Require Import NewtonEnclosed SineEnclosed ThreePolygonsGap Bump3pSecond Bump3pShadedSecond.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
-From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
+From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -178,6 +178,13 @@ Print Assumptions beside_a_sheet_fits.
 Print Assumptions foot_on_a_sheet_fits.
 Print Assumptions two_crossings_in_a_plane_fit.
 Print Assumptions part_of_a_way_fits.
+Print Assumptions from_landing_fits.
+Print Assumptions sub_goal_fits.
+Print Assumptions binary32_is_multiple.
+Print Assumptions textured_normal_fits.
+Print Assumptions textured_on_crease_fits.
+Print Assumptions square_of_textured_force_fits.
+Print Assumptions share_or_border_fits.
 Print Assumptions sticking_in_a_triangle_fits.
 Print Assumptions sticking_along_an_edge_fits.
 Print Assumptions share_in_a_triangle_fits.
