@@ -225,7 +225,7 @@ Proof.
     + now apply nearest_length_size.
 Qed.
 
-(* The direction at that rest. n₁ and n₂ are normals of (a₁, b₁, c₁) and (a₂, b₂, c₂), and s₁, s₂, t₁, t₂ the textures at the ends. *)
+(* The direction at that rest. s₁ and s₂ are the textures at the ends on the first side, t₁ and t₂ on the other. *)
 Definition textured_on_crease (a b p n1 n2 : vector) (s1 s2 t1 t2 : texture) (Ux Uy Vx Vy : R) :=
   on_crease (way_to_edge a b p) n1 n2 (textured_normal Ux Uy (in_two (weights_on_edge a b p) s1 s2))
     (textured_normal Vx Vy (in_two (weights_on_edge a b p) t1 t2)).
