@@ -142,3 +142,98 @@ Proof.
       + of size (3 * S4 * most_rest * (3 * S4 * most_rest) * (3 * (most_between * most_between)))%Z; [exact RU|exact RL]. }
   destruct HN as [(N1 & N2 & N3) (M1 & M2 & M3)]. repeat split; apply One; (assumption || (split; (repeat split; assumption))).
 Qed.
+
+(* ---- v along an edge, with one pair of normals at its ends: weights 2^24 - k and k ---- *)
+
+Definition along_the_grid (k : Z) := (0 <= k <= 2 ^ 24)%Z.
+Definition whole_of_two (k : Z) := (IZR (2 ^ 24 - k), IZR k).
+Definition way_to_grid_on_edge (k : Z) (a b p : vector) :=  (* 2^24 (g - p) *)
+  weighted_sum (fun corner => minus corner p) (in_two (whole_of_two k) a b).
+Definition pulled_along_edge (k : Z) (a b p : vector) :=
+  minus (scaled (square (minus b a)) (way_to_grid_on_edge k a b p)) (scaled (IZR (2 ^ 24)) (way_to_edge a b p)).
+
+Lemma weights_of_two : forall T k (first second : T), along_the_grid k ->
+  all_weights (in_two (whole_of_two k) first second) = IZR (2 ^ 24) /\
+  (forall weight corner, In (weight, corner) (in_two (whole_of_two k) first second) ->
+    multiple 0 weight /\ 0 <= weight /\ (corner = first \/ corner = second)).
+Proof.
+  intros T k first second [L H]. split.
+  - cbn [all_weights in_two whole_of_two]. rewrite minus_IZR. ring.
+  - assert (A : 0 <= IZR (2 ^ 24 - k)) by (apply IZR_le; lia). assert (B : 0 <= IZR k) by (apply IZR_le; lia).
+    unfold whole_of_two. set (j := (2 ^ 24 - k)%Z) in *. clearbody j. intros weight corner I.
+    destruct I as [E|[E|[]]]; injection E as <- <-; (split; [apply multiple_of_integer|split; [assumption|tauto]]).
+Qed.
+
+Lemma normals_between_two : forall k N1 N2, any_normal N1 -> any_normal N2 -> along_the_grid k ->
+  between_normals (weighted_sum (fun N => N) (in_two (whole_of_two k) N1 N2)).
+Proof.
+  intros k N1 N2 [U1 L1] [U2 L2] G. destruct (weights_of_two _ k N1 N2 G) as [S W]. split.
+  - apply (weighted_unit _ _ _ 0 149); [lia|lia|]. intros weight corner H. destruct (W weight corner H) as (U & _ & E).
+    split; [exact U|]. destruct E as [->| ->]; assumption.
+  - rewrite mult_IZR, <- S. apply weighted_size. intros weight corner H. destruct (W weight corner H) as (_ & U & E).
+    split; [exact U|]. destruct E as [->| ->]; assumption.
+Qed.
+
+Lemma way_to_grid_on_edge_is : forall k a b p, given a -> given b -> given p -> along_the_grid k ->
+  multiples 53 (way_to_grid_on_edge k a b p) /\ no_larger (IZR (2 ^ 24 * side)) (way_to_grid_on_edge k a b p).
+Proof.
+  intros k a b p A B P G. destruct (weights_of_two _ k a b G) as [S W]. split.
+  - apply (weighted_unit _ _ _ 0 53); [lia|lia|]. intros weight corner H. destruct (W weight corner H) as (U & _ & E).
+    split; [exact U|]. destruct E as [->| ->]; now apply edge_unit.
+  - rewrite mult_IZR, <- S. apply weighted_size. intros weight corner H. destruct (W weight corner H) as (_ & U & E).
+    split; [exact U|]. destruct E as [->| ->]; (apply difference_no_larger; [apply P|]); [apply A|apply B].
+Qed.
+
+(* It is along the edge. *)
+Lemma pulled_along_edge_is : forall k a b p,
+  pulled_along_edge k a b p = scaled (dot (minus b a) (way_to_grid_on_edge k a b p)) (minus b a).
+Proof.
+  intros k a b p. unfold pulled_along_edge, way_to_grid_on_edge, way_to_edge. cbn [weighted_sum in_two whole_of_two].
+  rewrite minus_IZR. set (g := IZR (2 ^ 24)). set (l := IZR k). clearbody g l. apply same_components; components; ring.
+Qed.
+
+Lemma pulled_along_edge_unit : forall k a b p, given a -> given b -> given p -> along_the_grid k ->
+  multiples 159 (pulled_along_edge k a b p).
+Proof.
+  intros k a b p A B P G. destruct (way_to_grid_on_edge_is k a b p A B P G) as [U _]. rewrite pulled_along_edge_is.
+  apply (multiples_scaled 106 53); [lia|lia|apply (multiple_dot 53 53); units|units].
+Qed.
+
+Lemma pulled_along_edge_size : forall k a b p, given a -> given b -> given p -> along_the_grid k ->
+  no_larger (IZR (3 * S2 * 34642 * 2 ^ 24)) (pulled_along_edge k a b p).
+Proof.
+  intros k a b p A B P G. destruct (way_to_grid_on_edge_is k a b p A B P G) as [_ L]. rewrite pulled_along_edge_is.
+  pose proof (square_no_larger _ _ L) as W. pose proof (edge_size a b A B) as E.
+  set (e := minus b a) in *. set (w := way_to_grid_on_edge k a b p) in *. clearbody e w.
+  apply components_no_larger; [discriminate|].
+  replace (square (scaled (dot e w) e)) with (dot e w * dot e w * square e) by (components; ring).
+  apply Rle_trans with (IZR (3 * S2 * (3 * (2 ^ 24 * side * (2 ^ 24 * side))) * (3 * S2))); [|apply IZR_le; vm_compute; discriminate].
+  rewrite mult_IZR. apply Rmult_le_compat; [apply Rle_0_sqr|apply square_is_not_negative| |exact E].
+  apply Rle_trans with (1 := cauchy_schwarz e w). rewrite mult_IZR. apply Rmult_le_compat; auto; apply square_is_not_negative.
+Qed.
+
+(* | the same, v along an edge, one pair of normals: K²(e × w)²e²N_i² and (m e² + Kτ)²N² | 2^-810 | 1230 | *)
+Theorem pulled_force_along_edge_fits : forall k a b p N m K, given a -> given b -> given p -> along_the_grid k -> between_normals N ->
+  a_tie m -> a_stiffness K ->
+  let one_fits (component : vector -> R) :=
+    fits 810 1230 (root_squared K (way_to_edge a b p) (component N)) /\
+    fits 810 1230 (rest_squared m K (square (minus b a)) (component (pulled_along_edge k a b p)) N) in
+  one_fits x_of /\ one_fits y_of /\ one_fits z_of.
+Proof.
+  intros k a b p N m K A B P G HN M HK one_fits.
+  destruct (pulled_along_edge_unit k a b p A B P G) as (U1 & U2 & U3).
+  destruct (pulled_along_edge_size k a b p A B P G) as (L1 & L2 & L3).
+  assert (One : forall component : vector -> R, multiple 149 (component N) -> Rabs (component N) <= IZR most_between ->
+    multiple 159 (component (pulled_along_edge k a b p)) ->
+    Rabs (component (pulled_along_edge k a b p)) <= IZR (3 * S2 * 34642 * 2 ^ 24) -> one_fits component).
+  { intros component NU NL U L. unfold one_fits. split.
+    - of size (2 ^ 10 * most_between * (2 ^ 10 * most_between) * (3 * S2 * (3 * S2 * (3 * S2))))%Z.
+      + apply multiple_of_less with 682%Z; [lia|]. apply (root_unit _ _ _ 159); [lia|exact HK|exact NU|now apply way_to_edge_unit].
+      + apply root_is; [exact HK|exact NU|exact NL|now apply way_to_edge_size].
+    - destruct (rest_is 106 159 (3 * S2) m K (square (minus b a)) (component (pulled_along_edge k a b p)) N) as [RU RL];
+        try assumption; try lia.
+      + apply (multiple_dot 53 53); units.
+      + apply square_size. now apply edge_size.
+      + of size (3 * S2 * most_rest * (3 * S2 * most_rest) * (3 * (most_between * most_between)))%Z; [exact RU|exact RL]. }
+  destruct HN as [(N1 & N2 & N3) (M1 & M2 & M3)]. repeat split; apply One; (assumption || (split; (repeat split; assumption))).
+Qed.
