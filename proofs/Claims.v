@@ -12,7 +12,7 @@ From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pSha
 From Forceshade Require Import NewtonEnclosed SineEnclosed ThreePolygonsGap Bump3pSecond Bump3pShadedSecond.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
-From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshDecisions MeshConsequences NormalsInDoubt.
+From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -190,6 +190,8 @@ Print Assumptions sticking_along_an_edge_fits.
 Print Assumptions share_in_a_triangle_fits.
 Print Assumptions share_along_an_edge_fits.
 Print Assumptions keeping_the_bit_fits.
+Print Assumptions pulled_force_in_triangle_fits.
+Print Assumptions pulled_force_along_edge_fits.
 Print Assumptions parameters_of_foot.
 Print Assumptions foot_is_inside.
 Print Assumptions parameter_of_foot_on_edge.

@@ -23,10 +23,10 @@ Qed.
 (* The middle of two neighbours in binary32, one of which a component of the force may be. *)
 Definition a_tie (m : R) := multiple 150 m /\ Rabs m <= IZR (2 ^ 26).
 
-(* along_and() of fast/meshes/rounded.h. `way` is q - p times `all`, and `pull` is r - q times 2^24 all (RestNumbers::way_of_pull()).
-   of_root, and what it is compared with, over 2^48. *)
-Definition root_squared (K : R) (way : vector) (one : R) := K * one * (K * one) * square way.
-Definition rest_squared (m K all by_ : R) (N : vector) := (m * all - K * (by_ / IZR (2 ^ 24))) * (m * all - K * (by_ / IZR (2 ^ 24))) * square N.
+(* along_and() of fast/meshes/rounded.h. `way` is q - p times `all`, and by_ is a component of r - q times 2^24 all
+   (RestNumbers::way_of_pull()). of_root over 2^48 is square_of_size; this is what it is compared with, over 2^48. *)
+Definition rest_squared (m K all by_ : R) (N : vector) :=
+  (m * all - K * (by_ / IZR (2 ^ 24))) * (m * all - K * (by_ / IZR (2 ^ 24))) * square N.
 
 Lemma over_grid_unit : forall u x, (0 <= u)%Z -> multiple u x -> multiple (u + 24) (x / IZR (2 ^ 24)).
 Proof.
@@ -66,11 +66,11 @@ Proof.
 Qed.
 
 Lemma root_is : forall K way one most, a_stiffness K -> multiple 149 one -> Rabs one <= IZR most_between -> square way <= IZR most ->
-  Rabs (root_squared K way one) <= IZR (2 ^ 10 * most_between * (2 ^ 10 * most_between) * most).
+  Rabs (square_of_size K way one) <= IZR (2 ^ 10 * most_between * (2 ^ 10 * most_between) * most).
 Proof. intros K way one most [KU KL] U L W. apply product_size; [apply product_size; now apply product_size|now apply square_size]. Qed.
 
 Lemma root_unit : forall K way one u, (0 <= u)%Z -> a_stiffness K -> multiple 149 one -> multiples u way ->
-  multiple (364 + (u + u)) (root_squared K way one).
+  multiple (364 + (u + u)) (square_of_size K way one).
 Proof.
   intros K way one u U [KU KL] O W. assert (P : multiple 182 (K * one)) by (apply (multiple_mult 33 149); (lia || assumption)).
   apply multiple_mult; [lia|lia|apply (multiple_mult 182 182); (lia || assumption)|apply multiple_dot; assumption].
@@ -116,7 +116,7 @@ Qed.
 Theorem pulled_force_in_triangle_fits : forall k l j a b c p N m K, given a -> given b -> given c -> given p -> of_the_grid k l j ->
   between_normals N -> a_tie m -> a_stiffness K ->
   let one_fits (component : vector -> R) :=
-    fits 1022 1499 (root_squared K (pressed_on_triangle a b c p) (component N)) /\
+    fits 1022 1499 (square_of_size K (pressed_on_triangle a b c p) (component N)) /\
     fits 1022 1499 (rest_squared m K (square (normal a b c)) (component (pulled_in_triangle k l j a b c p)) N) in
   one_fits x_of /\ one_fits y_of /\ one_fits z_of.
 Proof.
@@ -216,7 +216,7 @@ Qed.
 Theorem pulled_force_along_edge_fits : forall k a b p N m K, given a -> given b -> given p -> along_the_grid k -> between_normals N ->
   a_tie m -> a_stiffness K ->
   let one_fits (component : vector -> R) :=
-    fits 810 1230 (root_squared K (way_to_edge a b p) (component N)) /\
+    fits 810 1230 (square_of_size K (way_to_edge a b p) (component N)) /\
     fits 810 1230 (rest_squared m K (square (minus b a)) (component (pulled_along_edge k a b p)) N) in
   one_fits x_of /\ one_fits y_of /\ one_fits z_of.
 Proof.

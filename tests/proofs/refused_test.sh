@@ -152,6 +152,7 @@ refuses proofs/MeshBounds.v "Definition end_of_domain := 10000%Z." "Definition e
 refuses proofs/MeshBoundsMoves.v "fits 212 319" "fits 212 318" "Error"
 refuses proofs/MeshBoundsMoves.v "(scaled (over_landing a b c p) (minus p g))." "(scaled (over_landing a b c p) (minus g p))." "Error"
 refuses proofs/MeshBoundsShaded.v "all_fit 987 1226" "all_fit 987 1225" "Error"
+refuses proofs/MeshBoundsPulled.v "fits 810 1230 (rest_squared" "fits 810 1229 (rest_squared" "Error"
 refuses fast/meshes/schemes/texture_scheme.h "return smooth - sum(tilt" "return smooth + sum(tilt" "proofs/code.txt"
 refuses proofs/MeshDecisions.v "(along_plane n u = sqrt (square u) <-> dot n u = 0)" "(along_plane n u = sqrt (square u) <-> dot n u <= 0)" "Error"
 refuses proofs/MeshConsequences.v "square (minus r g) / 2 < dot" "square (minus r g) < dot" "Error"
