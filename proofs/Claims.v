@@ -179,6 +179,7 @@ Print Assumptions foot_on_a_sheet_fits.
 Print Assumptions two_crossings_in_a_plane_fit.
 Print Assumptions part_of_a_way_fits.
 Print Assumptions from_landing_fits.
+Print Assumptions from_landing_in_a_plane_fits.
 Print Assumptions sub_goal_fits.
 Print Assumptions binary32_is_multiple.
 Print Assumptions textured_normal_fits.

@@ -143,6 +143,63 @@ Proof.
     assert (D : m = m / d * d) by (field; lra). set (part := m / d) in *. clearbody part. split; destruct On; nra.
 Qed.
 
+(* Where that way lies in the plane of the other triangle (Segment::meet_flat()): t of a side (s, t) that it crosses, over its den. *)
+Definition from_landing (a b c g p h : vector) := minus (scaled (under_landing a b c g p) h) (landing a b c g p).  (* d u *)
+
+Lemma from_landing_unit : forall a b c g p h, given a -> given b -> given c -> gridded g -> given p -> gridded h ->
+  multiples 313 (from_landing a b c g p h).
+Proof.
+  intros a b c g p h A B C G P H. apply multiples_minus; [|apply multiples_of_less with 289%Z; [lia|now apply landing_unit]].
+  apply (multiples_scaled 236 77); [lia|lia|now apply under_landing_unit|apply H].
+Qed.
+
+Lemma flat_products : forall d x v h s t,
+  dot (cross (minus (scaled d v) (scaled d x)) (minus (scaled d h) (scaled d x))) (cross (minus (scaled d h) (scaled d x)) (minus t s)) =
+    d * d * d * dot (normal x v h) (cross (minus h x) (minus t s)) /\
+  square (cross (minus (scaled d h) (scaled d x)) (minus t s)) * d = d * d * d * square (cross (minus h x) (minus t s)).
+Proof. intros. split; components; ring. Qed.
+
+(* | the same in the plane of another triangle: d³ (u × e)², u the way from the landing | 2^-992 | 1231 | *)
+Theorem from_landing_in_a_plane_fits : forall a b c g p s t v h, given a -> given b -> given c -> gridded g -> given p -> given s ->
+  given t -> given v -> gridded h ->
+  (0 < over_landing a b c p < under_landing a b c g p \/ under_landing a b c g p < over_landing a b c p < 0) ->
+  fits 992 1231 (square (cross (from_landing a b c g p h) (minus t s)) * under_landing a b c g p) /\
+  fits 992 1231 (dot (cross (from_landing a b c g p v) (from_landing a b c g p h)) (cross (from_landing a b c g p h) (minus t s))).
+Proof.
+  intros a b c g p s t v h A B C G P S T V H On.
+  pose proof (from_landing_unit a b c g p h A B C G P H) as U.
+  pose proof (from_landing_unit a b c g p v A B C G P (given_is_gridded v V)) as W.
+  pose proof (under_landing_unit a b c g p A B C G P) as D. pose proof (under_landing_size a b c g p A B C G P) as L.
+  assert (E : multiples 366 (cross (from_landing a b c g p h) (minus t s))).
+  { apply (multiples_cross 313 53); [lia|lia|exact U|now apply edge_unit]. }
+  assert (Sizes : Rabs (square (cross (from_landing a b c g p h) (minus t s)) * under_landing a b c g p) <=
+      IZR (most_under * most_under * most_under * (3 * S2 * (3 * S2))) /\
+    Rabs (dot (cross (from_landing a b c g p v) (from_landing a b c g p h)) (cross (from_landing a b c g p h) (minus t s))) <=
+      IZR (most_under * most_under * most_under * most_under)).
+  { clear U W D E. unfold from_landing, landing.
+    set (d := under_landing a b c g p) in *. set (m := over_landing a b c p) in *. clearbody d m.
+    set (x := minus p (scaled (m / d) (minus p g))).
+    assert (X : minus (scaled d p) (scaled m (minus p g)) = scaled d x).
+    { unfold x. apply same_components; components; field; lra. }
+    assert (In_ : in_cube x).
+    { apply landing_in_cube; [apply P|apply G|]. assert (D : m = m / d * d) by (field; lra).
+      set (part := m / d) in *. clearbody part. split; destruct On; nra. }
+    clearbody x. rewrite X. destruct (flat_products d x v h s t) as [-> ->].
+    assert (Way : square (cross (minus h x) (minus t s)) <= IZR (3 * S2 * (3 * S2))).
+    { apply cross_size; [apply distance_in_cube; [exact In_|apply H]|now apply edge_size]. }
+    assert (Cube : Rabs (d * d * d) <= IZR (most_under * most_under * most_under)) by (repeat apply product_size; exact L).
+    split; (apply product_size; [exact Cube|]).
+    - now apply square_size.
+    - apply dot_size with (3 * S4)%Z (3 * S2 * (3 * S2))%Z; [|exact Way|discriminate|discriminate].
+      apply area_in_cube; [exact In_|apply V|apply H]. }
+  destruct Sizes as [L1 L2]. split.
+  - of size (most_under * most_under * most_under * (3 * S2 * (3 * S2)))%Z; [|exact L1].
+    apply multiple_of_less with 968%Z; [lia|].
+    apply (multiple_mult 732 236); [lia|lia|apply (multiple_dot 366 366); (lia || assumption)|exact D].
+  - of size (most_under * most_under * most_under * most_under)%Z; [|exact L2].
+    apply (multiple_dot 626 366); [lia|lia| |exact E]. apply (multiples_cross 313 313); (lia || assumption).
+Qed.
+
 (* ---- A sub-goal (SubGoal::goal_in()): g is the god-object's point in the triangle (a, b, c), with the corners' whole weights, and N
    the corners' normals with these weights. ---- *)
 
