@@ -16,7 +16,7 @@ From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProd
   BigFloatNarrowQuotient.
 From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch BigFloatDecide.
 From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
-From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
+From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -220,11 +220,21 @@ Print Assumptions beside_a_sheet_fits.
 Print Assumptions foot_on_a_sheet_fits.
 Print Assumptions two_crossings_in_a_plane_fit.
 Print Assumptions part_of_a_way_fits.
+Print Assumptions from_landing_fits.
+Print Assumptions from_landing_in_a_plane_fits.
+Print Assumptions sub_goal_fits.
+Print Assumptions binary32_is_multiple.
+Print Assumptions textured_normal_fits.
+Print Assumptions textured_on_crease_fits.
+Print Assumptions square_of_textured_force_fits.
+Print Assumptions share_or_border_fits.
 Print Assumptions sticking_in_a_triangle_fits.
 Print Assumptions sticking_along_an_edge_fits.
 Print Assumptions share_in_a_triangle_fits.
 Print Assumptions share_along_an_edge_fits.
 Print Assumptions keeping_the_bit_fits.
+Print Assumptions pulled_force_in_triangle_fits.
+Print Assumptions pulled_force_along_edge_fits.
 Print Assumptions parameters_of_foot.
 Print Assumptions foot_is_inside.
 Print Assumptions parameter_of_foot_on_edge.
