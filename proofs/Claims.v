@@ -16,6 +16,7 @@ From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProd
   BigFloatNarrowQuotient.
 From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch BigFloatDecide.
 From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
+From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits.
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -158,6 +159,25 @@ Print Assumptions big_negated_contains.
 Print Assumptions big_scaled_contains.
 Print Assumptions big_midpoint_contains.
 Print Assumptions big_widened_contains.
+Print Assumptions limbs_add.
+Print Assumptions limbs_subtract.
+Print Assumptions limbs_multiply.
+Print Assumptions limbs_shift_right.
+Print Assumptions limbs_added.
+Print Assumptions limbs_normalised.
+Print Assumptions limbs_compare.
+Print Assumptions highest_limb.
+Print Assumptions limbs_cut.
+Print Assumptions one_limb.
+Print Assumptions more_limbs.
+Print Assumptions fewer_limbs.
+Print Assumptions limbs_of_product.
+Print Assumptions is_zero_in_limbs.
+Print Assumptions is_larger_in_limbs.
+Print Assumptions shift_in_limbs.
+Print Assumptions add_in_limbs.
+Print Assumptions subtract_in_limbs.
+Print Assumptions multiply_in_limbs.
 Print Assumptions big_exactly_contains.
 Print Assumptions big_converted_contains.
 Print Assumptions big_sum_contains.
