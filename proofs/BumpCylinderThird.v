@@ -4,7 +4,7 @@
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Evaluate Inputs Polygons Cylinder CylinderAnswers CylinderConstants.
-From Forceshade Require Import SecondStage SecondAlong Separation SeparationOfCylinder CylinderSecond BumpCylinderSecond.
+From Forceshade Require Import SecondStage SecondAlong Separation SeparationOfCylinder Bump2pSecond CylinderSecond BumpCylinderSecond.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatProducts BigFloatDecide TwoPolygonsThird BigFloatBounded CylinderThird.
 Open Scope R_scope.
 
@@ -88,7 +88,7 @@ Proof.
       assert (Ez : cylinder_z (value32 R) (value32 w) (value32 K) X Z + value32 K * - Z = value32 K * - Z).
       { unfold cylinder_z. cbv zeta. fold rho. rewrite Rlt_bool_false by lra. ring. }
       rewrite Ex, Ez in Sep |- *. apply (decided_fine_is_right 2048 60000000000 949); try lia; try (numbers; lia); [|exact Sep].
-      destruct (one _ _ Px), (one _ _ Pz). split; [now right|]. now repeat split. }
+      destruct (one _ _ Px) as [A1 A2], (one _ _ Pz) as [A3 A4]. split; [now right|]. exact (conj A1 (conj A2 (conj A3 A4))). }
     destruct s; [now apply beside|now apply beside|]. clear beside. destruct O as (T & Ox & Oz).
     apply (decided_fine_is_right 2048 60000000000 949); try lia; try (numbers; lia); [|exact Sep].
     destruct (one _ _ Ox) as [Fx Sx]. split; [now left|]. split; [exact Fx|]. split; [exact Sx|].
@@ -103,7 +103,8 @@ Proof.
       assert (0 <= value32 K * Z) by (apply Rmult_le_pos; lra). lra. }
     rewrite EW, Rplus_0_r in Sep |- *. apply (decided_fine_is_right 2048 60000000000 949); try lia; try (numbers; lia); [|exact Sep].
     destruct s; [intros [G|G]; [now apply O|lra]|intros [G|G]; [now apply O|lra]|].
-    destruct O as (T & Ox & Oz). destruct (one _ _ Ox), (one _ _ Oz). split; [now left|]. now repeat split.
+    destruct O as (T & Ox & Oz). destruct (one _ _ Ox) as [A1 A2], (one _ _ Oz) as [A3 A4]. split; [now left|].
+    exact (conj A1 (conj A2 (conj A3 A4))).
 Qed.
 
 (* Every answer is right, for every input of the domain. *)
