@@ -48,7 +48,7 @@ Proof.
   now rewrite exactly_is.
 Qed.
 
-(* The number holds x, and its bound is below all distances of 2^-s. *)
+(* The number holds x, and its bound is at most a thirty-second of 2^-s. *)
 Definition fine (width k s : Z) (a : big) (x : R) : Prop :=
   normal width a /\ fits k a /\ contains width a x /\ (error a <= - s - 5)%Z.
 
