@@ -16,6 +16,7 @@ From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProd
   BigFloatNarrowQuotient.
 From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch BigFloatDecide.
 From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
+From Forceshade Require Import BigFloatBounded CylinderThird BumpCylinderThird.
 From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits.
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
 
@@ -214,6 +215,17 @@ Print Assumptions bump_2p_third_stage_answers_right.
 Print Assumptions bump_2p_answers_right.
 Print Assumptions bump_2p_shaded_third_stage_answers_right.
 Print Assumptions bump_2p_shaded_answers_right.
+Print Assumptions rounded_fine_is_nearest.
+Print Assumptions decided_fine_is_right.
+Print Assumptions bounded_add.
+Print Assumptions bounded_multiply.
+Print Assumptions bounded_is_tight.
+Print Assumptions scale_tight.
+Print Assumptions cylinder_outcome_third_is.
+Print Assumptions cylinder_third_stage_answers_right.
+Print Assumptions cylinder_answers_right.
+Print Assumptions bump_cylinder_third_stage_answers_right.
+Print Assumptions bump_cylinder_answers_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.

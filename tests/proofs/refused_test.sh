@@ -236,5 +236,10 @@ refuses proofs/BigFloatNewton.v "(width / 64 - (bits / 64 + 2))" "(width / 64 - 
 refuses proofs/BigFloatRight.v "(error a - exponent a + 4) (13 - width)" "(error a - exponent a + 3) (13 - width)" "Error"
 refuses proofs/Bump1pShadedThird.v "exactly 768 (opp (to64 z)) in" "exactly 768 (to64 z) in" "Error"
 refuses proofs/TwoPolygonsThird.v "(-218) <= Rabs M) -> seen" "(-219) <= Rabs M) -> seen" "Error"
+refuses proofs/BigFloatDecide.v "(error a <= - s - 5)%Z." "(error a <= - s - 4)%Z." "Error"
+refuses proofs/BigFloatBounded.v "(b - width + 1) + 2) (b + 1) (add" "(b - width + 1) + 1) (b + 1) (add" "Error"
+refuses proofs/CylinderThird.v "(add 2048 (l_third R w z) (depth_third R w)))." "(l_third R w z))." "Error"
+refuses proofs/BumpCylinderThird.v "| _ => plane_outcome_third K z" "| _ => cylinder" "Error"
+refuses fast/laws/cylinder.h "std::size_t kWideLimbs = 32;" "std::size_t kWideLimbs = 16;" "proofs/code.txt"
 echo "$planted planted, $wrong not refused"
 [ "$wrong" = 0 ]
