@@ -67,7 +67,8 @@ Proof.
   assert (BP : 0 <= sqrt P <= value32 R).
   { split; [apply sqrt_pos|]. rewrite <- (sqrt_square (value32 R)) by lra. apply sqrt_le_1_alt. unfold P.
     pose proof (Rle_0_sqr X) as S. unfold Rsqr in S. lra. }
-  unfold along_shaded_big. cbv zeta. apply (along_big_is_right 2048 30000000000 (-1717) 1031 R w); try assumption; try lia; try (numbers; lia).
+  unfold along_shaded_big. cbv zeta. apply (along_big_is_right 2048 30000000000 (-1717) 25 1031 R w); try assumption; try lia;
+    try (numbers; lia).
   intro T. specialize (Sepc ltac:(lra)). rewrite Rabs_pos_eq in Sepc by lra.
   assert (LG : bpow radix2 (-300) <= G).
   { apply Rle_trans with (bpow radix2 (-218) * bpow radix2 (-14)); [rewrite <- bpow_plus; apply bpow_le; lia|].

@@ -14,15 +14,11 @@ Definition bump_2p_third (R w K x z : binary32) : evaluation :=
   else along_big 2048 K (side_gap_third R w x z) (if is_less32 x zero32 then negated (sine_third R w) else sine_third R w) (cosine_third R w).
 
 Lemma large_component : forall K g n, / 1000 <= K <= 1000 -> bpow radix2 (-300) <= g -> n = 0 \/ bpow radix2 (-40) <= Rabs n ->
-  g * Rabs n <= 20000 -> K * g * n = 0 \/ bpow radix2 (-900) <= Rabs (K * g * n) <= bpow radix2 25.
+  g * Rabs n <= 20000 -> K * g * n = 0 \/ bpow radix2 (-990) <= Rabs (K * g * n) <= bpow radix2 25.
 Proof.
-  intros K g n HK Lg Hn U. destruct Hn as [->|Hn]; [left; ring|right]. pose proof (bpow_gt_0 radix2 (-300)) as P3.
-  pose proof (bpow_gt_0 radix2 (-40)) as P4. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq K) by lra.
-  rewrite Rabs_mult, (Rabs_pos_eq g) by lra. split.
-  - apply Rle_trans with (bpow radix2 (-10) * (bpow radix2 (-300) * bpow radix2 (-40))).
-    + rewrite <- !bpow_plus. apply bpow_le. lia.
-    + apply Rmult_le_compat; try apply bpow_ge_0; [apply Rmult_le_pos; lra|simpl; lra|]. apply Rmult_le_compat; lra.
-  - apply Rle_trans with (1000 * 20000); [|simpl; lra]. apply Rmult_le_compat; try lra. apply Rmult_le_pos; lra.
+  intros K g n HK Lg Hn U. apply (component_is_large K g n 15); try assumption.
+  - apply Rle_trans with (2 := Lg). apply bpow_le. lia.
+  - apply Rle_trans with (1 := U). simpl. lra.
 Qed.
 
 (* The plane beside a bump. *)
@@ -38,7 +34,7 @@ Proof.
   assert (E0 : value32 K * - Z * 0 = 0) by ring. assert (E1 : value32 K * - Z * 1 = value32 K * - Z) by ring.
   enough (A : is_answer (along_big 2048 K (number (opp (to64 z))) (number zero64) (number (two_to 0))) (0 < - Z)
     (value32 K * - Z * 0) (value32 K * - Z * 1)) by (rewrite E0, E1 in A; exact A).
-  apply (along_big_is_right 2048 1074 (-2048) s R w); try assumption; try lia; try (numbers; lia); try reflexivity.
+  apply (along_big_is_right 2048 1074 (-2048) 25 s R w); try assumption; try lia; try (numbers; lia); try reflexivity.
   - now apply tight_is_seen.
   - intro T. assert (LZ : bpow radix2 (-300) <= - Z).
     { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [lra|]. rewrite Rabs_left in L by lra. apply Rle_trans with (2 := L). apply bpow_le. lia. }
@@ -75,7 +71,7 @@ Proof.
   assert (Tc' : tight 2048 2000000000000 (-1723) (cosine_third R w) (cosine_of S)) by (apply tight_more with (1 := Tc); [numbers; lia|lia]).
   set (n := if Rlt_bool X 0 then - sine_of S else sine_of S) in *.
   assert (Bn : Rabs n = sine_of S) by (unfold n; destruct (Rlt_bool X 0); rewrite ?Rabs_Ropp; apply Rabs_pos_eq; lra).
-  apply (along_big_is_right 2048 2000000000000 (-1723) 859 R w); try assumption; try lia; try (numbers; lia); try reflexivity.
+  apply (along_big_is_right 2048 2000000000000 (-1723) 25 859 R w); try assumption; try lia; try (numbers; lia); try reflexivity.
   intro T. specialize (Sepc ltac:(lra)). rewrite Rabs_pos_eq in Sepc by lra.
   assert (LM : bpow radix2 (-300) <= M) by (apply Rle_trans with (2 := Sepc); apply bpow_le; lia).
   assert (L40 : bpow radix2 (-40) <= / 40000000) by (simpl; lra).

@@ -27,10 +27,10 @@ Record newton_is_fine (width : Z) (value_of slope_of : big -> big) (f slope : R 
   fine_step : forall y rho, 0 <= rho <= / 1000 -> Rabs (y - t) <= rho * t -> Rabs (y - f y / slope y - t) <= 56 / 100 * (rho * rho) * t;
   fine_nearness : forall y r, (r <= -20)%Z -> Rabs (y - t) <= bpow radix2 r * t -> Rabs (f y) <= bpow radix2 (r + p);
   fine_value : forall x y, tight width 1074 (1 - width) x y -> Rabs (y - t) <= bpow radix2 (-20) * t ->
-    normal width (value_of x) /\ fits 3000000 (value_of x) /\ contains width (value_of x) (f y) /\
+    normal width (value_of x) /\ fits 500000 (value_of x) /\ contains width (value_of x) (f y) /\
     (error (value_of x) = none \/ (error (value_of x) <= p + 30 - width)%Z);
   fine_slope : forall x y u, tight width 1074 u x y -> (1 - width <= u <= -40)%Z -> Rabs (y - t) <= bpow radix2 (-20) * t ->
-    tight width 3000000 (u + 15) (slope_of x) (slope y) /\ bpow radix2 d <= Rabs (slope y)
+    tight width 500000 (u + 15) (slope_of x) (slope y) /\ bpow radix2 d <= Rabs (slope y)
 }.
 
 (* A quotient of which the dividend may be anything, 0 too. *)
@@ -117,7 +117,7 @@ Lemma corrected_is : forall width value_of slope_of f slope t e p d r u x y c, (
   newton_is_fine width value_of slope_of f slope t e p d -> normal width x -> error x = none -> let m := value width x in
   Rabs (m - t) <= bpow radix2 r * t -> (50 - width <= r <= -49)%Z -> tight width 1074 u y c -> (1 - width <= u <= -40)%Z ->
   (r + u + width <= 13)%Z -> Rabs (c - t) <= bpow radix2 (-20) * t -> let z := corrected width value_of slope_of x y in
-  normal width z /\ fits 300000000 z /\ contains width z (m - f m / slope c) /\ (error z = none \/ (error z <= e + 42 - width)%Z).
+  normal width z /\ fits 40000000 z /\ contains width z (m - f m / slope c) /\ (error z = none \/ (error z <= e + 42 - width)%Z).
 Proof.
   intros width value_of slope_of f slope t e p d r u x y c W Fine N E m Hm Hr Ty Hu Hru Hc z.
   destruct Fine as [_ _ [He Bt] (Hs & Hp & Hd) _ Hnear Hvalue Hslope].
@@ -128,13 +128,13 @@ Proof.
   destruct (Hvalue x m (exact_is_tight width x (1 - width) W N E Z ltac:(lia) ltac:(lia)) H20) as (Nv & Fv & Cv & Ev).
   destruct (Hslope y c u Ty ltac:(lia) Hc) as (Ts & Bs).
   assert (Bf : Rabs (f m) <= bpow radix2 (r + p)) by (apply Hnear; [lia|exact Hm]).
-  destruct (correction_is width 3000000 (p + 30 - width) (r + p) (u + 15) d (e + 40 - width) _ _ (f m) (slope c) ltac:(lia)
+  destruct (correction_is width 500000 (p + 30 - width) (r + p) (u + 15) d (e + 40 - width) _ _ (f m) (slope c) ltac:(lia)
     ltac:(numbers; lia) Nv Fv Cv Ev ltac:(lia) ltac:(numbers; lia) Bf Ts ltac:(lia) Bs ltac:(lia) ltac:(lia) ltac:(lia))
     as (Nq & Fq & Cq & Eq & Xq).
   unfold z, corrected. clear z. set (q := divide_newton width (value_of x) (slope_of y)) in *. clearbody q.
-  assert (Fx : fits 200000000 x) by (split; [lia|now left]).
-  assert (Fq' : fits 200000000 q) by (apply fits_le with (2 := Fq); numbers; lia).
-  destruct (big_difference_contains width 200000000 x q ltac:(lia) ltac:(numbers; lia) N Nq Fx Fq') as (Nz & Fz & Cz).
+  assert (Fx : fits 31000000 x) by (split; [lia|now left]).
+  assert (Fq' : fits 31000000 q) by (apply fits_le with (2 := Fq); numbers; lia).
+  destruct (big_difference_contains width 31000000 x q ltac:(lia) ltac:(numbers; lia) N Nq Fx Fq') as (Nz & Fz & Cz).
   split; [exact Nz|]. split; [apply fits_le with (2 := Fz); numbers; lia|]. split.
   - apply Cz; [|exact Cq]. right. unfold m. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply size_pos.
   - unfold subtract. destruct (error_of_sum width x (negated q)) as [B|B]; [now left|right].
@@ -211,7 +211,7 @@ Qed.
 (* The root is enclosed, and the bound is some units of the last place. *)
 Theorem newton_root_is_tight : forall width value_of slope_of f slope t e p d start y0, (128 <= width <= 4096)%Z ->
   newton_is_fine width value_of slope_of f slope t e p d -> is64 start y0 -> Rabs (y0 - t) <= bpow radix2 (-50) * t ->
-  tight width 300000000 (50 - width) (newton_root_big width value_of slope_of start) t.
+  tight width 40000000 (50 - width) (newton_root_big width value_of slope_of start) t.
 Proof.
   intros width value_of slope_of f slope t e p d start y0 W Fine Is H0. pose proof Fine as [Root Df [He Bt] _ _ _ _ _].
   assert (P : 0 < t) by (pose proof (bpow_gt_0 radix2 (e - 1)); lra).
