@@ -29,7 +29,7 @@ Proof.
   destruct (Rle_lt_dec (Rabs X) (value32 w / 2)) as [Hin|Hin].
   2: { rewrite Rle_bool_false in Sep |- * by exact Hin. cbn [negb].
     assert (EM : M = - Z) by (unfold M, penetration_2p; now rewrite Rle_bool_false by exact Hin). rewrite EM, Rmult_1_r in Sep |- *.
-    apply (plane_third 1031 R w); try assumption. lia. }
+    apply (plane_third 2048 1031 R w); try assumption; lia. }
   rewrite Rle_bool_true in Sep |- * by exact Hin. cbn [negb].
   assert (HXR : Rabs X <= value32 R) by lra. destruct (shading_root_enclosed R w K _ X Hp Cx HXR) as [_ Lr]. cbv zeta in Lr.
   pose proof (shading_root_tight 2048 R w K _ X ltac:(lia) ltac:(numbers; lia) Hp Cx HXR) as Tr. cbv zeta in Tr.
