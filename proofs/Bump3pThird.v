@@ -57,7 +57,8 @@ Proof.
   destruct (gap_3p_third_is R w K _ X _ Z Hp Fx Vx Cx Cz Hin Sepc) as (m & Bm & BM & Sg). fold M in BM, Sg.
   unfold gap_3p_third in Sg. rewrite (is_on_flat_is R w K _ Hp Fx), Vx in Sg |- *. unfold S, slope_at in *.
   revert Sg Sep. case Rle_bool_spec; intros Htop Sg Sep.
-  - destruct flat as [Fs Fc]. rewrite Fs, Fc in Sep |- *. replace (if Rlt_bool X 0 then - 0 else 0) with 0 in * by (destruct (Rlt_bool X 0); ring).
+  - destruct flat as [Fs Fc]. rewrite Fs, Fc in Sep |- *.
+    replace (if Rlt_bool X 0 then - 0 else 0) with 0 in * by (destruct (Rlt_bool X 0); ring).
     rewrite Rmult_0_r, Rmult_1_r in Sep |- *.
     assert (E0 : value32 K * M * 0 = 0) by ring. assert (E1 : value32 K * M * 1 = value32 K * M) by ring.
     pose proof (two_to_is 0 ltac:(lia)) as I1. change (bpow radix2 0) with 1 in I1.

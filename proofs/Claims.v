@@ -16,6 +16,7 @@ From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProd
   BigFloatNarrowQuotient.
 From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch BigFloatDecide.
 From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
+From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird Bump3pThird Bump3pShadedThird.
 From Forceshade Require Import MeshBounds MeshDecisions MeshConsequences NormalsInDoubt.
 
 Print Assumptions rounding_test_is_sound.
@@ -194,6 +195,14 @@ Print Assumptions bump_2p_third_stage_answers_right.
 Print Assumptions bump_2p_answers_right.
 Print Assumptions bump_2p_shaded_third_stage_answers_right.
 Print Assumptions bump_2p_shaded_answers_right.
+Print Assumptions newton_root_is_tight.
+Print Assumptions sine_of_third_is_tight.
+Print Assumptions shape_third.
+Print Assumptions gap_3p_third_is.
+Print Assumptions bump_3p_third_stage_answers_right.
+Print Assumptions bump_3p_answers_right.
+Print Assumptions bump_3p_shaded_third_stage_answers_right.
+Print Assumptions bump_3p_shaded_answers_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.
