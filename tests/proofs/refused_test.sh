@@ -226,7 +226,7 @@ refuses proofs/BigFloatRight.v "(error a - exponent a + 4) (13 - width)" "(error
 refuses proofs/Bump1pShadedThird.v "exactly 768 (opp (to64 z)) in" "exactly 768 (to64 z) in" "Error"
 refuses proofs/TwoPolygonsThird.v "(-218) <= Rabs M) -> seen" "(-219) <= Rabs M) -> seen" "Error"
 refuses proofs/NewtonThirdStage.v "slope_of 7 50 (exactly width start) in" "slope_of 6 50 (exactly width start) in" "Error"
-refuses proofs/SineThirdStage.v "(whole_big width 4) y)) y) y) r." "(whole_big width 3) y)) y) y) r." "Error"
+refuses proofs/SineThirdStage.v "tight width 50000000 (60 - width) (sine_of_third_big" "tight width 50000000 (56 - width) (sine_of_third_big" "Error"
 refuses proofs/ThreePolygonsThird.v "m <= 926)%Z /\\ Rabs M <= bpow radix2 (17 - m) /\\ (M" "m <= 924)%Z /\\ Rabs M <= bpow radix2 (17 - m) /\\ (M" "Error"
 refuses fast/numbers/big_float_ball.h "kNewtonSteps = 7;" "kNewtonSteps = 6;" "proofs/code.txt"
 echo "$planted planted, $wrong not refused"
