@@ -59,13 +59,14 @@ Proof.
   rewrite <- (size_some (- s - 5)) by (numbers; lia). now apply size_le.
 Qed.
 
-Lemma tight_is_fine : forall width k t s a x, (0 < width)%Z -> (k <= range)%Z -> tight width k t a x -> Rabs x <= bpow radix2 25 ->
-  (0 <= s <= range)%Z -> (t + s + 31 <= 0)%Z -> (width <= range)%Z -> fine width k (s - 1) a x.
+(* x is at most 2^g: the smaller it is, the larger its bound may be beside it. *)
+Lemma tight_is_fine : forall width k t g s a x, (0 < width)%Z -> (k <= range)%Z -> tight width k t a x -> Rabs x <= bpow radix2 g ->
+  (0 <= s <= range)%Z -> (t + g + s + 6 <= 0)%Z -> (width <= range)%Z -> fine width k (s - 1) a x.
 Proof.
-  intros width k t s a x W K T Bx S0 S1 Hw. pose proof T as (N & F & C & _). split; [exact N|]. split; [exact F|]. split; [exact C|].
+  intros width k t g s a x W K T Bx S0 S1 Hw. pose proof T as (N & F & C & _). split; [exact N|]. split; [exact F|]. split; [exact C|].
   destruct (tight_cases width k t a x W K T) as [[X _]|(_ & _ & _ & _ & Ea & P & _)].
   - destruct (exact_zero_parts k a K F X) as [_ ->]. numbers. lia.
-  - assert (Xa : (exponent a - 2 <= 25)%Z) by (apply (le_bpow radix2); lra). lia.
+  - assert (Xa : (exponent a - 2 <= g)%Z) by (apply (le_bpow radix2); lra). lia.
 Qed.
 
 Lemma signs_beside_fine : forall width k s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z -> fine width k (s - 1) a x ->
@@ -95,27 +96,28 @@ Proof.
   destruct (Req_dec x m) as [->|Hne]; [left; ring|right; now apply Sep].
 Qed.
 
-Lemma signs_beside_are_right : forall width k t s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z -> tight width k t a x ->
-  Rabs x <= bpow radix2 25 -> (forall m, is_tie m -> x <> m -> bpow radix2 (- s) <= Rabs (x - m)) ->
-  (0 <= s)%Z -> (t + s + 31 <= 0)%Z -> (s + 36 <= width)%Z -> signs_are_right (sign_beside_big width a) x.
+Lemma signs_beside_are_right : forall width k t g s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
+  tight width k t a x -> (g <= 25)%Z -> Rabs x <= bpow radix2 g -> (forall m, is_tie m -> x <> m -> bpow radix2 (- s) <= Rabs (x - m)) ->
+  (0 <= s)%Z -> (t + g + s + 6 <= 0)%Z -> (s + 36 <= width)%Z -> signs_are_right (sign_beside_big width a) x.
 Proof.
-  intros width k t s a x W K Hr T Bx Sep S0 S1 S2. apply (signs_beside_fine width k s); try assumption.
-  apply (tight_is_fine width k t s); try assumption; lia.
+  intros width k t g s a x W K Hr T Hg Bx Sep S0 S1 S2. apply (signs_beside_fine width k s); try assumption.
+  - apply (tight_is_fine width k t g s); try assumption; lia.
+  - apply Rle_trans with (1 := Bx). now apply bpow_le.
 Qed.
 
 (* ---- Where the search starts ---- *)
 
 (* The number's sign, and its highest limb as a fraction times a power of two. *)
 Lemma approximately_near : forall width a x, (128 <= width)%Z -> normal width a -> is_zero a = false ->
-  bpow radix2 (-900) <= Rabs x <= bpow radix2 25 -> Rabs (x - value width a) <= / 1000000000000000 * Rabs x ->
+  bpow radix2 (-990) <= Rabs x <= bpow radix2 25 -> Rabs (x - value width a) <= / 1000000000000000 * Rabs x ->
   exists v, is64 (approximately width a) v /\ Rabs v <= bpow radix2 26 /\ Rabs (x - v) <= bpow radix2 (-40) * Rabs v.
 Proof.
   intros width a x W N Z Bx D. unfold approximately. rewrite Z. destruct (fraction_is width a ltac:(lia) N Z) as (f & Hf & Nf).
   assert (D' := D). apply Rabs_le_inv in D'.
   pose proof (Rabs_triang_inv x (value width a)) as T1. pose proof (Rabs_triang_inv (value width a) x) as T2. rewrite Rabs_minus_sym in T2.
-  assert (X90 : bpow radix2 (-900) = 2 * bpow radix2 (-901)) by (apply (bpow_double (-901))).
-  pose proof (bpow_gt_0 radix2 (-901)) as G91.
-  assert (E : (-901 < exponent a)%Z).
+  assert (X90 : bpow radix2 (-990) = 2 * bpow radix2 (-991)) by (apply (bpow_double (-991))).
+  pose proof (bpow_gt_0 radix2 (-991)) as G91.
+  assert (E : (-991 < exponent a)%Z).
   { apply (lt_bpow radix2). pose proof (value_below width a ltac:(lia) N). lra. }
   rewrite Z.max_l by lia. pose proof (value_is_share width a) as V. set (g := if negative a then -1 else 1) in *.
   assert (G : Rabs g = 1) by (unfold g; destruct (negative a); [rewrite Rabs_left|rewrite Rabs_pos_eq]; lra).
@@ -129,7 +131,7 @@ Proof.
   pose proof (Rabs_triang_inv v (value width a)) as T3. pose proof (Rabs_triang_inv (value width a) v) as T4. rewrite Rabs_minus_sym in T4.
   assert (Sv : Rabs q = Rabs v) by (unfold v; rewrite Rabs_mult, G; ring).
   assert (B25 : bpow radix2 26 = 2 * bpow radix2 25) by (apply (bpow_double 25)).
-  assert (Vb : bpow radix2 (-901) <= Rabs v <= bpow radix2 26) by lra.
+  assert (Vb : bpow radix2 (-991) <= Rabs v <= bpow radix2 26) by lra.
   assert (I : is64 (ldexp (fraction width a) (exponent a)) q).
   { apply ldexp_is; [exact Hf|]. fold q. rewrite Sv. split; [apply Rle_trans with (2 := proj1 Vb)|apply Rle_trans with (1 := proj2 Vb)];
       apply bpow_le; lia. }
@@ -141,7 +143,7 @@ Proof.
 Qed.
 
 Lemma approximately_is : forall width k t a x, (128 <= width)%Z -> (k <= range)%Z -> tight width k t a x -> (t <= -60)%Z ->
-  x = 0 \/ bpow radix2 (-900) <= Rabs x <= bpow radix2 25 ->
+  x = 0 \/ bpow radix2 (-990) <= Rabs x <= bpow radix2 25 ->
   exists v, is64 (approximately width a) v /\
     (v = x /\ x = 0 \/ Rabs v <= bpow radix2 26 /\ Rabs (x - v) <= bpow radix2 (-40) * Rabs v).
 Proof.
@@ -157,36 +159,38 @@ Qed.
 
 (* ---- The answer ---- *)
 
-Theorem rounded_big_is_nearest : forall width k t s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
-  tight width k t a x -> x = 0 \/ bpow radix2 (-900) <= Rabs x <= bpow radix2 25 ->
-  (forall m, is_tie m -> x <> m -> bpow radix2 (- s) <= Rabs (x - m)) -> (29 <= s)%Z -> (t + s + 31 <= 0)%Z -> (s + 36 <= width)%Z ->
+Theorem rounded_big_is_nearest : forall width k t g s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
+  tight width k t a x -> (t <= -60)%Z -> (g <= 25)%Z -> x = 0 \/ bpow radix2 (-990) <= Rabs x <= bpow radix2 g ->
+  (forall m, is_tie m -> x <> m -> bpow radix2 (- s) <= Rabs (x - m)) -> (29 <= s)%Z -> (t + g + s + 6 <= 0)%Z -> (s + 36 <= width)%Z ->
   exists f, rounded_big width a = Some f /\ is_nearest32 f x.
 Proof.
-  intros width k t s a x W K Hr T Bx Sep S0 S1 S2. destruct (approximately_is width k t a x W ltac:(lia) T ltac:(lia) Bx) as (v & [Vv Fv] & Hv).
-  assert (Bx2 : Rabs x <= bpow radix2 25) by (destruct Bx as [->|[_ B]]; [rewrite Rabs_R0; apply bpow_ge_0|exact B]).
+  intros width k t g s a x W K Hr T Ht Hg Bx Sep S0 S1 S2. assert (Bx0 : x = 0 \/ bpow radix2 (-990) <= Rabs x <= bpow radix2 25).
+  { destruct Bx as [Bx|Bx]; [now left|right]. split; [apply Bx|]. apply Rle_trans with (1 := proj2 Bx). now apply bpow_le. }
+  destruct (approximately_is width k t a x W ltac:(lia) T Ht Bx0) as (v & [Vv Fv] & Hv).
+  assert (Bx2 : Rabs x <= bpow radix2 g) by (destruct Bx as [->|[_ B]]; [rewrite Rabs_R0; apply bpow_ge_0|exact B]).
   assert (Bv : Rabs v <= bpow radix2 26) by (destruct Hv as [[-> ->]|[B _]]; [rewrite Rabs_R0; apply bpow_ge_0|exact B]).
   assert (Bn : Rabs (nearest32 v) < bpow radix2 128).
   { apply Rle_lt_trans with (bpow radix2 26); [|apply bpow_lt; lia]. apply abs_round_le_generic; auto with typeclass_instances.
     apply generic_format_bpow. unfold FLT_exp. lia. }
   rewrite <- Vv in Bn. destruct (to32_rounds_once _ Fv Bn) as [V32 F32]. rewrite Vv in V32.
-  apply (search_ends _ x v); [|exact F32|exact V32|exact Hv]. now apply (signs_beside_are_right width k t s a x); try lia.
+  apply (search_ends _ x v); [|exact F32|exact V32|exact Hv]. now apply (signs_beside_are_right width k t g s a x); try lia.
 Qed.
 
 (* A law's third stage: the sign of the gap G and both components are right, so the answer is. *)
-Theorem decided_big_is_right : forall width k t s c G fx fz Fx Fz touches, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
-  is_sign c G -> (0 < G <-> touches) ->
+Theorem decided_big_is_right : forall width k t g s c G fx fz Fx Fz touches, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
+  is_sign c G -> (0 < G <-> touches) -> (t <= -60)%Z -> (g <= 25)%Z ->
   (touches -> tight width k t fx Fx /\ tight width k t fz Fz) ->
-  (touches -> (Fx = 0 \/ bpow radix2 (-900) <= Rabs Fx <= bpow radix2 25) /\ (Fz = 0 \/ bpow radix2 (-900) <= Rabs Fz <= bpow radix2 25)) ->
+  (touches -> (Fx = 0 \/ bpow radix2 (-990) <= Rabs Fx <= bpow radix2 g) /\ (Fz = 0 \/ bpow radix2 (-990) <= Rabs Fz <= bpow radix2 g)) ->
   (forall m, is_tie m -> (Fx <> m -> bpow radix2 (- s) <= Rabs (Fx - m)) /\ (Fz <> m -> bpow radix2 (- s) <= Rabs (Fz - m))) ->
-  (29 <= s)%Z -> (t + s + 31 <= 0)%Z -> (s + 36 <= width)%Z -> is_answer (decide_big width c fx fz) touches Fx Fz.
+  (29 <= s)%Z -> (t + g + s + 6 <= 0)%Z -> (s + 36 <= width)%Z -> is_answer (decide_big width c fx fz) touches Fx Fz.
 Proof.
-  intros width k t s c G fx fz Fx Fz touches W K Hr Hc Ht HT HB Sep S0 S1 S2. unfold decide_big. destruct c; cbn [is_sign] in Hc.
+  intros width k t g s c G fx fz Fx Fz touches W K Hr Hc Ht Ht60 Hg HT HB Sep S0 S1 S2. unfold decide_big. destruct c; cbn [is_sign] in Hc.
   - left. split; [intro H; apply Ht in H; lra|reflexivity].
   - left. split; [intro H; apply Ht in H; lra|reflexivity].
   - right. apply Ht in Hc. split; [exact Hc|]. destruct (HT Hc) as [Tx Tz]. destruct (HB Hc) as [Bx Bz].
-    destruct (rounded_big_is_nearest width k t s fx Fx W K Hr Tx Bx) as (f & -> & Nf); try lia; [intros m Hm; now apply Sep|].
-    destruct (rounded_big_is_nearest width k t s fz Fz W K Hr Tz Bz) as (g & -> & Ng); try lia; [intros m Hm; now apply Sep|].
-    exists f, g. now split.
+    destruct (rounded_big_is_nearest width k t g s fx Fx W K Hr Tx Ht60 Hg Bx) as (f & -> & Nf); try lia; [intros m Hm; now apply Sep|].
+    destruct (rounded_big_is_nearest width k t g s fz Fz W K Hr Tz Ht60 Hg Bz) as (h & -> & Nh); try lia; [intros m Hm; now apply Sep|].
+    exists f, h. now split.
 Qed.
 
 (* ---- Bounds that are small, however small the components are ---- *)

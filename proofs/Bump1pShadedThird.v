@@ -14,7 +14,7 @@ Definition bump_1p_shaded_third (R w K x z : binary32) : evaluation :=
 
 (* The sizes of a component that is not 0. *)
 Lemma component_size : forall K g n, / 1000 <= K <= 1000 -> 0 < g -> (n = 0 \/ / 10000000000 <= Rabs n) -> / 100000000000000 <= g ->
-  g * Rabs n <= 10000 -> K * g * n = 0 \/ bpow radix2 (-900) <= Rabs (K * g * n) <= bpow radix2 25.
+  g * Rabs n <= 10000 -> K * g * n = 0 \/ bpow radix2 (-990) <= Rabs (K * g * n) <= bpow radix2 25.
 Proof.
   intros K g n HK Hg Hn Lg U. destruct Hn as [->|Hn]; [left; ring|right]. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq K) by lra.
   rewrite Rabs_mult, (Rabs_pos_eq g) by lra. split.
@@ -47,7 +47,7 @@ Proof.
     assert (E0 : value32 K * - Z * 0 = 0) by ring.
     enough (A : is_answer (along_big 768 K (exactly 768 (opp (to64 (quantised z)))) (exactly 768 zero64) (exactly 768 (two_to 0))) (Z < 0)
       (value32 K * - Z * 0) (value32 K * - Z * 1)) by (rewrite E0 in A; exact A).
-    refine (along_big_is_right 768 1074 t 406 R w K _ (- Z) _ 0 _ 1 (Z < 0) _ _ _ Hp (tight_is_seen _ _ _ _ _ Tg) T0 T1 _ _ _ _ _ _);
+    refine (along_big_is_right 768 1074 t 25 406 R w K _ (- Z) _ 0 _ 1 (Z < 0) _ _ _ Hp (tight_is_seen _ _ _ _ _ Tg) T0 T1 _ _ _ _ _ _ _ _ _);
       try (unfold t; numbers; lia); try lra.
     - intro T. specialize (LZ T). split; apply component_size; rewrite ?Rabs_R0, ?Rabs_R1; lra.
     - intros m Hm. destruct (Sep m Hm) as [S1 S2]. rewrite E0. now split. }
@@ -78,7 +78,7 @@ Proof.
   assert (BP : 0 <= sqrt P <= value32 R).
   { split; [apply sqrt_pos|]. rewrite <- (sqrt_square (value32 R)) by lra. apply sqrt_le_1_alt. unfold P.
     pose proof (Rle_0_sqr X) as S. unfold Rsqr in S. lra. }
-  apply (along_big_is_right 768 k u 406 R w K _ M _ X _ (sqrt P) (Z < 0)); try assumption; try lia; try now apply tight_is_seen.
+  apply (along_big_is_right 768 k u 25 406 R w K _ M _ X _ (sqrt P) (Z < 0)); try assumption; try lia; try now apply tight_is_seen.
   - numbers. unfold k. lia.
   - intro T. specialize (LZ T). assert (LM : / 100000000000000 <= M).
     { unfold M, Rdiv. apply Rle_trans with (/ 2000000000 * / 10000); [lra|apply Rmult_le_compat; lra]. }

@@ -29,7 +29,7 @@ Proof.
   destruct (Rle_lt_dec (Rabs X) (value32 w / 2)) as [Hin|Hin].
   2: { rewrite Rle_bool_false in Sep |- * by exact Hin. cbn [negb].
     assert (EM : M = - Z) by (unfold M, penetration_2p; now rewrite Rle_bool_false by exact Hin). rewrite EM, Rmult_1_r in Sep |- *.
-    apply (plane_third 1031 R w); try assumption. lia. }
+    apply (plane_third 2048 1031 R w); try assumption; lia. }
   rewrite Rle_bool_true in Sep |- * by exact Hin. cbn [negb].
   assert (HXR : Rabs X <= value32 R) by lra. destruct (shading_root_enclosed R w K _ X Hp Cx HXR) as [_ Lr]. cbv zeta in Lr.
   pose proof (shading_root_tight 2048 R w K _ X ltac:(lia) ltac:(numbers; lia) Hp Cx HXR) as Tr. cbv zeta in Tr.
@@ -67,7 +67,8 @@ Proof.
   assert (BP : 0 <= sqrt P <= value32 R).
   { split; [apply sqrt_pos|]. rewrite <- (sqrt_square (value32 R)) by lra. apply sqrt_le_1_alt. unfold P.
     pose proof (Rle_0_sqr X) as S. unfold Rsqr in S. lra. }
-  unfold along_shaded_big. cbv zeta. apply (along_big_is_right 2048 30000000000 (-1717) 1031 R w); try assumption; try lia; try (numbers; lia).
+  unfold along_shaded_big. cbv zeta. apply (along_big_is_right 2048 30000000000 (-1717) 25 1031 R w); try assumption; try lia;
+    try (numbers; lia).
   intro T. specialize (Sepc ltac:(lra)). rewrite Rabs_pos_eq in Sepc by lra.
   assert (LG : bpow radix2 (-300) <= G).
   { apply Rle_trans with (bpow radix2 (-218) * bpow radix2 (-14)); [rewrite <- bpow_plus; apply bpow_le; lia|].

@@ -14,31 +14,29 @@ Definition bump_2p_third (R w K x z : binary32) : evaluation :=
   else along_big 2048 K (side_gap_third R w x z) (if is_less32 x zero32 then negated (sine_third R w) else sine_third R w) (cosine_third R w).
 
 Lemma large_component : forall K g n, / 1000 <= K <= 1000 -> bpow radix2 (-300) <= g -> n = 0 \/ bpow radix2 (-40) <= Rabs n ->
-  g * Rabs n <= 20000 -> K * g * n = 0 \/ bpow radix2 (-900) <= Rabs (K * g * n) <= bpow radix2 25.
+  g * Rabs n <= 20000 -> K * g * n = 0 \/ bpow radix2 (-990) <= Rabs (K * g * n) <= bpow radix2 25.
 Proof.
-  intros K g n HK Lg Hn U. destruct Hn as [->|Hn]; [left; ring|right]. pose proof (bpow_gt_0 radix2 (-300)) as P3.
-  pose proof (bpow_gt_0 radix2 (-40)) as P4. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq K) by lra.
-  rewrite Rabs_mult, (Rabs_pos_eq g) by lra. split.
-  - apply Rle_trans with (bpow radix2 (-10) * (bpow radix2 (-300) * bpow radix2 (-40))).
-    + rewrite <- !bpow_plus. apply bpow_le. lia.
-    + apply Rmult_le_compat; try apply bpow_ge_0; [apply Rmult_le_pos; lra|simpl; lra|]. apply Rmult_le_compat; lra.
-  - apply Rle_trans with (1000 * 20000); [|simpl; lra]. apply Rmult_le_compat; try lra. apply Rmult_le_pos; lra.
+  intros K g n HK Lg Hn U. apply (component_is_large K g n 15); try assumption.
+  - apply Rle_trans with (2 := Lg). apply bpow_le. lia.
+  - apply Rle_trans with (1 := U). simpl. lra.
 Qed.
 
 (* The plane beside a bump. *)
-Lemma plane_third : forall s R w K z Z, (29 <= s <= 1100)%Z -> parameters R w K -> coordinate (to64 z) Z ->
+Lemma plane_third : forall width s R w K z Z, (2048 <= width <= 4096)%Z -> (29 <= s <= width - 100)%Z -> parameters R w K ->
+  coordinate (to64 z) Z ->
   (forall m, is_tie m -> (0 <> m -> bpow radix2 (- s) <= Rabs (0 - m)) /\
     (value32 K * - Z <> m -> bpow radix2 (- s) <= Rabs (value32 K * - Z - m))) ->
-  is_answer (along_big 2048 K (number (opp (to64 z))) (number zero64) (number (two_to 0))) (0 < - Z) 0 (value32 K * - Z).
+  is_answer (along_big width K (exactly width (opp (to64 z))) (exactly width zero64) (exactly width (two_to 0))) (0 < - Z) 0 (value32 K * - Z).
 Proof.
-  intros s R w K z Z Hs Hp Cz Sep. pose proof (exact_third _ _ (opp_is _ _ (coordinate_is _ _ Cz))) as Tg.
-  pose proof (exact_third _ _ zero_is) as T0.
-  pose proof (exact_third _ _ (two_to_is 0 ltac:(lia))) as T1. change (bpow radix2 0) with 1 in T1. pose proof (coordinate_range _ _ Cz) as BZ.
+  intros width s R w K z Z W Hs Hp Cz Sep. assert (exact : forall v a, is64 v a -> tight width 1074 (- width) (exactly width v) a).
+  { intros v a H. apply tight_exactly; [lia|numbers; lia|exact H]. }
+  pose proof (exact _ _ (opp_is _ _ (coordinate_is _ _ Cz))) as Tg. pose proof (exact _ _ zero_is) as T0.
+  pose proof (exact _ _ (two_to_is 0 ltac:(lia))) as T1. change (bpow radix2 0) with 1 in T1. pose proof (coordinate_range _ _ Cz) as BZ.
   apply Rabs_le_inv in BZ. pose proof Hp as (_ & _ & _ & HK).
   assert (E0 : value32 K * - Z * 0 = 0) by ring. assert (E1 : value32 K * - Z * 1 = value32 K * - Z) by ring.
-  enough (A : is_answer (along_big 2048 K (number (opp (to64 z))) (number zero64) (number (two_to 0))) (0 < - Z)
+  enough (A : is_answer (along_big width K (exactly width (opp (to64 z))) (exactly width zero64) (exactly width (two_to 0))) (0 < - Z)
     (value32 K * - Z * 0) (value32 K * - Z * 1)) by (rewrite E0, E1 in A; exact A).
-  apply (along_big_is_right 2048 1074 (-2048) s R w); try assumption; try lia; try (numbers; lia); try reflexivity.
+  apply (along_big_is_right width 1074 (- width) 25 s R w); try assumption; try lia; try (numbers; lia); try reflexivity.
   - now apply tight_is_seen.
   - intro T. assert (LZ : bpow radix2 (-300) <= - Z).
     { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [lra|]. rewrite Rabs_left in L by lra. apply Rle_trans with (2 := L). apply bpow_le. lia. }
@@ -63,7 +61,7 @@ Proof.
   change (value32 zero32) with 0. unfold side_x, side_z in *. destruct (Rle_lt_dec (Rabs X) (value32 w / 2)) as [Hin|Hin].
   2: { rewrite Rle_bool_false in Sep |- * by exact Hin. cbn [negb].
     assert (EM : M = - Z) by (unfold M, penetration_2p; now rewrite Rle_bool_false by exact Hin). rewrite EM, Rmult_1_r in Sep |- *.
-    apply (plane_third 859 R w); try assumption. lia. }
+    apply (plane_third 2048 859 R w); try assumption; lia. }
   rewrite Rle_bool_true in Sep |- * by exact Hin. cbn [negb].
   destruct (side_gap_third_is R w K _ X _ Z Hp Fx Vx Cx Cz Hin Sepc) as [Sg UM]. fold M in Sg, UM.
   destruct (face_third R w K Hp) as (_ & Ts & Tc). destruct (face_enclosed R w K Hp) as (_ & [_ Bs] & [_ Bc]). fold S in Ts, Tc, Bs, Bc.
@@ -75,7 +73,7 @@ Proof.
   assert (Tc' : tight 2048 2000000000000 (-1723) (cosine_third R w) (cosine_of S)) by (apply tight_more with (1 := Tc); [numbers; lia|lia]).
   set (n := if Rlt_bool X 0 then - sine_of S else sine_of S) in *.
   assert (Bn : Rabs n = sine_of S) by (unfold n; destruct (Rlt_bool X 0); rewrite ?Rabs_Ropp; apply Rabs_pos_eq; lra).
-  apply (along_big_is_right 2048 2000000000000 (-1723) 859 R w); try assumption; try lia; try (numbers; lia); try reflexivity.
+  apply (along_big_is_right 2048 2000000000000 (-1723) 25 859 R w); try assumption; try lia; try (numbers; lia); try reflexivity.
   intro T. specialize (Sepc ltac:(lra)). rewrite Rabs_pos_eq in Sepc by lra.
   assert (LM : bpow radix2 (-300) <= M) by (apply Rle_trans with (2 := Sepc); apply bpow_le; lia).
   assert (L40 : bpow radix2 (-40) <= / 40000000) by (simpl; lra).

@@ -19,6 +19,7 @@ From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bum
 From Forceshade Require Import BigFloatBounded CylinderThird BumpCylinderThird.
 From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits.
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
+From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird Bump3pThird Bump3pShadedThird.
 
 Print Assumptions rounding_test_is_sound.
 Print Assumptions first_stage_returns_the_nearest.
@@ -226,6 +227,14 @@ Print Assumptions cylinder_third_stage_answers_right.
 Print Assumptions cylinder_answers_right.
 Print Assumptions bump_cylinder_third_stage_answers_right.
 Print Assumptions bump_cylinder_answers_right.
+Print Assumptions newton_root_is_tight.
+Print Assumptions sine_of_third_is_tight.
+Print Assumptions shape_third.
+Print Assumptions gap_3p_third_is.
+Print Assumptions bump_3p_third_stage_answers_right.
+Print Assumptions bump_3p_answers_right.
+Print Assumptions bump_3p_shaded_third_stage_answers_right.
+Print Assumptions bump_3p_shaded_answers_right.
 Print Assumptions distance_in_cube.
 Print Assumptions area_in_cube.
 Print Assumptions volume_in_cube.

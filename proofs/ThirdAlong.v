@@ -75,17 +75,31 @@ Proof.
   assert (exponent a - 2 <= e - 2)%Z by (apply (le_bpow radix2); lra). assert (exponent b - 2 <= e - 2)%Z by (apply (le_bpow radix2); lra). lia.
 Qed.
 
-Theorem along_big_is_right : forall width k t s R w K gap G nx NX nz NZ touches, (128 <= width)%Z -> (1074 <= k)%Z ->
+(* A component of a force is not too small to be approximated. *)
+Lemma component_is_large : forall K g n u, / 1000 <= K <= 1000 -> bpow radix2 (-930) <= g -> n = 0 \/ bpow radix2 (-40) <= Rabs n ->
+  g * Rabs n <= bpow radix2 u -> K * g * n = 0 \/ bpow radix2 (-990) <= Rabs (K * g * n) <= bpow radix2 (u + 10).
+Proof.
+  intros K g n u HK Lg Hn U. destruct Hn as [->|Hn]; [left; ring|right]. pose proof (bpow_gt_0 radix2 (-930)) as P3.
+  pose proof (bpow_gt_0 radix2 (-40)) as P4. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq K) by lra.
+  rewrite Rabs_mult, (Rabs_pos_eq g) by lra. split.
+  - apply Rle_trans with (bpow radix2 (-10) * (bpow radix2 (-930) * bpow radix2 (-40))).
+    + rewrite <- !bpow_plus. apply bpow_le. lia.
+    + apply Rmult_le_compat; try apply bpow_ge_0; [apply Rmult_le_pos; lra|simpl; lra|]. apply Rmult_le_compat; lra.
+  - rewrite Z.add_comm, bpow_plus. change (bpow radix2 10) with 1024. apply Rmult_le_compat; try lra. apply Rmult_le_pos; lra.
+Qed.
+
+(* Both components are at most 2^g. *)
+Theorem along_big_is_right : forall width k t g s R w K gap G nx NX nz NZ touches, (128 <= width)%Z -> (1074 <= k)%Z ->
   (4 * k + 4 * width + 15 <= range)%Z -> parameters R w K -> seen width k t gap G -> tight width k t nx NX -> tight width k t nz NZ ->
-  (0 < G <-> touches) ->
-  (touches -> (value32 K * G * NX = 0 \/ bpow radix2 (-900) <= Rabs (value32 K * G * NX) <= bpow radix2 25) /\
-    (value32 K * G * NZ = 0 \/ bpow radix2 (-900) <= Rabs (value32 K * G * NZ) <= bpow radix2 25)) ->
+  (0 < G <-> touches) -> (g <= 25)%Z ->
+  (touches -> (value32 K * G * NX = 0 \/ bpow radix2 (-990) <= Rabs (value32 K * G * NX) <= bpow radix2 g) /\
+    (value32 K * G * NZ = 0 \/ bpow radix2 (-990) <= Rabs (value32 K * G * NZ) <= bpow radix2 g)) ->
   (forall m, is_tie m -> (value32 K * G * NX <> m -> bpow radix2 (- s) <= Rabs (value32 K * G * NX - m)) /\
     (value32 K * G * NZ <> m -> bpow radix2 (- s) <= Rabs (value32 K * G * NZ - m))) ->
-  (29 <= s)%Z -> (t + s + 37 <= 0)%Z -> (s + 38 <= width)%Z ->
+  (29 <= s)%Z -> (t <= -66)%Z -> (t + g + s + 12 <= 0)%Z -> (g + s + 13 <= width)%Z -> (s + 36 <= width)%Z ->
   is_answer (along_big width K gap nx nz) touches (value32 K * G * NX) (value32 K * G * NZ).
 Proof.
-  intros width k t s R w K gap G nx NX nz NZ touches W Hk Hr Hp Sg Tx Tz Hc HB Sep S0 S1 S2. destruct Hp as ((_ & _ & FK) & _).
+  intros width k t g s R w K gap G nx NX nz NZ touches W Hk Hr Hp Sg Tx Tz Hc Hg HB Sep S0 S1 S2 S3 S4. destruct Hp as ((_ & _ & FK) & _).
   pose proof Tx as (_ & _ & _ & T & _).
   pose proof (tight_exactly width (Z.max t (1 - width)) _ _ ltac:(lia) ltac:(numbers; lia) (to64_is_exact K FK)) as TK.
   assert (TK' : tight width k (Z.max t (1 - width)) (exactly width (to64 K)) (value32 K)) by (apply tight_more with (1 := TK); lia).
@@ -98,7 +112,7 @@ Proof.
     pose proof (tight_multiply width (2 * k + width + 4) (Z.max (Z.max (Z.max t (1 - width)) t) (1 - width) + 3) t _ _ _ _
       ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) TM Tn') as P.
     apply tight_more with (1 := P); lia. }
-  apply (decided_big_is_right width (4 * k + 3 * width + 12) (Z.max t (1 - width) + 6) s _ G); try assumption; try lia.
+  apply (decided_big_is_right width (4 * k + 3 * width + 12) (Z.max t (1 - width) + 6) g s _ G); try assumption; try lia.
   - apply (sign_of_seen width k t); [lia|lia|exact Sg].
   - intro Hits. split; now apply one.
 Qed.

@@ -17,8 +17,10 @@ Definition cosine_third (R w : binary32) : big := square_root_newton 2048 (divid
 Definition sine_third (R w : binary32) : big :=
   divide_newton 2048 (number (half_width w)) (multiply 2048 (diameter_third R) (cosine_third R w)).
 Definition tangent_third (R w : binary32) : big := divide_newton 2048 (number (half_width w)) (sum_third R w).
-Definition side_gap_third (R w x z : binary32) : big :=
-  subtract 2048 (multiply 2048 (tangent_third R w) (subtract 2048 (number (half_width w)) (number (to64 (b32_abs x))))) (number (to64 z)).
+Definition side_gap_big (width : Z) (tangent : big) (w x z : binary32) : big :=
+  let from_edge := subtract width (exactly width (half_width w)) (exactly width (to64 (b32_abs x))) in
+  subtract width (multiply width tangent from_edge) (exactly width (to64 z)).
+Definition side_gap_third (R w x z : binary32) : big := side_gap_big 2048 (tangent_third R w) w x z.
 
 Lemma exact_third : forall v a, is64 v a -> tight 2048 1074 (-2048) (number v) a.
 Proof. intros v a H. apply tight_exactly; [lia|numbers; lia|exact H]. Qed.
@@ -82,18 +84,21 @@ Qed.
 (* ---- The gap ---- *)
 
 (* The distance from the edge, which may be 0 and is 0 exactly then. *)
-Lemma from_edge_third : forall R w K x X, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
-  Rabs X <= value32 w / 2 ->
-  tight 2048 100000000 (-1975) (subtract 2048 (number (half_width w)) (number (to64 (b32_abs x)))) (value32 w / 2 - Rabs X).
+Lemma from_edge_tight : forall width R w K x X, (2048 <= width <= 4096)%Z -> parameters R w K -> is_finite 24 128 x = true -> value32 x = X ->
+  coordinate (to64 x) X -> Rabs X <= value32 w / 2 ->
+  tight width 100000000 (73 - width) (subtract width (exactly width (half_width w)) (exactly width (to64 (b32_abs x)))) (value32 w / 2 - Rabs X).
 Proof.
-  intros R w K x X Hp Fx Vx Cx Hin. pose proof (half_width_coordinate _ _ _ Hp) as Cc. pose proof (half_width_is _ _ _ Hp) as Ic.
+  intros width R w K x X W Hp Fx Vx Cx Hin. pose proof (half_width_coordinate _ _ _ Hp) as Cc. pose proof (half_width_is _ _ _ Hp) as Ic.
   destruct Hp as (_ & HR & Hw & _). assert (Ix : is64 (to64 (b32_abs x)) (Rabs X)).
   { assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs). destruct (to64_is_exact _ Fa) as [V F].
     split; [|exact F]. rewrite V, <- Vx. apply B2R_Babs. }
   pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *. assert (Hc : / 2000 <= c <= 10000) by (unfold c; lra).
-  pose proof (exact_third _ _ Ic) as Tc. pose proof (tight_negated _ _ _ _ _ (exact_third _ _ Ix)) as Tx.
-  assert (S : seen 2048 3125 (-1975) (subtract 2048 (number (half_width w)) (number (to64 (b32_abs x)))) (c + - Rabs X)).
-  { apply (seen_sum 2048 1074 (-2048) (-2048) 16 69); try assumption; try lia; try (numbers; lia).
+  pose proof (tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) Ic) as Tc.
+  pose proof (tight_negated _ _ _ _ _ (tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) Ix)) as Tx.
+  assert (S : seen width (1074 + width + 3) (73 - width) (subtract width (exactly width (half_width w)) (exactly width (to64 (b32_abs x))))
+    (c + - Rabs X)).
+  { apply seen_more with (1074 + width + 3)%Z (Z.max (Z.max (- width) (- width)) (1 - width) + 69 + 3)%Z; [|numbers; lia|lia].
+    apply (seen_sum width 1074 (- width) (- width) 16 69); try assumption; try lia; try (numbers; lia).
     - rewrite Rabs_pos_eq by lra. simpl. lra.
     - rewrite Rabs_Ropp, Rabs_Rabsolu. apply Rle_trans with 10000; [|simpl; lra]. lra.
     - intro Hne. apply (difference_is_not_tiny c (Rabs X)); [exact (coordinate_format _ _ Cc)|apply generic_format_abs; exact
@@ -105,8 +110,34 @@ Proof.
     { apply B2R_inj; [| |rewrite (proj1 Ix), (proj1 Ic); lra]; apply strictly_finite; [rewrite (proj1 Ix)|rewrite (proj1 Ic)]; lra. }
     destruct S as (N & F & C & _). split; [exact N|]. split; [apply fits_le with (2 := F); numbers; lia|]. split; [exact C|].
     split; [numbers; lia|]. left. rewrite Ev. unfold subtract. apply less_itself; [|destruct (half_width w); reflexivity].
-    destruct (tight_cases 2048 1074 (-2048) _ _ ltac:(lia) ltac:(numbers; lia) Tc) as [[_ C0]|(_ & Z & _)]; [lra|exact Z].
+    destruct (tight_cases width 1074 (- width) _ _ ltac:(lia) ltac:(numbers; lia) Tc) as [[_ C0]|(_ & Z & _)]; [lra|exact Z].
   - destruct S as (_ & _ & _ & T). apply tight_more with (1 := T Hne); [numbers; lia|lia].
+Qed.
+
+(* Beside a face of slope T the gap is 0, or it is not m bits below 2^e. *)
+Lemma side_gap_seen : forall width k t e m R w K tangent T x X z Z, (2048 <= width <= 4096)%Z -> (100000000 <= k <= 1000000000000)%Z ->
+  parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X -> coordinate (to64 z) Z ->
+  Rabs X <= value32 w / 2 -> tight width k t tangent T -> (73 - width <= t)%Z -> (0 <= m)%Z -> (t + m + 6 <= -3)%Z -> (16 <= e)%Z -> 0 <= T ->
+  T * (value32 w / 2 - Rabs X) <= bpow radix2 (e - 2) ->
+  (T * (value32 w / 2 - Rabs X) + - Z <> 0 -> bpow radix2 (e - m) <= Rabs (T * (value32 w / 2 - Rabs X) + - Z)) ->
+  seen width (3 * k) (t + m + 6) (side_gap_big width tangent w x z) (T * (value32 w / 2 - Rabs X) + - Z).
+Proof.
+  intros width k t e m R w K tangent T x X z Z W Hk Hp Fx Vx Cx Cz Hin Tt Ht Hm Htm He BT BA Sep.
+  pose proof (from_edge_tight width R w K x X W Hp Fx Vx Cx Hin) as Te. pose proof (coordinate_range _ _ Cz) as BZ.
+  set (h := value32 w / 2 - Rabs X) in *.
+  unfold side_gap_big. cbv zeta. set (edge := subtract width (exactly width (half_width w)) (exactly width (to64 (b32_abs x)))) in *.
+  assert (Te' : tight width k (73 - width) edge h) by (apply tight_more with (1 := Te); numbers; lia).
+  pose proof (tight_multiply width k t (73 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Tt Te') as Tp.
+  assert (Tp' : tight width (2 * k + width + 4) (t + 3) (multiply width tangent edge) (T * h))
+    by (apply tight_more with (1 := Tp); numbers; lia).
+  assert (Tz : tight width (2 * k + width + 4) (- width) (negated (exactly width (to64 z))) (- Z)).
+  { pose proof (tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) (coordinate_is _ _ Cz)) as T0.
+    apply tight_more with (1 := tight_negated _ _ _ _ _ T0); numbers; lia. }
+  apply seen_more with (2 * k + width + 4 + width + 3)%Z (Z.max (Z.max (t + 3) (- width)) (1 - width) + m + 3)%Z; [|numbers; lia|lia].
+  assert (B14 : bpow radix2 14 <= bpow radix2 (e - 2)) by (apply bpow_le; lia). change (bpow radix2 14) with 16384 in B14.
+  apply (seen_sum width (2 * k + width + 4) (t + 3) (- width) e m); try assumption; try lia; try (numbers; lia).
+  - rewrite Rabs_pos_eq; [exact BA|]. apply Rmult_le_pos; [exact BT|unfold h; lra].
+  - rewrite Rabs_Ropp. lra.
 Qed.
 
 Lemma side_gap_third_is : forall R w K x X z Z, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
@@ -114,25 +145,15 @@ Lemma side_gap_third_is : forall R w K x X z Z, parameters R w K -> is_finite 24
   (M <> 0 -> bpow radix2 (-218) <= Rabs M) -> seen 2048 400000000 (-1723) (side_gap_third R w x z) M /\ M <= 20000.
 Proof.
   intros R w K x X z Z Hp Fx Vx Cx Cz Hin M Sep. destruct (face_third R w K Hp) as (Tt & _). destruct (face_enclosed _ _ _ Hp) as ([_ BT] & _).
-  pose proof (from_edge_third R w K x X Hp Fx Vx Cx Hin) as Te. pose proof (coordinate_range _ _ Cz) as BZ.
-  destruct Hp as (_ & HR & Hw & _). destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & ET & EH & _).
+  pose proof (coordinate_range _ _ Cz) as BZ. pose proof Hp as (_ & HR & Hw & _).
+  destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & ET & EH & _).
   set (T := slope_2p (value32 R) (value32 w)) in *. pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *.
   assert (EM : M = T * (c - Rabs X) + - Z).
   { unfold M, penetration_2p. rewrite Rle_bool_true by exact Hin. rewrite EH, <- ET. unfold c. field. lra. }
   assert (Hc : 0 <= c <= 10000) by (unfold c; lra).
-  assert (BA : 0 <= T * (c - Rabs X) <= 10000).
-  { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (1 * 10000); [apply Rmult_le_compat; lra|lra]. }
-  pose proof (tight_multiply 2048 100000000 (-1963) (-1975) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Tt Te) as Tp.
-  assert (Tp' : tight 2048 300000000 (-1960) (multiply 2048 (tangent_third R w) (subtract 2048 (number (half_width w)) (number (to64
-    (b32_abs x)))))
-    (T * (c - Rabs X))) by (apply tight_more with (1 := Tp); [numbers; lia|lia]).
-  assert (Tz : tight 2048 300000000 (-2048) (negated (number (to64 z))) (- Z)).
-  { apply tight_more with (1 := tight_negated _ _ _ _ _ (exact_third _ _ (coordinate_is _ _ Cz))); [numbers; lia|lia]. }
-  split; [|apply Rabs_le_inv in BZ; lra]. rewrite EM in Sep |- *. clear EM. clearbody M.
-  assert (S : seen 2048 (300000000 + 2048 + 3) (Z.max (Z.max (-1960) (-2048)) (1 - 2048) + 234 + 3) (side_gap_third R w x z) (T *
-    (c - Rabs X) + - Z)).
-  { apply (seen_sum 2048 300000000 (-1960) (-2048) 16 234); try assumption; try lia; try (numbers; lia).
-    - rewrite Rabs_pos_eq by lra. simpl. lra.
-    - rewrite Rabs_Ropp. simpl. lra. }
-  apply seen_more with (1 := S); [numbers; lia|lia].
+  assert (BA : T * (c - Rabs X) <= 10000) by (apply Rle_trans with (1 * 10000); [apply Rmult_le_compat; lra|lra]).
+  split; [|apply Rabs_le_inv in BZ; lra]. rewrite EM in Sep |- *.
+  apply seen_more with 300000000%Z (-1723)%Z; [|numbers; lia|lia].
+  apply (side_gap_seen 2048 100000000 (-1963) 16 234 R w K); try assumption; try lia; try lra.
+  change (bpow radix2 (16 - 2)) with 16384. fold c. lra.
 Qed.

@@ -241,5 +241,9 @@ refuses proofs/BigFloatBounded.v "(b - width + 1) + 2) (b + 1) (add" "(b - width
 refuses proofs/CylinderThird.v "(add 2048 (l_third R w z) (depth_third R w)))." "(l_third R w z))." "Error"
 refuses proofs/BumpCylinderThird.v "| _ => plane_outcome_third K z" "| _ => cylinder" "Error"
 refuses fast/laws/cylinder.h "std::size_t kWideLimbs = 32;" "std::size_t kWideLimbs = 16;" "proofs/code.txt"
+refuses proofs/NewtonThirdStage.v "slope_of 7 50 (exactly width start) in" "slope_of 6 50 (exactly width start) in" "Error"
+refuses proofs/SineThirdStage.v "tight width 50000000 (60 - width) (sine_of_third_big" "tight width 50000000 (56 - width) (sine_of_third_big" "Error"
+refuses proofs/ThreePolygonsThird.v "m <= 926)%Z /\\ Rabs M <= bpow radix2 (17 - m) /\\ (M" "m <= 924)%Z /\\ Rabs M <= bpow radix2 (17 - m) /\\ (M" "Error"
+refuses fast/numbers/big_float_ball.h "kNewtonSteps = 7;" "kNewtonSteps = 6;" "proofs/code.txt"
 echo "$planted planted, $wrong not refused"
 [ "$wrong" = 0 ]
