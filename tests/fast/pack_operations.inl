@@ -169,8 +169,8 @@ const char* wrong_watch() {
       return watch.template is_free_of_hazards<kWindow>(kLeast, kNearest);
     };
     for (const double sign : {1.0, -1.0}) {
-      if (!number_passes(sign * 0x1.00001p-10, true) || number_passes(sign * 0x1.fffffffffffffp-11, true) ||
-          number_passes(sign * 0.0, true))
+      if (!number_passes(sign * 0x1.00001p-10, true) || number_passes(sign * 0x1.00000ffffffffp-10, true) ||
+          number_passes(sign * 0x1.fffffffffffffp-11, true) || number_passes(sign * 0.0, true))
         return "Watch: distance";
       constexpr double kTie = 0x1.000001p0, kUlp = 0x1p-52;
       for (const double ulps : {0.0, 8.0, -8.0})
