@@ -95,9 +95,7 @@ Theorem bump_1p_shaded_answers_right : forall is_fused R w K x y z, parameters R
       (later_of (bump_1p_shaded_second R w K) (bump_1p_shaded_third R w K)) x y z) (Z < 0)
     (shaded_x (value32 R) (value32 w) (value32 K) X (- Z)) (shaded_z (value32 R) (value32 w) (value32 K) X (- Z)).
 Proof.
-  intros is_fused R w K x y z Hp Hv X Z.
-  destruct (bump_1p_shaded_two_stages_answer_right is_fused R w K (bump_1p_shaded_third R w K) x y z Hp Hv) as [E|[A|A]].
-  - rewrite E. now apply (bump_1p_shaded_third_stage_answers_right R w K x y z).
-  - now left.
-  - now right.
+  intros is_fused R w K x y z Hp Hv X Z. apply three_stages_are_right with (bump_1p_shaded_third R w K (quantised x) (quantised z)).
+  - now apply bump_1p_shaded_two_stages_answer_right.
+  - now apply (bump_1p_shaded_third_stage_answers_right R w K x y z).
 Qed.

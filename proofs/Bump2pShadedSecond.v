@@ -13,38 +13,31 @@ Definition bump_2p_shaded_second (R w K x z : binary32) : option evaluation :=
   if is_beside w x then decide_along K foot (exactly64 zero64) (exactly64 (two_to 0))
   else along_shaded R K x (if is_at_foot w x then foot else side_gap_2p R w x z).
 
-(* The plane beside a bump, whatever the penetration of the bump is. *)
-Lemma beside_shaded_is_right : forall R w K X zv Z M answer, parameters R w K -> coordinate zv Z -> value32 w / 2 < Rabs X -> M = - Z ->
-  decide_along K (exactly64 (opp zv)) (exactly64 zero64) (exactly64 (two_to 0)) = Some answer ->
-  is_answer answer (0 < M) (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
+(* The gap of a bump, which at its foot is that of the plane. *)
+Lemma gap_or_foot_is : forall R w K x X z Z gap M, parameters R w K -> is_finite 24 128 x = true -> value32 x = X ->
+  Rabs X <= 10000 -> coordinate (to64 z) Z -> settled gap M -> (Rabs X = value32 w / 2 -> M = - Z) ->
+  settled (if is_at_foot w x then exactly64 (opp (to64 z)) else gap) M.
 Proof.
-  intros R w K X zv Z M answer Hp Cz Hin -> H. unfold shaded_x, shaded_z. rewrite Rle_bool_false by exact Hin. rewrite Rmult_1_r.
-  apply is_answer_same with (Z < 0); [split; lra|]. exact (on_plane_is_right R w K _ Z answer Hp Cz H).
+  intros R w K x X z Z gap M Hp Fx Vx BX Cz Sg Foot. pose proof Hp as ((_ & Fw & _) & _).
+  rewrite (is_at_foot_is w x Fw Fx), Vx by (rewrite Vx; exact BX). case Req_bool_spec; intro E; [|exact Sg].
+  rewrite (Foot E). now apply depth_is_settled.
 Qed.
 
-Lemma gap_2p_shaded_is : forall R w K x X z Z, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
-  coordinate (to64 z) Z -> Rabs X <= value32 w / 2 ->
-  settled (if is_at_foot w x then exactly64 (opp (to64 z)) else side_gap_2p R w x z) (penetration_2p (value32 R) (value32 w) X Z).
-Proof.
-  intros R w K x X z Z Hp Fx Vx Cx Cz Hin. pose proof (coordinate_range _ _ Cx) as BX. pose proof Hp as ((_ & Fw & _) & _ & Hw & _).
-  rewrite (is_at_foot_is w x Fw Fx) by (rewrite Vx; exact BX). rewrite Vx.
-  case Req_bool_spec; intro E; [|now apply (side_gap_is R w K)].
-  replace (penetration_2p (value32 R) (value32 w) X Z) with (- Z); [now apply depth_is_settled|].
-  unfold penetration_2p. rewrite Rle_bool_true by exact Hin. rewrite E. field. lra.
-Qed.
-
-Lemma bump_2p_shaded_second_is_right : forall R w K x X z Z answer, parameters R w K -> is_finite 24 128 x = true -> value32 x = X ->
+(* A shaded bump of any shape: M is its penetration, and that of the plane beside it. *)
+Lemma shaded_second_is_right : forall R w K x X z Z gap M answer, parameters R w K -> is_finite 24 128 x = true -> value32 x = X ->
   coordinate (to64 x) X -> coordinate (to64 z) Z ->
-  let M := penetration_2p (value32 R) (value32 w) X Z in bump_2p_shaded_second R w K x z = Some answer ->
+  (Rabs X <= value32 w / 2 -> settled gap M) -> (value32 w / 2 < Rabs X -> M = - Z) ->
+  (if is_beside w x then decide_along K (exactly64 (opp (to64 z))) (exactly64 zero64) (exactly64 (two_to 0)) else along_shaded R K x gap) =
+    Some answer ->
   is_answer answer (0 < M) (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
 Proof.
-  intros R w K x X z Z answer Hp Fx Vx Cx Cz M H. pose proof (coordinate_range _ _ Cx) as BX. pose proof Hp as ((_ & Fw & _) & _).
-  unfold bump_2p_shaded_second in H. cbv zeta in H. rewrite is_beside_is in H by (rewrite ?Vx; assumption). rewrite Vx in H.
+  intros R w K x X z Z gap M answer Hp Fx Vx Cx Cz Sg Beside H. pose proof (coordinate_range _ _ Cx) as BX. pose proof Hp as ((_ & Fw & _) & _).
+  rewrite is_beside_is in H by (rewrite ?Vx; assumption). rewrite Vx in H.
   destruct (Rle_lt_dec (Rabs X) (value32 w / 2)) as [Hin|Hin].
-  - rewrite Rle_bool_true in H by exact Hin. cbn [negb] in H.
-    exact (along_shaded_is_right R w K x X _ M answer Hp Cx Hin (gap_2p_shaded_is R w K x X z Z Hp Fx Vx Cx Cz Hin) H).
-  - rewrite Rle_bool_false in H by exact Hin. cbn [negb] in H. apply (beside_shaded_is_right R w K X _ Z M answer Hp Cz Hin); [|exact H].
-    unfold M, penetration_2p. now rewrite Rle_bool_false by exact Hin.
+  - rewrite Rle_bool_true in H by exact Hin. exact (along_shaded_is_right R w K x X gap M answer Hp Cx Hin (Sg Hin) H).
+  - rewrite Rle_bool_false in H by exact Hin. cbn [negb] in H. rewrite (Beside Hin). unfold shaded_x, shaded_z.
+    rewrite Rle_bool_false by exact Hin. rewrite Rmult_1_r. apply is_answer_same with (Z < 0); [split; lra|].
+    exact (on_plane_is_right R w K _ Z answer Hp Cz H).
 Qed.
 
 Theorem bump_2p_shaded_second_stage_answers_right : forall R w K x y z answer, parameters R w K -> valid x y z = true ->
@@ -52,9 +45,11 @@ Theorem bump_2p_shaded_second_stage_answers_right : forall R w K x y z answer, p
   bump_2p_shaded_second R w K (quantised x) (quantised z) = Some answer ->
   is_answer answer (0 < M) (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
 Proof.
-  intros R w K x y z answer Hp Hv.
-  destruct (quantised_x_is _ _ _ Hv) as [Vx Fx], (valid_coordinates _ _ _ Hv) as [Cx Cz].
-  exact (bump_2p_shaded_second_is_right R w K _ _ _ _ answer Hp Fx Vx Cx Cz).
+  intros R w K x y z answer Hp Hv X Z M H. destruct (quantised_x_is _ _ _ Hv) as [Vx Fx], (valid_coordinates _ _ _ Hv) as [Cx Cz].
+  fold X in Vx, Cx. fold Z in Cz. refine (shaded_second_is_right R w K _ X _ Z _ M answer Hp Fx Vx Cx Cz _ _ H); intro Hin.
+  - apply (gap_or_foot_is R w K _ X _ Z); try assumption; [exact (coordinate_range _ _ Cx)|now apply (side_gap_is R w K)|].
+    intro E. unfold M, penetration_2p. rewrite Rle_bool_true by exact Hin. rewrite E. pose proof Hp as (_ & _ & Hw & _). field. lra.
+  - unfold M, penetration_2p. now rewrite Rle_bool_false by exact Hin.
 Qed.
 
 (* Every answer of the first two stages is right, for every input of the domain. *)

@@ -87,9 +87,7 @@ Theorem bump_2p_shaded_answers_right : forall is_fused R w K x y z, parameters R
       (later_of (bump_2p_shaded_second R w K) (bump_2p_shaded_third R w K)) x y z) (0 < M)
     (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
 Proof.
-  intros is_fused R w K x y z Hp Hv X Z M.
-  destruct (bump_2p_shaded_two_stages_answer_right is_fused R w K (bump_2p_shaded_third R w K) x y z Hp Hv) as [E|[A|A]].
-  - rewrite E. now apply (bump_2p_shaded_third_stage_answers_right R w K x y z).
-  - now left.
-  - now right.
+  intros is_fused R w K x y z Hp Hv X Z M. apply three_stages_are_right with (bump_2p_shaded_third R w K (quantised x) (quantised z)).
+  - now apply bump_2p_shaded_two_stages_answer_right.
+  - now apply (bump_2p_shaded_third_stage_answers_right R w K x y z).
 Qed.

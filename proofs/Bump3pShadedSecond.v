@@ -25,41 +25,17 @@ Proof.
   assert (t * t * t <= / 2 * / 2 * t); [|lra]. apply Rmult_le_compat_r; [lra|apply Rmult_le_compat; lra].
 Qed.
 
-Lemma gap_3p_shaded_is : forall R w K x X z Z, parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X ->
-  coordinate (to64 z) Z -> Rabs X <= value32 w / 2 ->
-  settled (if is_at_foot w x then exactly64 (opp (to64 z)) else if is_on_flat R w x then top_gap_3p R w z else side_gap_3p R w x z)
-    (penetration_3p (value32 R) (value32 w) X Z).
-Proof.
-  intros R w K x X z Z Hp Fx Vx Cx Cz Hin. pose proof (coordinate_range _ _ Cx) as BX. pose proof Hp as ((_ & Fw & _) & _ & Hw & _).
-  rewrite (is_at_foot_is w x Fw Fx) by (rewrite Vx; exact BX). rewrite Vx.
-  case Req_bool_spec; intro E; [|exact (gap_3p_is_settled R w K x X z Z Hp Fx Vx Cx Cz Hin)].
-  replace (penetration_3p (value32 R) (value32 w) X Z) with (- Z); [now apply depth_is_settled|].
-  pose proof (top_is_narrower R w K Hp) as Hnarrow. unfold penetration_3p. rewrite (Rle_bool_true (Rabs X) (value32 w / 2)) by exact Hin.
-  rewrite Rle_bool_false by lra. rewrite E. field. lra.
-Qed.
-
-Lemma bump_3p_shaded_second_is_right : forall R w K x X z Z answer, parameters R w K -> is_finite 24 128 x = true -> value32 x = X ->
-  coordinate (to64 x) X -> coordinate (to64 z) Z ->
-  let M := penetration_3p (value32 R) (value32 w) X Z in bump_3p_shaded_second R w K x z = Some answer ->
-  is_answer answer (0 < M) (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
-Proof.
-  intros R w K x X z Z answer Hp Fx Vx Cx Cz M H. pose proof (coordinate_range _ _ Cx) as BX. pose proof Hp as ((_ & Fw & _) & _).
-  unfold bump_3p_shaded_second in H. cbv zeta in H. rewrite is_beside_is in H by (rewrite ?Vx; assumption). rewrite Vx in H.
-  destruct (Rle_lt_dec (Rabs X) (value32 w / 2)) as [Hin|Hin].
-  - rewrite Rle_bool_true in H by exact Hin. cbn [negb] in H.
-    exact (along_shaded_is_right R w K x X _ M answer Hp Cx Hin (gap_3p_shaded_is R w K x X z Z Hp Fx Vx Cx Cz Hin) H).
-  - rewrite Rle_bool_false in H by exact Hin. cbn [negb] in H. apply (beside_shaded_is_right R w K X _ Z M answer Hp Cz Hin); [|exact H].
-    unfold M, penetration_3p. now rewrite Rle_bool_false by exact Hin.
-Qed.
-
 Theorem bump_3p_shaded_second_stage_answers_right : forall R w K x y z answer, parameters R w K -> valid x y z = true ->
   let X := read (value32 x) in let Z := read (value32 z) in let M := penetration_3p (value32 R) (value32 w) X Z in
   bump_3p_shaded_second R w K (quantised x) (quantised z) = Some answer ->
   is_answer answer (0 < M) (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
 Proof.
-  intros R w K x y z answer Hp Hv.
-  destruct (quantised_x_is _ _ _ Hv) as [Vx Fx], (valid_coordinates _ _ _ Hv) as [Cx Cz].
-  exact (bump_3p_shaded_second_is_right R w K _ _ _ _ answer Hp Fx Vx Cx Cz).
+  intros R w K x y z answer Hp Hv X Z M H. destruct (quantised_x_is _ _ _ Hv) as [Vx Fx], (valid_coordinates _ _ _ Hv) as [Cx Cz].
+  fold X in Vx, Cx. fold Z in Cz. refine (shaded_second_is_right R w K _ X _ Z _ M answer Hp Fx Vx Cx Cz _ _ H); intro Hin.
+  - apply (gap_or_foot_is R w K _ X _ Z); try assumption; [exact (coordinate_range _ _ Cx)|now apply (gap_3p_is_settled R w K)|].
+    intro E. pose proof (top_is_narrower R w K Hp) as Hnarrow. pose proof Hp as (_ & _ & Hw & _). unfold M, penetration_3p.
+    rewrite (Rle_bool_true (Rabs X) (value32 w / 2)) by exact Hin. rewrite Rle_bool_false by lra. rewrite E. field. lra.
+  - unfold M, penetration_3p. now rewrite Rle_bool_false by exact Hin.
 Qed.
 
 (* Every answer of the first two stages is right, for every input of the domain. *)

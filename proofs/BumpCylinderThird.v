@@ -117,9 +117,7 @@ Theorem bump_cylinder_answers_right : forall is_fused R w K x y z, parameters R 
     (cylinder_x (value32 R) (value32 w) (value32 K) X Z)
     (cylinder_z (value32 R) (value32 w) (value32 K) X Z + Rmax (- value32 K * Z) 0).
 Proof.
-  intros is_fused R w K x y z Hp Hv X Z.
-  destruct (bump_cylinder_two_stages_answer_right is_fused R w K (bump_cylinder_third R w K) x y z Hp Hv) as [E|[A|A]].
-  - rewrite E. now apply (bump_cylinder_third_stage_answers_right R w K x y z).
-  - now left.
-  - now right.
+  intros is_fused R w K x y z Hp Hv X Z. apply three_stages_are_right with (bump_cylinder_third R w K (quantised x) (quantised z)).
+  - now apply bump_cylinder_two_stages_answer_right.
+  - now apply (bump_cylinder_third_stage_answers_right R w K x y z).
 Qed.

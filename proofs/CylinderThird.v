@@ -350,9 +350,7 @@ Theorem cylinder_answers_right : forall is_fused R w K x y z, parameters R w K -
     (distance_from_axis (value32 R) (value32 w) X Z < value32 R)
     (cylinder_x (value32 R) (value32 w) (value32 K) X Z) (cylinder_z (value32 R) (value32 w) (value32 K) X Z).
 Proof.
-  intros is_fused R w K x y z Hp Hv X Z.
-  destruct (cylinder_two_stages_answer_right is_fused R w K (cylinder_third R w K) x y z Hp Hv) as [E|[A|A]].
-  - rewrite E. now apply (cylinder_third_stage_answers_right R w K x y z).
-  - now left.
-  - now right.
+  intros is_fused R w K x y z Hp Hv X Z. apply three_stages_are_right with (cylinder_third R w K (quantised x) (quantised z)).
+  - now apply cylinder_two_stages_answer_right.
+  - now apply (cylinder_third_stage_answers_right R w K x y z).
 Qed.

@@ -277,3 +277,8 @@ Proof.
   intros answer second third x z touches Fx Fz [E|[H|H]] Hsecond; [|right; now left|right; now right]. unfold later_of in E.
   destruct (second x z) as [found|] eqn:Hf; [|now left]. right. rewrite E. destruct (Hsecond found eq_refl) as [H|H]; [now left|now right].
 Qed.
+
+(* An answer of the first two stages, or a right one of the third. *)
+Lemma three_stages_are_right : forall answer third touches Fx Fz,
+  right_or_later answer third touches Fx Fz -> is_answer third touches Fx Fz -> is_answer answer touches Fx Fz.
+Proof. intros answer third touches Fx Fz [->|[H|H]] Hthird; [exact Hthird|now left|now right]. Qed.

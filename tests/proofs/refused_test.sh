@@ -192,7 +192,7 @@ refuses proofs/TwoPolygonsGap.v "(hi gap)) <= 22400 /\\ value64" "(hi gap)) <= 2
 refuses proofs/Bump2pSecond.v "forall answer p q Fx Fz, (p <-> q) ->" "forall answer p q Fx Fz, (p -> q) ->" "Error"
 refuses proofs/ShadedAlong.v "Rabs (value64 (hi (divide gap b))) * c <= 22700 /\\" "Rabs (value64 (hi (divide gap b))) * c <= 22600 /\\" "Error"
 refuses proofs/ShadedAlong.v "Lemma sign_unknown : forall a h e, is64 (hi a) h -> is64 (error a) e -> 0 < e -> Rabs h <= e ->" "Lemma sign_unknown : forall a h e, is64 (hi a) h -> is64 (error a) e -> 0 < e -> Rabs h <= 2 * e ->" "Error"
-refuses proofs/Bump2pShadedSecond.v "value32 w / 2 < Rabs X -> M = - Z ->" "value32 w / 2 < Rabs X -> M = Z ->" "Error"
+refuses proofs/Bump2pShadedSecond.v "(value32 w / 2 < Rabs X -> M = - Z) ->" "(value32 w / 2 < Rabs X -> M = Z) ->" "Error"
 refuses proofs/ThreePolygonsEnclosed.v "encloses (7 * (s + t) + 3 * share101) (add a" "encloses (2 * (s + t) + 3 * share101) (add a" "Error"
 refuses proofs/ThreePolygonsEnclosed.v "encloses (1300 * s + 1300 * share101) (tangent_3p t)" "encloses (1100 * s + 1300 * share101) (tangent_3p t)" "Error"
 refuses proofs/NewtonEnclosed.v "encloses (/ 1000000000000) (widened (midpoint x)) y." "encloses (/ 2000000000000) (widened (midpoint x)) y." "Error"
