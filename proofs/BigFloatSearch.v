@@ -135,6 +135,12 @@ Proof.
   - rewrite <- Eb. apply (one _ N' k'); try assumption. exists (value32 c). split; [exact Gc|right]. now rewrite Eb.
 Qed.
 
+(* Below the middle above c the nearest is not above c, and above the middle below it not below. *)
+Lemma nearest_not_above : forall c x, in_binary32 c -> x < (c + succ radix2 fexp32 c) / 2 -> nearest32 x <= c.
+Proof. intros c x G H. exact (round_N_le_midp radix2 fexp32 (fun n => negb (Z.even n)) c x G H). Qed.
+Lemma nearest_not_below : forall c x, in_binary32 c -> (c + pred radix2 fexp32 c) / 2 < x -> c <= nearest32 x.
+Proof. intros c x G H. apply (round_N_ge_midp radix2 fexp32 (fun n => negb (Z.even n)) c x G). lra. Qed.
+
 Lemma search_at_nearest : forall beside x c rest, signs_are_right beside x -> is_finite 24 128 c = true -> Rabs (value32 c) < bpow radix2 28 ->
   nearest32 x = value32 c -> search beside (S rest) c = Some (b32_plus mode_NE c zero32).
 Proof.
@@ -147,16 +153,14 @@ Proof.
   { destruct (beside (tie_of c (next_above c))); cbn [is_sign is_above is_on orb andb] in *; [|reflexivity|].
     - rewrite (nearest_of_tie_is_even c (succ radix2 fexp32 (value32 c))); [reflexivity|exact Fc|exact Ga|lra|].
       replace ((value32 c + succ radix2 fexp32 (value32 c)) / 2) with x by lra. exact Hn.
-    - exfalso. pose proof (round_N_ge_midp radix2 fexp32 (fun n => negb (Z.even n)) (succ radix2 fexp32 (value32 c)) x Ga) as R.
-      rewrite pred_succ in R by (auto with typeclass_instances). specialize (R ltac:(lra)).
-      change (round radix2 fexp32 (Znearest (fun n => negb (Z.even n))) x) with (nearest32 x) in R. lra. }
+    - exfalso. pose proof (nearest_not_below (succ radix2 fexp32 (value32 c)) x Ga) as R.
+      rewrite pred_succ in R by (auto with typeclass_instances). specialize (R ltac:(lra)). lra. }
   assert (D : is_below (beside (tie_of c (next_below c))) || is_on (beside (tie_of c (next_below c))) && negb (is_even c) = false).
   { destruct (beside (tie_of c (next_below c))); cbn [is_sign is_below is_on orb andb] in *; [| |reflexivity].
     - rewrite (nearest_of_tie_is_even c (pred radix2 fexp32 (value32 c))); [reflexivity|exact Fc|exact Gd|lra|].
       replace ((value32 c + pred radix2 fexp32 (value32 c)) / 2) with x by lra. exact Hn.
-    - exfalso. pose proof (round_N_le_midp radix2 fexp32 (fun n => negb (Z.even n)) (pred radix2 fexp32 (value32 c)) x Gd) as R.
-      rewrite succ_pred in R by (auto with typeclass_instances). specialize (R ltac:(lra)).
-      change (round radix2 fexp32 (Znearest (fun n => negb (Z.even n))) x) with (nearest32 x) in R. lra. }
+    - exfalso. pose proof (nearest_not_above (pred radix2 fexp32 (value32 c)) x Gd) as R.
+      rewrite succ_pred in R by (auto with typeclass_instances). specialize (R ltac:(lra)). lra. }
   now rewrite U, D.
 Qed.
 
@@ -169,8 +173,7 @@ Proof.
   destruct (beside (tie_of c (next_above c))); cbn [is_sign is_above is_on orb andb] in *; [| |reflexivity].
   - destruct (is_even c) eqn:E; [exfalso|reflexivity]. pose proof (accepted_candidate_is_nearest c x Fc) as R. cbv zeta in R.
     rewrite R in Hn; [lra|right; split; [lra|exact E]|left; lra].
-  - exfalso. pose proof (round_N_le_midp radix2 fexp32 (fun n => negb (Z.even n)) (value32 c) x Gc ltac:(lra)) as R.
-    change (round radix2 fexp32 (Znearest (fun n => negb (Z.even n))) x) with (nearest32 x) in R. lra.
+  - exfalso. pose proof (nearest_not_above (value32 c) x Gc ltac:(lra)). lra.
 Qed.
 
 Lemma search_goes_down : forall beside x c rest, signs_are_right beside x -> is_finite 24 128 c = true -> Rabs (value32 c) < bpow radix2 28 ->
@@ -181,8 +184,7 @@ Proof.
   pose proof (above_is_other _ Gc) as A. pose proof (below_is_other _ Gc) as B.
   assert (L : x <= (value32 c + pred radix2 fexp32 (value32 c)) / 2).
   { destruct (Rle_lt_dec x ((value32 c + pred radix2 fexp32 (value32 c)) / 2)) as [L|L]; [exact L|exfalso].
-    pose proof (round_N_ge_midp radix2 fexp32 (fun n => negb (Z.even n)) (value32 c) x Gc ltac:(lra)) as R.
-    change (round radix2 fexp32 (Znearest (fun n => negb (Z.even n))) x) with (nearest32 x) in R. lra. }
+    pose proof (nearest_not_below (value32 c) x Gc ltac:(lra)). lra. }
   destruct (beside (tie_of c (next_above c))); cbn [is_sign is_above is_on orb andb] in *; [lra| |lra].
   destruct (beside (tie_of c (next_below c))); cbn [is_sign is_below is_on orb andb] in *; [|reflexivity|lra].
   destruct (is_even c) eqn:E; [exfalso|reflexivity]. pose proof (accepted_candidate_is_nearest c x Fc) as R. cbv zeta in R.
@@ -226,14 +228,14 @@ Proof.
   assert (Gx : in_binary32 (nearest32 x)) by (apply generic_format_round; auto with typeclass_instances).
   assert (U : v <= (value32 c + succ radix2 fexp32 (value32 c)) / 2).
   { destruct (Rle_lt_dec v ((value32 c + succ radix2 fexp32 (value32 c)) / 2)) as [L|L]; [exact L|exfalso].
-    pose proof (round_N_ge_midp radix2 fexp32 (fun n => negb (Z.even n)) (succ radix2 fexp32 (value32 c)) v Fua) as R.
+    pose proof (nearest_not_below (succ radix2 fexp32 (value32 c)) v Fua) as R.
     rewrite pred_succ in R by (auto with typeclass_instances). specialize (R ltac:(lra)). pose proof (above_is_other _ Gc).
-    change (round radix2 fexp32 (Znearest (fun n => negb (Z.even n))) v) with (nearest32 v) in R. lra. }
+     lra. }
   assert (L : (value32 c + pred radix2 fexp32 (value32 c)) / 2 <= v).
   { destruct (Rle_lt_dec ((value32 c + pred radix2 fexp32 (value32 c)) / 2) v) as [L|L]; [exact L|exfalso].
-    pose proof (round_N_le_midp radix2 fexp32 (fun n => negb (Z.even n)) (pred radix2 fexp32 (value32 c)) v Fub) as R.
+    pose proof (nearest_not_above (pred radix2 fexp32 (value32 c)) v Fub) as R.
     rewrite succ_pred in R by (auto with typeclass_instances). specialize (R ltac:(lra)). pose proof (below_is_other _ Gc).
-    change (round radix2 fexp32 (Znearest (fun n => negb (Z.even n))) v) with (nearest32 v) in R. lra. }
+     lra. }
   apply Rabs_le_inv in Da, Db.
   assert (N1 : nearest32 x <= succ radix2 fexp32 (value32 c)) by (apply round_le_generic; auto with typeclass_instances; lra).
   assert (N2 : pred radix2 fexp32 (value32 c) <= nearest32 x) by (apply round_ge_generic; auto with typeclass_instances; lra).

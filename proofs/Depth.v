@@ -250,7 +250,10 @@ Proof.
     rewrite (Rabs_pos_eq (h * k)) in Chk by lra. apply Rabs_le_inv in Chk.
     assert (unit53 * (h * k) <= / 1000000000000 * (h * k)) by (apply Rmult_le_compat_r; lra). lra. }
   rewrite (less_is _ _ _ _ E Ihk), Rlt_bool_true by assumption. cbn [negb]. cbv zeta. unfold rounded. cbn [hi lo error].
-  destruct (root_of_both _ _ h l H L Hh Hl) as (y & z & R1 & R2 & R3 & R4 & _ & R6).
+  assert (Hh3 : bpow radix2 (-200) <= h <= bpow radix2 40).
+  { change (bpow radix2 40) with 1099511627776. split; [|lra]. apply Rle_trans with (bpow radix2 (-40)); [apply bpow_le; lia|].
+    change (bpow radix2 (-40)) with (/ 1099511627776). lra. }
+  destruct (root_of_both _ _ h l H L Hh3 Hl) as (y & z & R1 & R2 & R3 & R4 & _ & R6).
   pose proof (Rabs_le_inv _ _ R4) as R4'. set (s := sqrt h) in *. assert (Hs2 : s * s = h) by (apply sqrt_sqrt; lra).
   assert (Hs : / 1048576 <= s <= 1048576).
   { assert (S : size (-20) 20 s) by (apply size_root; [now apply size_of|lra]). destruct S as [S1 S2].

@@ -163,7 +163,7 @@ Proof.
     apply Rmult_le_compat_l; [|lra]. assert (0 <= unit53 * unit53 * s) by (apply Rmult_le_pos; [apply Rle_0_sqr|lra]). lra.
 Qed.
 
-Lemma root_of_both_from : forall a a_lo h l, is64 a h -> is64 a_lo l -> bpow radix2 (-200) <= h <= bpow radix2 40 ->
+Lemma root_of_both : forall a a_lo h l, is64 a h -> is64 a_lo l -> bpow radix2 (-200) <= h <= bpow radix2 40 ->
   Rabs l <= 101 / 100 * unit53 * h ->
   exists hi lo, is64 (fst (square_root_of a a_lo)) hi /\ is64 (snd (square_root_of a a_lo)) lo /\
     hi = nearest64 (hi + lo) /\ Rabs (hi - sqrt h) <= / 1000000000000 * sqrt h /\ Rabs lo <= 101 / 100 * unit53 * hi /\
@@ -266,15 +266,6 @@ Proof.
     apply Rle_trans with (1 := K). replace (8 * (unit53 * unit53) * s) with (8 * unit53 * (unit53 * s)) by ring.
     apply Rle_trans with (8 * unit53 * (1000002 / 1000000 * (unit53 * hi))); [apply Rmult_le_compat_l; lra|].
     assert (0 <= unit53 * (unit53 * hi)) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]). lra.
-Qed.
-
-Lemma root_of_both : forall a a_lo h l, is64 a h -> is64 a_lo l -> bpow radix2 (-40) <= h <= bpow radix2 40 ->
-  Rabs l <= 101 / 100 * unit53 * h ->
-  exists hi lo, is64 (fst (square_root_of a a_lo)) hi /\ is64 (snd (square_root_of a a_lo)) lo /\
-    hi = nearest64 (hi + lo) /\ Rabs (hi - sqrt h) <= / 1000000000000 * sqrt h /\ Rabs lo <= 101 / 100 * unit53 * hi /\
-    Rabs (sqrt (h + l) - (hi + lo)) <= 9 * (unit53 * unit53) * hi.
-Proof.
-  intros a a_lo h l Ha Hl Hh Bl. apply root_of_both_from; trivial. split; [|apply Hh]. apply Rle_trans with (2 := proj1 Hh). apply bpow_le. lia.
 Qed.
 
 (* What rounding takes, as a share of the result: the low part of a double-double. *)

@@ -334,7 +334,7 @@ Proof.
   pose proof (rounded_near (h - 8 * (unit53 * h)) ltac:(lra)) as Rhk.
   assert (Uhk : unit53 * (h - 8 * (unit53 * h)) <= unit53 * h) by (apply unit_times_compat; lra).
   rewrite (less_is _ _ _ _ E Ihk), Rlt_bool_true by lra. cbn [negb]. cbv zeta.
-  destruct (root_of_both_from _ _ h l H L) as (y & q & Y & Q & Ey & Cy & _ & Off).
+  destruct (root_of_both _ _ h l H L) as (y & q & Y & Q & Ey & Cy & _ & Off).
   { change (bpow radix2 (-200)) with (/ 1606938044258990275541962092341162602522202993782792835301376).
     change (bpow radix2 40) with 1099511627776. lra. } { lra. }
   set (r := sqrt h) in *. assert (Hr2 : r * r = h) by (apply sqrt_sqrt; lra). assert (Hr0 : 0 < r) by (now apply sqrt_lt_R0).

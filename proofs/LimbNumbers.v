@@ -2,7 +2,7 @@
 (* The limbs of the third stage's number, continued: sums with their last carry, numbers moved up to their leading one, comparisons, and
    what takes some of the limbs, as proofs/BigFloat.v has them. fast/numbers/big_float_ball.h. *)
 From Coq Require Import ZArith Lia List Bool.
-From Forceshade Require Import Limbs LimbShifts.
+From Forceshade Require Import BigFloatValues Limbs LimbShifts.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -23,7 +23,7 @@ Proof.
   apply Forall_app in H. destruct H as [Hl Ht]. inversion_clear Ht as [|? ? Ht' _]. rewrite whole_app in *. cbn [whole] in *.
   rewrite Z.mul_0_r, Z.add_0_r in *. pose proof (whole_bounds low Hl) as Bl. rewrite (size_is_power low) in *.
   assert (E : bits_of (low ++ [t]) - 1 = bits_of low + 63) by (unfold bits_of; rewrite app_length; cbn [length]; lia). rewrite E in *.
-  rewrite Z.pow_add_r in * by (unfold bits_of; lia). pose proof (power_of_two_pos (bits_of low) ltac:(unfold bits_of; lia)) as P.
+  rewrite Z.pow_add_r in * by (unfold bits_of; lia). pose proof (power_pos (bits_of low) ltac:(unfold bits_of; lia)) as P.
   assert (T : 0 <= t < 2 ^ 63) by (unfold is_limb in Ht'; nia).
   pose proof (or_is_sum t 1 63 ltac:(lia) T) as O. rewrite Z.mul_1_l in O. rewrite O.
   split.
@@ -48,7 +48,7 @@ Proof.
   destruct (add_with a b 0) as [s carry]. destruct S as (F & Len & Hc & S). rewrite size_is_power in S. fold width in S. rewrite Z.add_0_r in S.
   fold sum in S. pose proof (whole_bounds s F) as B. rewrite size_is_power in B.
   assert (W : bits_of s = width) by (unfold bits_of, width; now rewrite Len). rewrite W in B.
-  pose proof (power_of_two_pos width ltac:(unfold width, bits_of; lia)) as P. destruct (Z.eqb_spec carry 0) as [C|C].
+  pose proof (power_pos width ltac:(unfold width, bits_of; lia)) as P. destruct (Z.eqb_spec carry 0) as [C|C].
   - rewrite (proj2 (Z.ltb_lt sum (2 ^ width))) by nia. cbn [negb andb].
     split; [exact F|]. split; [exact Len|]. split; [reflexivity|]. split; [nia|reflexivity].
   - assert (C1 : carry = 1) by lia. rewrite C1 in S. rewrite (proj2 (Z.ltb_ge sum (2 ^ width))) by lia. cbn [negb andb].
@@ -97,8 +97,8 @@ Proof.
   - split; [exact A|]. change (2 ^ (64 - 0)) with base. change (2 ^ 0) with 1. unfold is_limb in *.
     rewrite Z.mod_small, Z.div_small by lia. ring.
   - pose proof (word_shifted a (64 - part) ltac:(lia)) as W. replace (64 - (64 - part)) with part in W by ring. rewrite W.
-    pose proof (base_split part ltac:(lia)) as B. pose proof (power_of_two_pos part ltac:(lia)).
-    pose proof (power_of_two_pos (64 - part) ltac:(lia)). unfold is_limb in *.
+    pose proof (base_split part ltac:(lia)) as B. pose proof (power_pos part ltac:(lia)).
+    pose proof (power_pos (64 - part) ltac:(lia)). unfold is_limb in *.
     assert (D : 0 <= lower / 2 ^ (64 - part) < 2 ^ part) by (split; [apply Z.div_pos; lia|apply Z.div_lt_upper_bound; lia]).
     rewrite Z.lor_comm, or_is_sum by lia. pose proof (Z.mod_pos_bound a (2 ^ (64 - part)) ltac:(lia)). split; [nia|ring].
 Qed.
@@ -114,7 +114,7 @@ Proof.
   - cbn [move_up whole length last]. change (size []) with 1. split; [apply Forall_nil|]. split; [reflexivity|ring].
   - inversion_clear H as [|? ? Ha Hl]. destruct (IH a P Ha Hl) as (F & Len & S). destruct (limb_moved_up_is part lower a P L Ha) as [M E].
     cbn [move_up]. split; [now constructor|]. split; [cbn [length]; now rewrite Len|]. rewrite last_cons, size_cons. cbn [whole]. rewrite E.
-    pose proof (base_split part ltac:(lia)) as B. pose proof (power_of_two_pos (64 - part) ltac:(lia)) as P2.
+    pose proof (base_split part ltac:(lia)) as B. pose proof (power_pos (64 - part) ltac:(lia)) as P2.
     pose proof (Z.div_mod a (2 ^ (64 - part)) ltac:(lia)) as D. rewrite B in *. set (k := 2 ^ (64 - part)) in *. set (p := 2 ^ part) in *. nia.
 Qed.
 
@@ -155,8 +155,8 @@ Proof.
     apply Z.log2_unique; [lia|]. rewrite W. replace (Z.succ (bits_of low + Z.log2 t)) with (bits_of low + Z.succ (Z.log2 t)) by lia.
     rewrite !Z.pow_add_r by lia. nia. }
   assert (U : 64 * Z.of_nat n + part = bits_of l - 1 - Z.log2 (whole l)) by (rewrite G; unfold part, bits_of; rewrite Ln, Lk; lia).
-  pose proof (base_split part ltac:(lia)) as B. pose proof (power_of_two_pos part ltac:(lia)) as P1.
-  pose proof (power_of_two_pos (64 - part) ltac:(lia)) as P2. destruct n as [|m].
+  pose proof (base_split part ltac:(lia)) as B. pose proof (power_pos part ltac:(lia)) as P1.
+  pose proof (power_pos (64 - part) ltac:(lia)) as P2. destruct n as [|m].
   - cbn [repeat] in E. destruct (move_up_is part l below P Hb H) as (F & Len & S).
     assert (Lt : last (below :: l) 0 = t) by (rewrite E, app_comm_cons; apply last_last). rewrite Lt, D, Z.mul_0_r, Z.add_0_r in S.
     split; [exact F|]. split; [exact Len|]. split; [lia|]. split; [exact U|]. rewrite S. cbn [Z.of_nat]. rewrite Z.mul_0_r, Z.add_0_l.
@@ -209,16 +209,6 @@ Proof.
   rewrite Z.mul_0_r, Z.add_0_r, Z.mul_comm, Z.div_add, Z.div_small by lia. lia.
 Qed.
 
-(* The lowest limbs set to 0. *)
-Theorem limbs_cut : forall n l, (n <= length l)%nat -> Forall is_limb l ->
-  whole (repeat 0 n ++ skipn n l) = whole l / 2 ^ (64 * Z.of_nat n) * 2 ^ (64 * Z.of_nat n).
-Proof.
-  intros n l L H. rewrite whole_app, whole_zeros, (size_of_length _ n) by apply repeat_length. rewrite base_power by lia.
-  pose proof (whole_split n l L) as W. rewrite base_power in W by lia. pose proof (whole_bounds _ (Forall_firstn n l H)) as B.
-  rewrite (size_of_length _ n) in B by now apply firstn_length_le. rewrite base_power in B by lia.
-  rewrite W, Z.mul_comm, Z.div_add, (Z.div_small (whole (firstn n l))) by lia. ring.
-Qed.
-
 (* A number of binary64 with `bits` bits, in the highest limb. *)
 Theorem one_limb : forall n m bits, (0 < n)%nat -> 0 <= bits <= 64 ->
   whole (repeat 0 (n - 1) ++ [m * 2 ^ (64 - bits)]) = m * 2 ^ (64 * Z.of_nat n - bits).
@@ -239,6 +229,11 @@ Proof.
   rewrite base_power in B by lia. rewrite W, Z.mul_comm.
   rewrite Z.div_add, Z.mod_add, (Z.div_small (whole (firstn n l))), (Z.mod_small (whole (firstn n l))) by lia. split; [ring|reflexivity].
 Qed.
+
+(* The lowest limbs set to 0. *)
+Theorem limbs_cut : forall n l, (n <= length l)%nat -> Forall is_limb l ->
+  whole (repeat 0 n ++ skipn n l) = whole l / 2 ^ (64 * Z.of_nat n) * 2 ^ (64 * Z.of_nat n).
+Proof. intros n l L H. now rewrite more_limbs, (proj1 (fewer_limbs n l L H)). Qed.
 
 (* ---- The product's limbs ---- *)
 
@@ -266,7 +261,7 @@ Proof.
   assert (E2 : 2 ^ width = 2 * 2 ^ (width - 1)) by (rewrite <- Z.pow_succ_r by lia; f_equal; lia).
   assert (E4 : 2 ^ (2 * width - 1) = 2 ^ width * 2 ^ (width - 1)) by (rewrite <- Z.pow_add_r by lia; f_equal; lia).
   assert (E5 : 2 ^ (width - 1) = 2 * 2 ^ (width - 2)) by (rewrite <- Z.pow_succ_r by lia; f_equal; lia).
-  pose proof (power_of_two_pos (width - 2) ltac:(lia)) as P2. set (h := 2 ^ (width - 2)) in *. set (hh := 2 ^ (width - 1)) in *.
+  pose proof (power_pos (width - 2) ltac:(lia)) as P2. set (h := 2 ^ (width - 2)) in *. set (hh := 2 ^ (width - 1)) in *.
   assert (BP : hh * hh <= P < 2 ^ width * 2 ^ width) by (unfold P; nia).
   assert (Lu : length (skipn n product) = n) by (rewrite skipn_length, Len, <- L; lia).
   pose proof (whole_split n product ltac:(lia)) as W. rewrite SP, base_power, <- Hw in W by lia.
@@ -295,8 +290,8 @@ Proof.
   split; [exact Fr|]. split; [rewrite Lr; exact Lu|]. split; [|assumption]. rewrite Wr, EP.
   assert (Hup : 0 <= up <= 1) by (rewrite H; destruct (_ <? _); lia).
   assert (B : base = 2 ^ up * 2 ^ (64 - up)) by (apply base_split; lia). rewrite B at 1.
-  pose proof (power_of_two_pos up ltac:(lia)). pose proof (power_of_two_pos (64 - up) ltac:(lia)).
-  pose proof (power_of_two_pos (64 * Z.of_nat (n - 1)) ltac:(lia)).
+  pose proof (power_pos up ltac:(lia)). pose proof (power_pos (64 - up) ltac:(lia)).
+  pose proof (power_pos (64 * Z.of_nat (n - 1)) ltac:(lia)).
   rewrite (Z.mul_comm _ (2 ^ up)), Z.div_mul_cancel_l by lia. rewrite Z.div_div by lia. f_equal.
   rewrite <- Z.pow_add_r by lia. f_equal. lia.
 Qed.

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The limbs of the third stage's number, continued: shifts, comparisons and single limbs. fast/numbers/big_float_ball.h. *)
 From Coq Require Import ZArith Lia List Bool.
-From Forceshade Require Import Limbs.
+From Forceshade Require Import BigFloatValues Limbs.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -19,9 +19,6 @@ Qed.
 
 Lemma base_split : forall part, 0 <= part <= 64 -> base = 2 ^ part * 2 ^ (64 - part).
 Proof. intros part H. rewrite <- Z.pow_add_r by lia. replace (part + (64 - part)) with 64 by ring. reflexivity. Qed.
-
-Lemma power_of_two_pos : forall k, 0 <= k -> 0 < 2 ^ k.
-Proof. intros k H. apply Z.pow_pos_nonneg; lia. Qed.
 
 (* The upper bits that a shift to the left keeps. *)
 Lemma word_shifted : forall a part, 0 <= part <= 64 -> word (a * 2 ^ (64 - part)) = a mod 2 ^ part * 2 ^ (64 - part).
@@ -71,8 +68,8 @@ Lemma limb_between_is : forall part low high, 0 <= part < 64 -> is_limb low ->
 Proof.
   intros part low high P L. unfold limb_between. destruct (Z.eqb_spec part 0) as [->|N].
   - split; [exact L|]. change (2 ^ 0) with 1. rewrite Z.div_1_r, Z.mod_1_r. ring.
-  - pose proof (base_split part ltac:(lia)) as B. pose proof (power_of_two_pos part ltac:(lia)).
-    pose proof (power_of_two_pos (64 - part) ltac:(lia)).
+  - pose proof (base_split part ltac:(lia)) as B. pose proof (power_pos part ltac:(lia)).
+    pose proof (power_pos (64 - part) ltac:(lia)).
     assert (D : 0 <= low / 2 ^ part < 2 ^ (64 - part)).
     { unfold is_limb in L. split; [apply Z.div_pos; lia|apply Z.div_lt_upper_bound; lia]. }
     rewrite word_shifted by lia. rewrite or_is_sum by lia. split; [|reflexivity]. pose proof (Z.mod_pos_bound high (2 ^ part) ltac:(lia)).
@@ -92,7 +89,7 @@ Proof.
   intros part l P. induction l as [|a rest IH]; intro H; [cbn [shift_part whole]; repeat split; constructor|].
   inversion_clear H as [|? ? Ha Hr]. destruct (IH Hr) as (F & Len & S). destruct (limb_between_is part a (hd 0 rest) P Ha) as [L E].
   cbn [shift_part]. split; [now constructor|]. split; [cbn [length]; now rewrite Len|]. cbn [whole]. rewrite E, S, (low_limb rest Hr) by lia.
-  pose proof (power_of_two_pos part ltac:(lia)) as P2. pose proof (Z.div_mod (whole rest) (2 ^ part) ltac:(lia)) as D.
+  pose proof (power_pos part ltac:(lia)) as P2. pose proof (Z.div_mod (whole rest) (2 ^ part) ltac:(lia)) as D.
   pose proof (base_split part ltac:(lia)) as B. set (k := 2 ^ (64 - part)) in *. set (W := whole rest) in *.
   assert (X : (a + base * W) / 2 ^ part = a / 2 ^ part + k * W).
   { rewrite B. replace (a + 2 ^ part * k * W) with (a + k * W * 2 ^ part) by ring. apply Z.div_add. lia. }
@@ -124,7 +121,7 @@ Proof.
     pose proof (whole_bounds (firstn n l) (Forall_firstn n l H)) as Bf.
     rewrite (size_of_length _ n) in Bf by (apply firstn_length_le; lia). rewrite N, base_power in Bf by lia.
     assert (P : 2 ^ count = 2 ^ (64 * q) * 2 ^ part) by (rewrite <- Z.pow_add_r by lia; f_equal; lia).
-    pose proof (power_of_two_pos (64 * q) ltac:(lia)) as P1. pose proof (power_of_two_pos part ltac:(lia)) as P2.
+    pose proof (power_pos (64 * q) ltac:(lia)) as P1. pose proof (power_pos part ltac:(lia)) as P2.
     split; [apply Forall_app; split; [exact F|apply zeros_are_limbs]|].
     split; [rewrite app_length, Len, skipn_length, repeat_length; lia|]. split.
     + rewrite whole_app, whole_zeros, S, P, <- Z.div_div by lia. rewrite W. rewrite (Z.add_comm (whole (firstn n l))).
@@ -138,7 +135,7 @@ Proof.
       assert (Mo : whole l mod 2 ^ count = low + 2 ^ (64 * q) * (high mod 2 ^ part)).
       { rewrite P, Z.rem_mul_r by lia. rewrite W at 1. rewrite (Z.mul_comm (2 ^ (64 * q)) high), Z.mod_add, (Z.mod_small low) by lia.
         f_equal. f_equal. rewrite W. rewrite (Z.mul_comm (2 ^ (64 * q)) high), Z.div_add, (Z.div_small low) by lia. reflexivity. }
-      rewrite Mo. pose proof (Z.mod_pos_bound high (2 ^ part) ltac:(lia)) as Bm. pose proof (power_of_two_pos (64 - part) ltac:(lia)) as P3.
+      rewrite Mo. pose proof (Z.mod_pos_bound high (2 ^ part) ltac:(lia)) as Bm. pose proof (power_pos (64 - part) ltac:(lia)) as P3.
       destruct (Z.eqb_spec part 0) as [E|E].
       * rewrite E in *. change (2 ^ 0) with 1 in *. rewrite Z.mod_1_r, Z.mul_0_r, Z.add_0_r. cbn [negb andb]. apply orb_false_r.
       * destruct (Z.eqb_spec low 0), (Z.eqb_spec (high mod 2 ^ part * 2 ^ (64 - part)) 0),

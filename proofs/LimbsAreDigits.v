@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The operations of proofs/BigFloat.v on whole numbers are those of fast/numbers/big_float_ball.h on limbs. *)
 From Coq Require Import ZArith Lia List Bool.
-From Forceshade Require Import BigFloat Limbs LimbShifts LimbNumbers.
+From Forceshade Require Import BigFloat BigFloatValues Limbs LimbShifts LimbNumbers.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -19,7 +19,7 @@ Proof.
   assert (P : 64 <= width). { rewrite <- W. unfold bits_of. destruct l; [congruence|cbn [length]; lia]. }
   destruct N as [->|[L U]]; [now rewrite Z.div_0_l by (apply Z.pow_nonzero; lia)|].
   assert (E : 2 ^ (width - 1) = 2 ^ (width - 64) * 2 ^ 63) by (rewrite <- Z.pow_add_r by lia; f_equal; lia).
-  pose proof (power_of_two_pos (width - 64) ltac:(lia)) as P2.
+  pose proof (power_pos (width - 64) ltac:(lia)) as P2.
   assert (Q : 2 ^ 63 <= whole l / 2 ^ (width - 64)) by (apply Z.div_le_lower_bound; lia). change (2 ^ 63) with 9223372036854775808 in *.
   destruct (Z.eqb_spec (whole l) 0), (Z.eqb_spec (whole l / 2 ^ (width - 64)) 0); try reflexivity; nia.
 Qed.
@@ -98,8 +98,8 @@ Proof.
     pose proof (whole_bounds _ (Forall_firstn (n - 1) product F)) as Bf. fold f in Bf.
     rewrite (size_of_length _ (n - 1)) in Bf by (apply firstn_length_le; lia). rewrite base_power in Bf by lia.
     set (U := whole (skipn (Datatypes.S (n - 1)) product)) in *. set (D := 2 ^ (64 * Z.of_nat (n - 1))) in *.
-    assert (PD : 0 < D) by (apply power_of_two_pos; lia). set (q := 2 ^ (64 - up)).
-    assert (Pq : 0 < q) by (apply power_of_two_pos; lia). assert (P1 : 0 < 2 ^ up) by (apply power_of_two_pos; lia).
+    assert (PD : 0 < D) by (apply power_pos; lia). set (q := 2 ^ (64 - up)).
+    assert (Pq : 0 < q) by (apply power_pos; lia). assert (P1 : 0 < 2 ^ up) by (apply power_pos; lia).
     assert (E : 2 ^ (width - up) = D * q) by (unfold D, q; rewrite <- Z.pow_add_r by lia; f_equal; lia).
     pose proof (word_shifted below (64 - up) ltac:(lia)) as Ws. replace (64 - (64 - up)) with up in Ws by ring. fold q in Ws. rewrite Ws.
     assert (Bb' : base = 2 ^ up * q) by (apply base_split; lia).

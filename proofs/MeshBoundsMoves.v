@@ -203,7 +203,8 @@ Qed.
 (* ---- A sub-goal (SubGoal::goal_in()): g is the god-object's point in the triangle (a, b, c), with the corners' whole weights, and N
    the corners' normals with these weights. ---- *)
 
-Definition a_normal (N : vector) := multiples 149 N /\ no_larger 2 N.
+Definition normal_within (most : Z) (N : vector) := multiples 149 N /\ no_larger (IZR most) N.
+Definition a_normal : vector -> Prop := normal_within 2.
 
 (* What is interpolated in a triangle has the weights of its three corners. *)
 Definition in_three {T} (weights : R * R * R) (first second third : T) : list (R * T) :=
@@ -246,10 +247,10 @@ Proof.
     split; [exact U|]. destruct E as [->|[->| ->]]; (apply difference_no_larger; [apply P|]); [apply A|apply B|apply C].
 Qed.
 
-Lemma shading_normal_is : forall k l m N1 N2 N3, a_normal N1 -> a_normal N2 -> a_normal N3 -> of_the_grid k l m ->
-  multiples 149 (shading_normal k l m N1 N2 N3) /\ no_larger (IZR (2 ^ 24 * 2)) (shading_normal k l m N1 N2 N3).
+Lemma shading_normal_is : forall most k l m N1 N2 N3, normal_within most N1 -> normal_within most N2 -> normal_within most N3 ->
+  of_the_grid k l m -> normal_within (2 ^ 24 * most) (shading_normal k l m N1 N2 N3).
 Proof.
-  intros k l m N1 N2 N3 [U1 L1] [U2 L2] [U3 L3] G. destruct (weights_of_the_grid _ k l m N1 N2 N3 G) as [S W]. split.
+  intros most k l m N1 N2 N3 [U1 L1] [U2 L2] [U3 L3] G. destruct (weights_of_the_grid _ k l m N1 N2 N3 G) as [S W]. split.
   - apply (weighted_unit _ _ _ 0 149); [lia|lia|]. intros weight corner H. destruct (W weight corner H) as (U & _ & E).
     split; [exact U|]. destruct E as [->|[->| ->]]; assumption.
   - rewrite mult_IZR, <- S. apply weighted_size. intros weight corner H. destruct (W weight corner H) as (_ & U & E).
@@ -281,7 +282,7 @@ Theorem sub_goal_fits : forall a b c p N1 N2 N3 (k l m : Z), given a -> given b 
 Proof.
   intros a b c p N1 N2 N3 k l m A B C P A1 A2 A3 G.
   destruct (way_to_grid_is k l m a b c p A B C P G) as [WU WL].
-  destruct (shading_normal_is k l m N1 N2 N3 A1 A2 A3 G) as [NU NL].
+  destruct (shading_normal_is 2 k l m N1 N2 N3 A1 A2 A3 G) as [NU NL].
   pose proof (normal_unit a b c A B C) as U. pose proof (normal_size a b c A B C) as L.
   set (N := shading_normal k l m N1 N2 N3) in *. set (w := way_to_grid k l m a b c p) in *. set (n := normal a b c) in *.
   clearbody N w n. pose proof (square_no_larger _ _ WL) as WS. pose proof (square_no_larger _ _ NL) as NS.

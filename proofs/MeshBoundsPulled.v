@@ -6,19 +6,10 @@ From Forceshade Require Import Vectors MeshBounds MeshBoundsMoves MeshBoundsShad
 Import ListNotations.
 Open Scope R_scope.
 
-(* A corner's normal of any finite numbers of binary32, and N with whole weights, 2^24 in all. *)
-Definition any_normal (N : vector) := multiples 149 N /\ no_larger (IZR (2 ^ 128)) N.
-Definition between_normals (N : vector) := multiples 149 N /\ no_larger (IZR (2 ^ 24 * 2 ^ 128)) N.
-
-Lemma normals_between_three : forall k l m N1 N2 N3, any_normal N1 -> any_normal N2 -> any_normal N3 -> of_the_grid k l m ->
-  between_normals (shading_normal k l m N1 N2 N3).
-Proof.
-  intros k l m N1 N2 N3 [U1 L1] [U2 L2] [U3 L3] G. destruct (weights_of_the_grid _ k l m N1 N2 N3 G) as [S W]. split.
-  - apply (weighted_unit _ _ _ 0 149); [lia|lia|]. intros weight corner H. destruct (W weight corner H) as (U & _ & E).
-    split; [exact U|]. destruct E as [->|[->| ->]]; assumption.
-  - rewrite mult_IZR, <- S. apply weighted_size. intros weight corner H. destruct (W weight corner H) as (_ & U & E).
-    split; [exact U|]. destruct E as [->|[->| ->]]; assumption.
-Qed.
+(* A corner's normal of any finite numbers of binary32, and N of such with whole weights, 2^24 in all: shading_normal_is, and
+   normals_between_two. *)
+Definition any_normal : vector -> Prop := normal_within (2 ^ 128).
+Definition between_normals : vector -> Prop := normal_within (2 ^ 24 * 2 ^ 128).
 
 (* The middle of two neighbours in binary32, one of which a component of the force may be. *)
 Definition a_tie (m : R) := multiple 150 m /\ Rabs m <= IZR (2 ^ 26).

@@ -257,40 +257,27 @@ Theorem sine_of_third_encloses : forall R w K, parameters R w K ->
   encloses (80000 * share101) (sine_of_third R w) (third_sine (value32 R) (value32 w)).
 Proof.
   intros R w K Hp. pose proof unit_is_small as Hu. pose proof share_is_small as Hsh. destruct (third_sine_of_half R w K Hp) as (Ht & E & Bs).
-  destruct (half_over_radius_is R w K Hp) as [Is Cs]. pose proof (half_width_is R w K Hp) as Ih.
-  pose proof (third_start_is R w K Hp) as T0. pose proof (rest_start_is R w K Hp) as R0. pose proof (rest_of_third R w K Hp) as Rest.
-  destruct (half_chord_is_binary64 R w K Hp) as (Gm & _ & Hm). destruct Hp as ((FR & _) & HR & Hw & _).
+  pose proof (half_width_is R w K Hp) as Ih. pose proof Hp as ((FR & _) & HR & Hw & _).
   pose proof (to64_is_exact R FR) as IR. pose proof (two_to_is (-1) ltac:(lia)) as I2. change (bpow radix2 (-1)) with (/ 2) in I2.
-  cbv zeta in T0, R0, Rest. set (t := third_sine _ _) in *. set (s := value32 w / 2 / value32 R) in *.
-  pose proof (unit_times s ltac:(lra)) as Us. apply Rabs_le_inv in Cs. pose proof (unit_times t ltac:(lra)) as Ut.
+  set (t := third_sine _ _) in *. set (s := value32 w / 2 / value32 R) in *. pose proof (unit_times t ltac:(lra)) as Ut.
   assert (quotient : forall v x, is64 v x -> / 1000000000000 <= x <= value32 R ->
     encloses (3 * share101) (divide (exactly64 v) (exactly64 (to64 R))) (x / value32 R)).
   { intros v x I Bx. apply encloses_more with (3 * (0 + 0) + 3 * share101); [|lra].
     pose proof (Rabs_pos_eq x ltac:(lra)) as Rx. pose proof (Rabs_pos_eq (value32 R) ltac:(lra)) as RR.
     apply encloses_divide; try (now apply encloses_exact, exactly_is); try lra.
     apply Rle_trans with 1; [|lra]. apply quotient_size; lra. }
-  unfold sine_of_third. rewrite (at_most_is _ _ _ _ Is I2). case Rle_bool_spec; intro Hs.
-  - assert (Hs2 : s <= 5001 / 10000) by lra. destruct (T0 Hs2) as (y & Iy & Cy).
+  apply (sine_of_third_cases _ (fun a => encloses (80000 * share101) a t) _ _ _ R w K Hp); fold t; fold s.
+  - intros Hs2 (y & Iy & Cy).
     apply encloses_more with (10000 * share101); [|lra].
     apply (third_root_encloses _ s t _ y Iy ltac:(lra) Ht E Hs2 (exact_quotient _ _ _ _ Ih IR ltac:(lra) ltac:(lra) ltac:(lra))).
     apply quotient; [exact Ih|lra].
-  - rewrite (equal_is _ _ _ _ Ih IR). case Req_bool_spec; intro Heq.
-    + assert (Es : s = 1) by (unfold s; rewrite Heq; field; lra). rewrite Es in E.
-      assert (Et : t = / 2).
-      { assert (P : (2 * t - 1) * (2 * t - 1) * (t + 1) = 0) by lra. apply Rmult_integral in P. destruct P as [P|P]; [|lra].
-        apply Rmult_integral in P. lra. }
-      rewrite Et. apply encloses_more with 0; [|lra]. now apply encloses_exact, exactly_is.
-    + destruct (Rest Heq) as (Hv & Ev & Br & Er). destruct (R0 Heq ltac:(lra)) as (y & Iy & Cy).
-      set (v := / 2 - t) in *. set (r := (value32 R - value32 w / 2) / value32 R) in *.
-      assert (Bm : bpow radix2 (-34) <= value32 R - value32 w / 2) by (destruct Hm as [H|H]; [lra|exact H]).
-      change (bpow radix2 (-34)) with (/ 17179869184) in Bm. change (bpow radix2 (-48)) with (/ 281474976710656) in Br.
-      assert (Im : is64 (minus (to64 R) (half_width w)) (value32 R - value32 w / 2)).
-      { apply (minus_exact _ _ _ _ _ IR Ih); [reflexivity|exact Gm|]. apply big_enough. rewrite Rabs_pos_eq; lra. }
-      assert (Hr : r <= 5001 / 10000) by lra. pose proof (rest_is_small r v Hr ltac:(lra) Ev) as Hsmall.
-      pose proof (unit_times v ltac:(lra)) as Uv.
-      pose proof (rest_root_encloses _ r v _ y Iy ltac:(lra) Hv Ev Hr ltac:(lra) (exact_quotient _ _ _ _ Im IR ltac:(lra) ltac:(lra) ltac:(lra))
-        (quotient _ _ Im ltac:(lra))) as Ev2.
-      replace t with (/ 2 - v) by (unfold v; ring).
-      apply encloses_more with (7 * (0 + 10000 * share101) + 3 * share101); [|lra].
-      apply encloses_subtract; trivial; try lra; [now apply encloses_exact, exactly_is|..]; rewrite Rabs_pos_eq; lra.
+  - intros ->. apply encloses_more with 0; [|lra]. now apply encloses_exact, exactly_is.
+  - set (v := / 2 - t). set (r := (value32 R - value32 w / 2) / value32 R). intros Hv Ev [Br Hr] Bm Im (y & Iy & Cy).
+    pose proof (rest_is_small r v Hr ltac:(lra) Ev) as Hsmall.
+    pose proof (unit_times v ltac:(lra)) as Uv.
+    pose proof (rest_root_encloses _ r v _ y Iy ltac:(lra) Hv Ev Hr ltac:(lra) (exact_quotient _ _ _ _ Im IR ltac:(lra) ltac:(lra) ltac:(lra))
+      (quotient _ _ Im ltac:(lra))) as Ev2.
+    replace t with (/ 2 - v) by (unfold v; ring).
+    apply encloses_more with (7 * (0 + 10000 * share101) + 3 * share101); [|lra].
+    apply encloses_subtract; trivial; try lra; [now apply encloses_exact, exactly_is|..]; rewrite Rabs_pos_eq; lra.
 Qed.

@@ -142,65 +142,82 @@ Proof.
   pose proof (near_parts _ _ _ _ N ltac:(lra) Bl ltac:(lra)) as P. split; [lra|]. split; [exact Bl|exact N].
 Qed.
 
+(* sine_of_third() by its cases, in any numbers: the start of Newton's method is near, or w = 2R, or the start for the rest is near. *)
+Lemma sine_of_third_cases : forall (T : Type) (P : T -> Prop) third half rest R w K, parameters R w K ->
+  let t := third_sine (value32 R) (value32 w) in let s := value32 w / 2 / value32 R in
+  let v := / 2 - t in let m := value32 R - value32 w / 2 in let r := m / value32 R in
+  (s <= 5001 / 10000 -> (exists y, is64 (third_start R w) y /\ Rabs (y - t) <= 6 * unit53 * t) -> P third) ->
+  (t = / 2 -> P half) ->
+  (/ 100000000 <= v <= / 2 -> 6 * (v * v) - 4 * (v * v * v) = r -> / 281474976710656 <= r <= 5001 / 10000 ->
+    / 17179869184 <= m -> is64 (minus (to64 R) (half_width w)) m ->
+    (exists y, is64 (rest_start R w) y /\ Rabs (y - v) <= 8 * unit53 * v) -> P rest) ->
+  P (if is_at_most (half_over_radius R w) (two_to (-1)) then third else if is_equal (half_width w) (to64 R) then half else rest).
+Proof.
+  intros T P third half rest R w K Hp t s v m r Third Half Rest. pose proof unit_is_small as Hu.
+  destruct (third_sine_of_half R w K Hp) as (Ht & E & Bs). destruct (half_over_radius_is R w K Hp) as [Is Cs].
+  pose proof (half_width_is R w K Hp) as Ih. pose proof (third_start_is R w K Hp) as T0. pose proof (rest_start_is R w K Hp) as R0.
+  pose proof (rest_of_third R w K Hp) as Rt. destruct (half_chord_is_binary64 R w K Hp) as (Gm & _ & Hm). destruct Hp as ((FR & _) & HR & Hw & _).
+  pose proof (to64_is_exact R FR) as IR. pose proof (two_to_is (-1) ltac:(lia)) as I2. change (bpow radix2 (-1)) with (/ 2) in I2.
+  cbv zeta in T0, R0, Rt. fold t in Ht, E, T0, R0, Rt. fold s in E, Bs, Is, Cs, T0, R0, Rt. fold v in R0, Rt. fold m in Gm, Hm, Rt. fold r in Rt.
+  pose proof (unit_times s ltac:(lra)) as Us. apply Rabs_le_inv in Cs. rewrite (at_most_is _ _ _ _ Is I2).
+  case Rle_bool_spec; intro Hs; [assert (Hs2 : s <= 5001 / 10000) by lra; exact (Third Hs2 (T0 Hs2))|].
+  rewrite (equal_is _ _ _ _ Ih IR). case Req_bool_spec; intro Heq.
+  - apply Half. assert (Es : s = 1) by (unfold s; rewrite Heq; field; lra). rewrite Es in E.
+    assert (Q : (2 * t - 1) * (2 * t - 1) * (t + 1) = 0) by lra. apply Rmult_integral in Q. destruct Q as [Q|Q]; [|lra].
+    apply Rmult_integral in Q. lra.
+  - destruct (Rt Heq) as (Hv & Ev & Br & Er). change (bpow radix2 (-48)) with (/ 281474976710656) in Br.
+    assert (Bm : / 17179869184 <= m).
+    { change (/ 17179869184) with (bpow radix2 (-34)). destruct Hm as [H|H]; [unfold m in H; lra|exact H]. }
+    apply Rest; trivial; [lra| |now apply R0; [|lra]].
+    apply (minus_exact _ _ _ _ _ IR Ih); [reflexivity|exact Gm|]. apply big_enough. rewrite Rabs_pos_eq; unfold m in *; lra.
+Qed.
+
 Theorem sine_of_third_is : forall R w K, parameters R w K -> holds 70 (/ 10000) (sine_of_third R w) (third_sine (value32 R) (value32 w)).
 Proof.
   intros R w K Hp. pose proof unit_is_small as Hu. destruct (third_sine_of_half R w K Hp) as (Ht & E & Bs).
-  destruct (half_over_radius_is R w K Hp) as [Is Cs]. pose proof (half_width_is R w K Hp) as Ih.
-  pose proof (third_start_is R w K Hp) as T0. pose proof (rest_start_is R w K Hp) as R0. pose proof (rest_of_third R w K Hp) as Rest.
-  destruct (half_chord_is_binary64 R w K Hp) as (Gm & _ & Hm). destruct Hp as ((FR & _) & HR & Hw & _).
+  pose proof (half_width_is R w K Hp) as Ih. pose proof Hp as ((FR & _) & HR & Hw & _).
   pose proof (to64_is_exact R FR) as IR. pose proof (two_to_is (-1) ltac:(lia)) as I2. change (bpow radix2 (-1)) with (/ 2) in I2.
-  cbv zeta in T0, R0, Rest. set (t := third_sine _ _) in *. set (s := value32 w / 2 / value32 R) in *.
-  pose proof (unit_times s ltac:(lra)) as Us. apply Rabs_le_inv in Cs.
-  unfold sine_of_third. rewrite (at_most_is _ _ _ _ Is I2). case Rle_bool_spec; intro Hs.
-  - assert (Hs2 : s <= 5001 / 10000) by lra. destruct (T0 Hs2) as (y & Iy & Cy).
+  set (t := third_sine _ _) in *. set (s := value32 w / 2 / value32 R) in *.
+  apply (sine_of_third_cases _ (fun a => holds 70 (/ 10000) a t) _ _ _ R w K Hp); fold t; fold s.
+  - intros Hs2 (y & Iy & Cy).
     pose proof (exact_quotient _ _ _ _ Ih IR ltac:(lra) ltac:(lra) ltac:(lra)) as S. fold s in S.
     apply (holds_by _ _ (33 + 9 / 2) Ht ltac:(lra)).
     pose proof (third_is_small s t Hs2 ltac:(lra) E) as Hsmall. pose proof (unit_times t ltac:(lra)) as Ut.
     destruct (newton_root_is _ _ _ _ y t 33 24 Iy ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
       (third_step_in_double_double _ s t E Ht Hs2 ltac:(lra) S)) as (h & l & k & H & L & Kk & B1 & B2 & B3).
     exists h, l, k. repeat (split; [assumption|]). lra.
-  - rewrite (equal_is _ _ _ _ Ih IR). case Req_bool_spec; intro Heq.
-    + assert (Es : s = 1) by (unfold s; rewrite Heq; field; lra). rewrite Es in E.
-      assert (Et : t = / 2).
-      { assert (P : (2 * t - 1) * (2 * t - 1) * (t + 1) = 0) by lra. apply Rmult_integral in P. destruct P as [P|P]; [|lra].
-        apply Rmult_integral in P. lra. }
-      rewrite Et. apply (holds_more 0 _ 0); [apply holds_exactly; [exact I2|lra]|lra|lra].
-    + destruct (Rest Heq) as (Hv & Ev & Br & Er). destruct (R0 Heq ltac:(lra)) as (y & Iy & Cy).
-      set (v := / 2 - t) in *. set (r := (value32 R - value32 w / 2) / value32 R) in *.
-      assert (Bm : bpow radix2 (-34) <= value32 R - value32 w / 2) by (destruct Hm as [H|H]; [lra|exact H]).
-      change (bpow radix2 (-34)) with (/ 17179869184) in Bm. change (bpow radix2 (-48)) with (/ 281474976710656) in Br.
-      assert (Im : is64 (minus (to64 R) (half_width w)) (value32 R - value32 w / 2)).
-      { apply (minus_exact _ _ _ _ _ IR Ih); [reflexivity|exact Gm|]. apply big_enough. rewrite Rabs_pos_eq; lra. }
-      pose proof (exact_quotient _ _ _ _ Im IR ltac:(lra) ltac:(lra) ltac:(lra)) as S. fold r in S.
-      assert (Hr : r <= 5001 / 10000) by lra. pose proof (rest_is_small r v Hr ltac:(lra) Ev) as Hsmall.
-      pose proof (unit_times v ltac:(lra)) as Uv.
-      destruct (newton_root_is _ _ _ _ y v (287 / 10) 31 Iy ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
-        (rest_step_in_double_double _ r v Ev Hv Hr ltac:(lra) S)) as (h & l & k & H & L & Kk & B1 & B2 & B3).
-      clear S T0 R0 Rest. set (n := newton_root _ _ _) in *.
-      assert (Htv : t = / 2 - v) by (unfold v; ring). apply (holds_by _ _ 69 Ht ltac:(lra)).
-      set (W := unit53 * (unit53 * v)) in *. pose proof (unit_times (unit53 * v) ltac:(lra)) as UW. fold W in UW.
-      assert (Bh : 0 <= h <= 33 / 100).
-      { absolute_values. assert (0 <= h) by (apply Rmult_le_reg_l with unit53; lra). pose proof (unit_times h ltac:(lra)). lra. }
-      assert (Bl : Rabs l <= 10001 / 10000 * (unit53 * v)).
-      { apply Rle_trans with (1 := B2). replace (10001 / 10000 * (unit53 * v)) with (unit53 * (10001 / 10000 * v)) by ring.
-        apply unit_times_compat. pose proof (unit_times h ltac:(lra)). absolute_values. lra. }
-      assert (N : is_off n v (332 / 10 * W) (33 / 100) (10001 / 10000 * (unit53 * v)) (/ 1000000 * v)).
-      { exists h, l, k. split; [exact H|]. split; [exact L|]. split; [exact Kk|]. split; [apply Rle_trans with (1 := B1); lra|].
-        split; [rewrite Rabs_pos_eq; lra|]. split; [exact Bl|exact B3]. }
-      pose proof (is_off_exactly (two_to (-1)) (/ 2) (/ 2) I2 ltac:(rewrite Rabs_pos_eq; lra)) as O.
-      assert (Rt : Rabs (/ 2 + - v) = t) by (rewrite Rabs_pos_eq; lra). assert (Ht2 : 1735 / 10000 <= t) by lra.
-      destruct (is_off_add _ _ _ _ _ _ _ _ _ _ _ _ (1001 / 1000 * t) (10001 / 10000 * (unit53 * v)) (12 / 10 * t) O
-        (is_off_negated _ _ _ _ _ _ N) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra))
-        as [(h' & l' & k' & Hh' & Hl' & Hk' & E' & _ & _ & Bk') Two].
-      destruct (Two ltac:(lra) ltac:(lra)) as (p & q & P & Q & B4). clear Two.
-      assert (Ep : p = h') by exact (eq_trans (eq_sym (proj1 P)) (proj1 Hh')).
-      assert (Eq : q = l') by exact (eq_trans (eq_sym (proj1 Q)) (proj1 Hl')). subst p q.
-      exists h', l', k'. split; [exact Hh'|]. split; [exact Hl'|]. split; [exact Hk'|]. split; [|split; [exact B4|lra]].
-      replace (/ 2 + - v) with t in E' by lra. apply Rle_trans with (1 := E').
-      assert (Ev1 : unit53 * v <= 18819 / 10000 * (unit53 * t)).
-      { replace (18819 / 10000 * (unit53 * t)) with (unit53 * (18819 / 10000 * t)) by ring. apply unit_times_compat. lra. }
-      assert (Ev2 : W <= 18819 / 10000 * (unit53 * (unit53 * t))).
-      { replace (18819 / 10000 * (unit53 * (unit53 * t))) with (unit53 * (18819 / 10000 * (unit53 * t))) by ring.
-        now apply unit_times_compat. }
-      assert (Ew : unit53 * (unit53 * v) = W) by reflexivity. lra.
+  - intros ->. apply (holds_more 0 _ 0); [apply holds_exactly; [exact I2|lra]|lra|lra].
+  - set (v := / 2 - t). set (r := (value32 R - value32 w / 2) / value32 R). intros Hv Ev [Br Hr] Bm Im (y & Iy & Cy).
+    pose proof (exact_quotient _ _ _ _ Im IR ltac:(lra) ltac:(lra) ltac:(lra)) as S. fold r in S.
+    pose proof (rest_is_small r v Hr ltac:(lra) Ev) as Hsmall.
+    pose proof (unit_times v ltac:(lra)) as Uv.
+    destruct (newton_root_is _ _ _ _ y v (287 / 10) 31 Iy ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)
+      (rest_step_in_double_double _ r v Ev Hv Hr ltac:(lra) S)) as (h & l & k & H & L & Kk & B1 & B2 & B3).
+    clear S. set (n := newton_root _ _ _) in *.
+    assert (Htv : t = / 2 - v) by (unfold v; ring). apply (holds_by _ _ 69 Ht ltac:(lra)).
+    set (W := unit53 * (unit53 * v)) in *. pose proof (unit_times (unit53 * v) ltac:(lra)) as UW. fold W in UW.
+    assert (Bh : 0 <= h <= 33 / 100).
+    { absolute_values. assert (0 <= h) by (apply Rmult_le_reg_l with unit53; lra). pose proof (unit_times h ltac:(lra)). lra. }
+    assert (Bl : Rabs l <= 10001 / 10000 * (unit53 * v)).
+    { apply Rle_trans with (1 := B2). replace (10001 / 10000 * (unit53 * v)) with (unit53 * (10001 / 10000 * v)) by ring.
+      apply unit_times_compat. pose proof (unit_times h ltac:(lra)). absolute_values. lra. }
+    assert (N : is_off n v (332 / 10 * W) (33 / 100) (10001 / 10000 * (unit53 * v)) (/ 1000000 * v)).
+    { exists h, l, k. split; [exact H|]. split; [exact L|]. split; [exact Kk|]. split; [apply Rle_trans with (1 := B1); lra|].
+      split; [rewrite Rabs_pos_eq; lra|]. split; [exact Bl|exact B3]. }
+    pose proof (is_off_exactly (two_to (-1)) (/ 2) (/ 2) I2 ltac:(rewrite Rabs_pos_eq; lra)) as O.
+    assert (Rt : Rabs (/ 2 + - v) = t) by (rewrite Rabs_pos_eq; lra). assert (Ht2 : 1735 / 10000 <= t) by lra.
+    destruct (is_off_add _ _ _ _ _ _ _ _ _ _ _ _ (1001 / 1000 * t) (10001 / 10000 * (unit53 * v)) (12 / 10 * t) O
+      (is_off_negated _ _ _ _ _ _ N) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra))
+      as [(h' & l' & k' & Hh' & Hl' & Hk' & E' & _ & _ & Bk') Two].
+    destruct (Two ltac:(lra) ltac:(lra)) as (p & q & P & Q & B4). clear Two.
+    assert (Ep : p = h') by exact (eq_trans (eq_sym (proj1 P)) (proj1 Hh')).
+    assert (Eq : q = l') by exact (eq_trans (eq_sym (proj1 Q)) (proj1 Hl')). subst p q.
+    exists h', l', k'. split; [exact Hh'|]. split; [exact Hl'|]. split; [exact Hk'|]. split; [|split; [exact B4|lra]].
+    replace (/ 2 + - v) with t in E' by lra. apply Rle_trans with (1 := E').
+    assert (Ev1 : unit53 * v <= 18819 / 10000 * (unit53 * t)).
+    { replace (18819 / 10000 * (unit53 * t)) with (unit53 * (18819 / 10000 * t)) by ring. apply unit_times_compat. lra. }
+    assert (Ev2 : W <= 18819 / 10000 * (unit53 * (unit53 * t))).
+    { replace (18819 / 10000 * (unit53 * (unit53 * t))) with (unit53 * (18819 / 10000 * (unit53 * t))) by ring.
+      now apply unit_times_compat. }
+    assert (Ew : unit53 * (unit53 * v) = W) by reflexivity. lra.
 Qed.

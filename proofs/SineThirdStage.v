@@ -4,7 +4,7 @@ From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Nearness Inputs ErrorFree TwoPolygonsConstants DoubleDoubleNear.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleTerms ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
-From Forceshade Require Import SineEnclosed BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatRight.
+From Forceshade Require Import SineOfThird SineEnclosed BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatRight.
 From Forceshade Require Import BigFloatTight BigFloatDecide ThirdAlong NewtonThirdStage.
 Open Scope R_scope.
 
@@ -236,13 +236,10 @@ Qed.
 Theorem sine_of_third_is_tight : forall width R w K, (128 <= width <= 4096)%Z -> parameters R w K ->
   tight width 50000000 (60 - width) (sine_of_third_big width R w) (third_sine (value32 R) (value32 w)).
 Proof.
-  intros width R w K W Hp. destruct (third_sine_of_half R w K Hp) as (Ht & E & Bs).
-  destruct (half_over_radius_is R w K Hp) as [Is Cs]. pose proof (half_width_is R w K Hp) as Ih.
-  pose proof (third_start_is R w K Hp) as T0. pose proof (rest_start_is R w K Hp) as R0. pose proof (rest_of_third R w K Hp) as Rest.
-  destruct (half_chord_is_binary64 R w K Hp) as (Gm & _ & Hm). destruct Hp as ((FR & _) & HR & Hw & _).
+  intros width R w K W Hp. pose proof unit_is_small as Hu. destruct (third_sine_of_half R w K Hp) as (Ht & E & Bs).
+  pose proof (half_width_is R w K Hp) as Ih. pose proof Hp as ((FR & _) & HR & Hw & _).
   pose proof (to64_is_exact R FR) as IR. pose proof (two_to_is (-1) ltac:(lia)) as I2. change (bpow radix2 (-1)) with (/ 2) in I2.
-  cbv zeta in T0, R0, Rest. set (t := third_sine _ _) in *. set (s := value32 w / 2 / value32 R) in *. pose proof unit_is_small as Hu.
-  pose proof (unit_times s ltac:(lra)) as Us. apply Rabs_le_inv in Cs.
+  set (t := third_sine _ _) in *. set (s := value32 w / 2 / value32 R) in *.
   assert (U50 : bpow radix2 (-50) = 8 * unit53) by (unfold unit53; simpl; lra).
   assert (quotient : forall v x, is64 v x ->
     tight width 400000 (14 - width) (divide_newton width (exactly width v) (exactly width (to64 R))) (x / value32 R)).
@@ -250,36 +247,26 @@ Proof.
     pose proof (tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) IR) as TR.
     pose proof (tight_divide width 1074 (- width) (- width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Tv TR ltac:(lra)) as T.
     apply tight_more with (1 := T); [numbers; lia|lia]. }
-  unfold sine_of_third_big. rewrite (at_most_is _ _ _ _ Is I2). case Rle_bool_spec; intro Hs.
-  - assert (Hs2 : s <= 5001 / 10000) by lra. destruct (T0 Hs2) as (y & Iy & Cy).
+  apply (sine_of_third_cases _ (fun a => tight width 50000000 (60 - width) a t) _ _ _ R w K Hp); fold t; fold s.
+  - intros Hs2 (y & Iy & Cy).
     pose proof (third_is_small s t Hs2 ltac:(lra) E) as Hsmall. destruct (size_of_root t ltac:(lra)) as (e & He & Bte).
     pose proof (third_is_fine width _ s t e W (quotient _ _ Ih) Ht E Hs2 ltac:(lra) He Bte) as Fine.
     assert (Cy2 : Rabs (y - t) <= bpow radix2 (-50) * t).
     { apply Rle_trans with (1 := Cy). apply Rmult_le_compat_r; lra. }
     apply tight_more with (1 := newton_root_is_tight width _ _ _ _ t e _ _ _ y W Fine Iy Cy2); [numbers; lia|lia].
-  - rewrite (equal_is _ _ _ _ Ih IR). case Req_bool_spec; intro Heq.
-    + assert (Es : s = 1) by (unfold s; rewrite Heq; field; lra). rewrite Es in E.
-      assert (Et : t = / 2).
-      { assert (P : (2 * t - 1) * (2 * t - 1) * (t + 1) = 0) by lra. apply Rmult_integral in P. destruct P as [P|P]; [|lra].
-        apply Rmult_integral in P. lra. }
-      rewrite Et. apply tight_more with (1 := tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) I2); [numbers; lia|lia].
-    + destruct (Rest Heq) as (Hv & Ev & Br & Er). destruct (R0 Heq ltac:(lra)) as (y & Iy & Cy).
-      set (v := / 2 - t) in *. set (r := (value32 R - value32 w / 2) / value32 R) in *.
-      assert (Bm : bpow radix2 (-34) <= value32 R - value32 w / 2) by (destruct Hm as [H|H]; [lra|exact H]).
-      change (bpow radix2 (-34)) with (/ 17179869184) in Bm. change (bpow radix2 (-48)) with (/ 281474976710656) in Br.
-      assert (Im : is64 (minus (to64 R) (half_width w)) (value32 R - value32 w / 2)).
-      { apply (minus_exact _ _ _ _ _ IR Ih); [reflexivity|exact Gm|]. apply big_enough. rewrite Rabs_pos_eq; lra. }
-      assert (Hr : r <= 5001 / 10000) by lra. pose proof (rest_is_small r v Hr ltac:(lra) Ev) as Hsmall.
-      destruct (size_of_root v ltac:(lra)) as (e & He & Bte).
-      pose proof (rest_is_fine width _ r v e W (quotient _ _ Im) Hv Ev Hr He Bte) as Fine.
-      assert (Cy2 : Rabs (y - v) <= bpow radix2 (-50) * v).
-      { apply Rle_trans with (1 := Cy). apply Rmult_le_compat_r; lra. }
-      pose proof (newton_root_is_tight width _ _ _ _ v e _ _ _ y W Fine Iy Cy2) as Tv.
-      assert (T2 : tight width 40000000 (50 - width) (exactly width (two_to (-1))) (/ 2)).
-      { apply tight_more with (1 := tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) I2); [numbers; lia|lia]. }
-      destruct (seen_sum width 40000000 (50 - width) (50 - width) 1 4 _ _ _ _ ltac:(lia) ltac:(numbers; lia) T2 (tight_negated _ _ _ _ _ Tv))
-        as (_ & _ & _ & A); try lia; try intros _; try (change (bpow radix2 (1 - 2)) with (/ 2); apply Rabs_le; lra).
-      { change (bpow radix2 (1 - 4)) with (/ 8). rewrite Rabs_pos_eq; lra. }
-      specialize (A ltac:(lra)). replace t with (/ 2 + - v) by (unfold v; ring). unfold subtract.
-      apply tight_more with (1 := A); [numbers; lia|lia].
+  - intros ->. apply tight_more with (1 := tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) I2); [numbers; lia|lia].
+  - set (v := / 2 - t). set (r := (value32 R - value32 w / 2) / value32 R). intros Hv Ev [Br Hr] Bm Im (y & Iy & Cy).
+    pose proof (rest_is_small r v Hr ltac:(lra) Ev) as Hsmall.
+    destruct (size_of_root v ltac:(lra)) as (e & He & Bte).
+    pose proof (rest_is_fine width _ r v e W (quotient _ _ Im) Hv Ev Hr He Bte) as Fine.
+    assert (Cy2 : Rabs (y - v) <= bpow radix2 (-50) * v).
+    { apply Rle_trans with (1 := Cy). apply Rmult_le_compat_r; lra. }
+    pose proof (newton_root_is_tight width _ _ _ _ v e _ _ _ y W Fine Iy Cy2) as Tv.
+    assert (T2 : tight width 40000000 (50 - width) (exactly width (two_to (-1))) (/ 2)).
+    { apply tight_more with (1 := tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) I2); [numbers; lia|lia]. }
+    destruct (seen_sum width 40000000 (50 - width) (50 - width) 1 4 _ _ _ _ ltac:(lia) ltac:(numbers; lia) T2 (tight_negated _ _ _ _ _ Tv))
+      as (_ & _ & _ & A); try lia; try intros _; try (change (bpow radix2 (1 - 2)) with (/ 2); apply Rabs_le; lra).
+    { change (bpow radix2 (1 - 4)) with (/ 8). rewrite Rabs_pos_eq; lra. }
+    specialize (A ltac:(lra)). replace t with (/ 2 + - v) by (unfold v; ring). unfold subtract.
+    apply tight_more with (1 := A); [numbers; lia|lia].
 Qed.
