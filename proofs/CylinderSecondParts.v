@@ -88,6 +88,20 @@ Proof.
   assert (-31 < mag radix2 a)%Z; [|lia]. apply mag_gt_bpow. apply Rle_trans with (2 := Ha). simpl. lra.
 Qed.
 
+(* The depth of the axis with its bound of the error. *)
+Lemma depth_is_near : forall R w K, parameters R w K -> let d := axis_depth (value32 R) (value32 w) in
+  contains (computed_depth R w) d /\ 99 / 100 * d <= Rabs (value64 (hi (computed_depth R w))) <= 101 / 100 * d /\
+  value64 (error (computed_depth R w)) <= 667 / 10 * (share101 * d) /\ 0 <= share101 * d <= 1.
+Proof.
+  intros R w K Hp d. pose proof share_is_small as Hsh. destruct (depth_enclosed R w K Hp) as [Ed Bd]. fold d in Ed, Bd.
+  pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2]. fold d in Hd0, Hd2.
+  assert (Bd2 : 0 <= d <= 10000) by lra. pose proof (first_size _ _ _ Ed ltac:(lra)) as Sd. rewrite (Rabs_pos_eq d) in Sd by lra.
+  split; [apply (enclosed_is_contained _ _ _ Ed); [lra|rewrite Rabs_pos_eq; lra]|]. split; [lra|]. split.
+  - apply Rle_trans with (1 := enclosed_error _ _ _ Ed). replace (667 / 10 * (share101 * d)) with (66 * share101 * (667 / 660 * d)) by field.
+    apply Rmult_le_compat_l; lra.
+  - split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (/ 10000 * 10000); [apply Rmult_le_compat; lra|lra].
+Qed.
+
 Lemma l_is_near : forall R w K zv Z, parameters R w K -> coordinate zv Z -> let d := axis_depth (value32 R) (value32 w) in
   near_axis (second_l R w zv) (Z + d) d 141 3 /\ Rabs (Z + d) <= 20000.
 Proof.
@@ -102,14 +116,8 @@ Proof.
   assert (C : contains (second_l R w zv) (Z + d)).
   { apply (sum_contains 0 (66 * share101)); trivial; try lra; [now apply encloses_exact|].
     destruct Bd as [Bd|Bd]; [now left|right; rewrite Rabs_pos_eq; lra]. }
-  assert (Cd : contains (computed_depth R w) d) by (apply (enclosed_is_contained _ _ _ Ed); [lra|rewrite Rabs_pos_eq; lra]).
   assert (Czz : contains (exactly64 zv) Z) by (apply (enclosed_is_contained 0); [now apply encloses_exact|lra|lra]).
-  pose proof (enclosed_error _ _ _ Ed) as Dd. pose proof (first_size _ _ _ Ed ltac:(lra)) as Sd. rewrite (Rabs_pos_eq d) in Sd by lra.
-  assert (Dd2 : value64 (error (computed_depth R w)) <= 667 / 10 * (share101 * d)).
-  { apply Rle_trans with (1 := Dd). replace (667 / 10 * (share101 * d)) with (66 * share101 * (667 / 660 * d)) by field.
-    apply Rmult_le_compat_l; lra. }
-  assert (Bsd : 0 <= share101 * d <= 1) by (split; [apply Rmult_le_pos; lra|apply Rle_trans with (/ 10000 * 10000);
-      [apply Rmult_le_compat; lra|lra]]).
+  destruct (depth_is_near R w K Hp) as (Cd & Sd & Dd2 & Bsd). fold d in Cd, Sd, Dd2, Bsd.
   pose proof (sum_error _ _ _ _ _ Czz Cd C ltac:(cbn [exactly64 error]; change (value64 zero64) with 0; lra) ltac:(lra)) as Er. cbv zeta in Er.
   change (add (exactly64 zv) (computed_depth R w)) with (second_l R w zv) in Er. cbn [exactly64 error] in Er.
   change (value64 zero64) with 0 in Er.
@@ -146,13 +154,7 @@ Proof.
   set (L := Z + d) in *. set (M := L + d) in *. pose proof (Rabs_triang L d) as TM. rewrite (Rabs_pos_eq d) in TM by lra. fold M in TM.
   pose proof (size_by L M) as TL. replace (L - M) with (- d) in TL by (unfold M; ring). rewrite Rabs_Ropp, (Rabs_pos_eq d) in TL by lra.
   split; [|lra].
-  assert (Cd : contains (computed_depth R w) d) by (apply (enclosed_is_contained _ _ _ Ed); [lra|rewrite Rabs_pos_eq; lra]).
-  pose proof (enclosed_error _ _ _ Ed) as Dd. pose proof (first_size _ _ _ Ed ltac:(lra)) as Sd. rewrite (Rabs_pos_eq d) in Sd by lra.
-  assert (Dd2 : value64 (error (computed_depth R w)) <= 667 / 10 * (share101 * d)).
-  { apply Rle_trans with (1 := Dd). replace (667 / 10 * (share101 * d)) with (66 * share101 * (667 / 660 * d)) by field.
-    apply Rmult_le_compat_l; lra. }
-  assert (Bsd : 0 <= share101 * d <= 1) by (split; [apply Rmult_le_pos; lra|apply Rle_trans with (/ 10000 * 10000);
-      [apply Rmult_le_compat; lra|lra]]).
+  destruct (depth_is_near R w K Hp) as (Cd & Sd & Dd2 & Bsd). fold d in Cd, Sd, Dd2, Bsd.
   assert (BsL : share101 * Rabs L <= share101 * Rabs M + share101 * d) by (rewrite <- Rmult_plus_distr_l; apply Rmult_le_compat_l; lra).
   pose proof (Rabs_pos M) as PM. assert (BsM : 0 <= share101 * Rabs M <= 3).
   { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (/ 10000 * 30000); [apply Rmult_le_compat; lra|lra]. }

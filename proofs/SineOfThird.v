@@ -15,6 +15,21 @@ Definition step_is_good (value slope : double_double -> double_double) (q : R ->
       (80 * (unit53 * (unit53 * t))) (/ 10000000 * t) /\
     Rabs (y - q y - t) <= 56 / 100 * (rho * rho) * t.
 
+(* u, ut and u(ut), of which errors are multiples, and how small they are. *)
+Ltac errors_in_units t n kappa :=
+  set (u := unit53) in *;
+  set (U := u * t) in *;
+  set (W := u * U) in *;
+  assert (EU : u * t = U) by reflexivity;
+  assert (EW : u * U = W) by reflexivity;
+  assert (EWW : u * (u * t) = W) by reflexivity;
+  assert (EWt : u * (u * (t * t)) = t * W) by (unfold W, U; ring);
+  assert (BU : 0 < U <= / 1000000000000 * t) by (unfold U; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_r; lra]);
+  assert (BW : 0 < W <= / 1000000000000 * U) by (unfold W; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_r; lra]);
+  assert (nW : 0 <= n * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]);
+  assert (kW : 0 <= kappa * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]);
+  assert (uuW : u * W <= / 1000000000000 * W) by (apply Rmult_le_compat_r; lra).
+
 (* Where a step is good, so is the midpoint after the first one. *)
 Lemma first_step_is : forall value slope start q y0 t n kappa, is64 start y0 -> / 100000000 <= t <= 33 / 100 ->
   Rabs (y0 - t) <= 8 * (unit53 * t) -> 0 <= n <= 40 -> 0 <= kappa <= 40 -> step_is_good value slope q t n kappa ->
@@ -23,14 +38,7 @@ Lemma first_step_is : forall value slope start q y0 t n kappa, is64 start y0 -> 
     9999 / 10000 * t <= h <= 1001 / 1000 * t.
 Proof.
   intros value slope start q y0 t n kappa Hs Bt H0 Hn Hk step. unfold step_is_good in step. pose proof unit_is_small as Hu.
-  set (u := unit53) in *. set (U := u * t) in *. set (W := u * U) in *.
-  assert (EU : u * t = U) by reflexivity. assert (EW : u * U = W) by reflexivity. assert (EWW : u * (u * t) = W) by reflexivity.
-  assert (EWt : u * (u * (t * t)) = t * W) by (unfold W, U; ring).
-  assert (BU : 0 < U <= / 1000000000000 * t) by (unfold U; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_r; lra]).
-  assert (BW : 0 < W <= / 1000000000000 * U) by (unfold W; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_r; lra]).
-  assert (nW : 0 <= n * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
-  assert (kW : 0 <= kappa * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
-  assert (uuW : u * W <= / 1000000000000 * W) by (apply Rmult_le_compat_r; lra).
+  errors_in_units t n kappa.
   pose proof (Rabs_le_inv _ _ H0) as B0.
   assert (A0 : argument (exactly64 start) y0 t).
   { unfold argument. fold u. apply (is_off_more _ _ 0 (1001 / 1000 * t) 0 0); try lra. apply is_off_exactly; [exact Hs|].
@@ -69,14 +77,7 @@ Lemma newton_root_is : forall value slope start q y0 t n kappa, is64 start y0 ->
 Proof.
   intros value slope start q y0 t n kappa Hs Bt H0 Hn Hk step. unfold step_is_good in step. pose proof unit_is_small as Hu.
   destruct (first_step_is value slope start q y0 t n kappa Hs Bt H0 Hn Hk step) as (h & l & Hh & Hl & E1 & Br & Bh2).
-  set (u := unit53) in *. set (U := u * t) in *. set (W := u * U) in *.
-  assert (EU : u * t = U) by reflexivity. assert (EW : u * U = W) by reflexivity. assert (EWW : u * (u * t) = W) by reflexivity.
-  assert (EWt : u * (u * (t * t)) = t * W) by (unfold W, U; ring).
-  assert (BU : 0 < U <= / 1000000000000 * t) by (unfold U; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_r; lra]).
-  assert (BW : 0 < W <= / 1000000000000 * U) by (unfold W; split; [apply Rmult_lt_0_compat; lra|apply Rmult_le_compat_r; lra]).
-  assert (nW : 0 <= n * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
-  assert (kW : 0 <= kappa * W <= 40 * W) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
-  assert (uuW : u * W <= / 1000000000000 * W) by (apply Rmult_le_compat_r; lra).
+  errors_in_units t n kappa.
   unfold newton_root. cbv zeta. set (x := minus_dd (exactly64 start) _) in *. clearbody x. unfold minus_dd.
   pose proof (Rabs_le_inv _ _ E1) as E1'. pose proof (Rabs_le_inv _ _ Br) as Br'.
   assert (Uh : 0 <= u * h <= / 1000000000000 * h) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
@@ -156,7 +157,8 @@ Proof.
   intros T P third half rest R w K Hp t s v m r Third Half Rest. pose proof unit_is_small as Hu.
   destruct (third_sine_of_half R w K Hp) as (Ht & E & Bs). destruct (half_over_radius_is R w K Hp) as [Is Cs].
   pose proof (half_width_is R w K Hp) as Ih. pose proof (third_start_is R w K Hp) as T0. pose proof (rest_start_is R w K Hp) as R0.
-  pose proof (rest_of_third R w K Hp) as Rt. destruct (half_chord_is_binary64 R w K Hp) as (Gm & _ & Hm). destruct Hp as ((FR & _) & HR & Hw & _).
+  pose proof (rest_of_third R w K Hp) as Rt. destruct (half_chord_is_binary64 R w K Hp) as (Gm & _ & Hm).
+  destruct Hp as ((FR & _) & HR & Hw & _).
   pose proof (to64_is_exact R FR) as IR. pose proof (two_to_is (-1) ltac:(lia)) as I2. change (bpow radix2 (-1)) with (/ 2) in I2.
   cbv zeta in T0, R0, Rt. fold t in Ht, E, T0, R0, Rt. fold s in E, Bs, Is, Cs, T0, R0, Rt. fold v in R0, Rt. fold m in Gm, Hm, Rt. fold r in Rt.
   pose proof (unit_times s ltac:(lra)) as Us. apply Rabs_le_inv in Cs. rewrite (at_most_is _ _ _ _ Is I2).
