@@ -284,7 +284,8 @@ Proof.
   assert (Bu : bits_of (skipn n product) = width) by (unfold bits_of; rewrite Lu; symmetry; exact Hw). rewrite Bu in Eu.
   assert (up = if P <? 2 ^ (2 * width - 1) then 1 else 0).
   { rewrite Eu, E4. destruct (Z.ltb_spec P (2 ^ width * hh)) as [Lt|Ge].
-    - assert (Z.log2 U = width - 2); [|lia]. apply Z.log2_unique; [lia|]. fold h. replace (Z.succ (width - 2)) with (width - 1) by ring. fold hh. nia.
+    - assert (Z.log2 U = width - 2); [|lia]. apply Z.log2_unique; [lia|]. fold h. replace (Z.succ (width - 2)) with (width - 1) by ring.
+      fold hh. nia.
     - assert (Z.log2 U = width - 1); [|lia]. apply Z.log2_unique; [lia|]. replace (Z.succ (width - 1)) with width by ring.
       fold hh. nia. }
   split; [exact Fr|]. split; [rewrite Lr; exact Lu|]. split; [|assumption]. rewrite Wr, EP.
