@@ -26,6 +26,7 @@
 #include "certificate/worker.h"
 #include "files/printable.h"
 #include "rendering/identity/digest.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 namespace {
@@ -82,8 +83,8 @@ std::string host() {
 // What a run knows of itself; merge reads it, and no evidence has it.
 void write_run(const OpenedPlan& opened, const std::filesystem::path& file, const properties::Worked& worked, double seconds) {
   const nlohmann::ordered_json run{
-      {"plan", opened.digest}, {"date", properties::utc_now()}, {"processor", properties::processor_name()}, {"host", host()},
-      {"seconds", seconds},    {"units", worked.units}};
+      {"plan", opened.digest}, {"date", system::date()}, {"processor", properties::processor_name()},
+      {"host", host()},        {"seconds", seconds},     {"units", worked.units}};
   write_file(file, run.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade device try: a guided first contact with a device, as gentle as can be felt.
 
-#include <time.h>
-
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -23,6 +20,7 @@
 #include "forceshade/device.h"
 #include "forceshade/fast.h"
 #include "forceshade/run.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 namespace {
@@ -65,14 +63,6 @@ float gentle_stiffness(const std::string& text) {
                  files::shortest(stiffness) + "; 'forceshade drive' renders stiffer walls");
 }
 
-std::string dated_name() {
-  const time_t now = ::time(nullptr);
-  tm utc{};
-  ::gmtime_r(&now, &utc);
-  std::array<char, 64> name;
-  return {name.data(), std::strftime(name.data(), name.size(), "forceshade-try-%Y%m%d-%H%M%SZ.fsr", &utc)};
-}
-
 std::optional<int> dead_man_button(const DeviceTryOptions& options, int buttons) {
   if (options.dead_man == kNoButton) {
     if (buttons == 0) return std::nullopt;
@@ -111,7 +101,7 @@ std::string second_step(const std::optional<int>& button, double seconds) {
 
 int run(DeviceTryOptions options) {
   const float stiffness = gentle_stiffness(options.stiffness);
-  if (options.record.empty()) options.record = dated_name();
+  if (options.record.empty()) options.record = system::date("forceshade-try-%Y%m%d-%H%M%SZ.fsr");
   if (files::format_ending(options.record) != ".fsr")
     throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
   const Rendering wall = built(rendering_of(LawId::wall, {.stiffness = stiffness}));

@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "device/triple_buffer.h"
 #include "files/printable.h"
 #include "study/apparatus/latest_tick.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 namespace {
@@ -69,7 +69,7 @@ run::Outcome DriveWindow::run(device::Device& device, const Rendering& what, run
   plan.servo.sinks.push_back(&latest);
   run::Outcome outcome;
   std::exception_ptr thrown;
-  std::thread loop([&] {
+  system::Thread loop("servo loop", [&] {
     try {
       outcome = run::run(device, shown_in(god_object, what), plan, stop);
     } catch (...) {

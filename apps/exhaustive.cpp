@@ -19,6 +19,7 @@
 #include "files/printable.h"
 #include "forceshade/certify.h"
 #include "rendering/subjects/read.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 namespace {
@@ -46,7 +47,7 @@ Shard parse_shard(const std::string& text) {
 // What is left of a part: the file of an earlier run if there is one.
 Certificate begin_or_resume(const std::string& file, const Sweeps& part) {
   const properties::Build build = properties::current_build();
-  if (!std::filesystem::exists(file)) return {build, 0, {}, part, properties::utc_now(), properties::processor_name()};
+  if (!std::filesystem::exists(file)) return {build, 0, {}, part, system::date(), properties::processor_name()};
   const Certificate earlier = properties::from_json(properties::read_certificate(file), file);
   const auto sweep_of = [](const properties::SweepResult& result) { return result.sweep; };
   const bool same = std::ranges::equal(earlier.sweeps.results, part.results, {}, sweep_of, sweep_of) &&
@@ -88,7 +89,7 @@ void sweep(Certificate& part, unsigned threads, const std::string& file) {
     line.draw(share_done(sweeps), details(sweeps));
   }
   part.seconds = sweeps.seconds;
-  part.date = properties::utc_now();
+  part.date = system::date();
   write_file(file, properties::to_json(part));
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <random>
 #include <thread>
 
 #include "apps/command.h"
@@ -25,6 +24,7 @@
 #include "study/experiments/results_csv.h"
 #include "study/experiments/session_results.h"
 #include "study/preparation/prepare.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 namespace {
@@ -168,7 +168,7 @@ int run(const RunOptions& options) {
                    options.participant + '"');
   const Protocol protocol = experiments::read_protocol(options.protocol);
   const SessionOptions session = options.driving.options();
-  const std::uint64_t seed = options.seed.value_or(std::random_device{}());
+  const std::uint64_t seed = options.seed.value_or(system::random());
   return run_session(protocol, session, options.driving.front(session.origin), [&] {
     return experiments::RecordedSession::start(options.session, options.protocol, options.participant, seed,
                                                options.driving.key_names());

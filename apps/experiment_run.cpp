@@ -19,6 +19,7 @@
 #include "files/printable.h"
 #include "study/apparatus/certificates.h"
 #include "study/apparatus/session_run.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 namespace {
@@ -44,9 +45,9 @@ class WatchedFront final : public apparatus::Front {
 
  private:
   void draw(const experiments::Screen& screen, const std::optional<device::Sample>& latest) {
-    const auto now = std::chrono::steady_clock::now();
+    const std::int64_t now = system::now();
     if (!is_watched_ || !latest || now < next_) return;
-    next_ = now + std::chrono::milliseconds(100);
+    next_ = now + system::in_ns(std::chrono::milliseconds(100));
     std::string place = "between trials";
     if (screen.trial > 0)
       place = (screen.is_practice ? "practice" : "block " + std::to_string(screen.block)) + ", trial " +
@@ -66,7 +67,7 @@ class WatchedFront final : public apparatus::Front {
   Front& participants_;
   double full_force_;
   bool is_watched_;
-  std::chrono::steady_clock::time_point next_;
+  std::int64_t next_ = 0;
   device::Sample before_;
   double before_seconds_ = 0;
 };

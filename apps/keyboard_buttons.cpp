@@ -22,12 +22,12 @@ KeyboardButtons::KeyboardButtons() : terminal_(::open("/dev/tty", O_RDWR | O_NOC
   by_key.c_cc[VTIME] = 0;
   // What was typed before is not for these buttons.
   if (::tcsetattr(terminal_, TCSAFLUSH, &by_key) != 0) return;
-  thread_ = std::thread([this] { follow(); });
+  thread_ = system::Thread("keys", [this] { follow(); });
 }
 
 KeyboardButtons::~KeyboardButtons() {
   stopping_ = true;
-  if (thread_.joinable()) {
+  if (thread_.is_joinable()) {
     thread_.join();
     ::tcsetattr(terminal_, TCSAFLUSH, &before_);
   }

@@ -6,7 +6,8 @@
 
 #include <atomic>
 #include <cstdint>
-#include <thread>
+
+#include "system/system.h"
 
 namespace forceshade::apps {
 
@@ -22,7 +23,7 @@ class KeyboardButtons {
 
   // Whether there is a terminal that commands this process, and it is this process's turn to read from it. Else no button is
   // ever down.
-  bool works() const noexcept { return thread_.joinable(); }
+  bool works() const noexcept { return thread_.is_joinable(); }
 
   // Bit k is set while button k is down.
   const std::atomic<std::uint16_t>& down() const noexcept { return down_; }
@@ -34,7 +35,7 @@ class KeyboardButtons {
   termios before_{};
   std::atomic<std::uint16_t> down_ = 0;
   std::atomic<bool> stopping_ = false;
-  std::thread thread_;
+  system::Thread thread_;
 };
 
 }  // namespace forceshade::apps

@@ -21,7 +21,7 @@ double length_of(const std::array<float, 3>& force) {
 
 }  // namespace
 
-LiveView::LiveView(double full_force) : full_force_(full_force), thread_([this] { follow(); }) {}
+LiveView::LiveView(double full_force) : full_force_(full_force), thread_("live view", [this] { follow(); }) {}
 
 LiveView::~LiveView() {
   stopping_ = true;
@@ -44,7 +44,7 @@ void LiveView::push(const device::Sample& sample) noexcept {
 void LiveView::follow() {
   Shown before;
   while (!stopping_) {
-    std::this_thread::sleep_for(kBetweenDrawings);
+    system::sleep_for(kBetweenDrawings);
     const Shown now = mailbox_.latest();
     if (now.last.tick > before.last.tick) draw(before, now);
     before = now;

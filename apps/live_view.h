@@ -4,10 +4,10 @@
 
 #include <atomic>
 #include <cstdint>
-#include <thread>
 
 #include "device/triple_buffer.h"
 #include "forceshade/servo_loop.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 
@@ -36,7 +36,7 @@ class LiveView final : public device::SampleSink {
   std::int64_t window_start_ = 0;  // ns
   device::TripleBuffer<Shown> mailbox_;
   std::atomic<bool> stopping_ = false;
-  std::thread thread_;
+  system::Thread thread_;
 };
 
 }  // namespace forceshade::apps

@@ -12,6 +12,7 @@
 #include "certificate/unit_result.h"
 #include "files/printable.h"
 #include "rendering/subjects/file.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 namespace {
@@ -33,7 +34,7 @@ void add_runs(properties::Certificate& certificate, const OpenedPlan& opened, co
   }
   for (const std::string& name : processors)
     certificate.processor += (certificate.processor.empty() ? "" : "; ") + files::printable(name);
-  if (certificate.date.empty()) certificate.date = properties::utc_now();
+  if (certificate.date.empty()) certificate.date = system::date();
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstdint>
 
-#include "device/monotonic.h"
+#include "system/system.h"
 
 namespace forceshade::apps {
 namespace {
@@ -21,7 +21,7 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 
 // The end of a run is given this long before a person may cut it off: three signals by mistake come within it.
 constexpr int kRequestsThatInsist = 3;
-constexpr std::int64_t kUndisturbed = 2 * device::kSecond;  // ns
+constexpr std::int64_t kUndisturbed = 2 * system::kSecond;  // ns
 
 enum class Reaction {
   ends_the_run,
@@ -70,7 +70,7 @@ bool is_ignored(int number) noexcept {
 void note(int number) noexcept {
   std::int64_t no_time = 0;
   int none = 0;
-  time_of_first.compare_exchange_strong(no_time, device::monotonic_now());
+  time_of_first.compare_exchange_strong(no_time, system::now());
   first_signal.compare_exchange_strong(none, number);
   interrupt_flag = true;
 }
@@ -83,7 +83,7 @@ extern "C" void end_in_order(int number) {
   const int kept = errno;
   note(number);
   const bool from_a_person = number == SIGINT || number == SIGTERM || number == SIGQUIT;
-  if (from_a_person && ++requests >= kRequestsThatInsist && device::monotonic_now() - time_of_first >= kUndisturbed) {
+  if (from_a_person && ++requests >= kRequestsThatInsist && system::now() - time_of_first >= kUndisturbed) {
     react(number, SIG_DFL, 0);
     raise(number);  // delivered when this handler returns
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "certificate/build.h"
 
-#include <ctime>
 #include <fstream>
 
 #include "build_options.h"  // made by CMake when it configures
@@ -26,14 +25,6 @@ std::string processor_name() {
     if (const std::size_t colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
       return files::printable(line.substr(colon + 2));
   return "unknown";
-}
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
 
 }  // namespace forceshade::properties

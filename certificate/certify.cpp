@@ -10,6 +10,7 @@
 #include "certificate/work.h"
 #include "forceshade/certificate.h"
 #include "forceshade/fast.h"
+#include "system/system.h"
 
 namespace forceshade::properties {
 namespace {
@@ -69,7 +70,7 @@ std::optional<Certificate> certify(const CertifyOptions& options, const Progress
   }
   if (stop) return std::nullopt;
   certificate.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  certificate.date = utc_now();
+  certificate.date = system::date();
   return certificate;
 }
 

@@ -14,7 +14,7 @@ foreach(module IN LISTS modules)
   endforeach()
 endforeach()
 
-install(TARGETS forceshade_fast forceshade_files forceshade_device EXPORT forceshade_targets)
+install(TARGETS forceshade_fast forceshade_system forceshade_files forceshade_device EXPORT forceshade_targets)
 set(export_sets forceshade_targets)
 if(FORCESHADE_EXACT_SIDE)
   install(TARGETS forceshade COMPONENT forceshade)
@@ -82,7 +82,7 @@ function(install_pc name)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 install_pc(forceshade DESCRIPTION "${PROJECT_DESCRIPTION}" REQUIRES "eigen3 >= 3.4"
-           LIBRARIES "-lforceshade_device -lforceshade_fast -lforceshade_files -lcsv -ldl -pthread")
+           LIBRARIES "-lforceshade_device -lforceshade_fast -lforceshade_files -lforceshade_system -lcsv -ldl -pthread")
 if(FORCESHADE_EXACT_SIDE)
   install_pc(forceshade-c DESCRIPTION "${PROJECT_DESCRIPTION}, for C and other languages" LIBRARIES "-lforceshade")
   install_pc(forceshade-reference DESCRIPTION "Exact forces, property tests and certificates, for C and other languages"

@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <thread>
 #include <vector>
 
-#include "device/real_time.h"
 #include "device/simulated/model.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
-
-using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC
 
 constexpr std::chrono::milliseconds kLongestFrame{100};
 
@@ -23,17 +20,17 @@ struct Watch {
   const std::atomic<bool>& stop;
 
   std::optional<Fault> read_all(std::vector<Reading>& readings, State& state) const {
-    const auto begin = Clock::now();
-    const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / rate));
+    const std::int64_t begin = system::now();
+    const double period = 1e9 / rate;
     const auto most = static_cast<std::size_t>(std::lround(seconds * rate));
     const bool paces = device.capabilities().paces;
     // A device whose frames do not come must not be waited for as often as there should be frames.
-    const auto latest = begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(2 * seconds + 1));
-    for (std::size_t k = 0; k <= most && !stop && Clock::now() < latest; ++k) {
+    const std::int64_t latest = begin + std::llround((2 * seconds + 1) * 1e9);
+    for (std::size_t k = 0; k <= most && !stop && system::now() < latest; ++k) {
       if (paces)
-        device.wait_for_frame((Clock::now() + kLongestFrame).time_since_epoch() / std::chrono::nanoseconds(1));
+        device.wait_for_frame(system::now() + system::in_ns(kLongestFrame));
       else
-        std::this_thread::sleep_until(begin + static_cast<int>(k) * period);
+        system::sleep_until(begin + std::llround(static_cast<double>(k) * period));
       const ReadResult read = device.read();
       state = device.state();
       if (const Fault* fault = std::get_if<Fault>(&read)) return *fault;
@@ -127,7 +124,7 @@ Observed observe_without_force(Device& device, double rate, double seconds, cons
   seen.fault = device.start(rate);
   if (seen.fault) return seen;
   // So that a gap is the device's, as far as the system grants it.
-  const RealTime real_time(std::nullopt);
+  const system::RealTime real_time(std::nullopt);
   std::vector<Reading> readings;
   readings.reserve(static_cast<std::size_t>(std::lround(seconds * rate)) + 1);
   seen.fault = Watch{device, rate, seconds, stop}.read_all(readings, seen.state);

@@ -1,44 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "forceshade/servo_loop.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
 
-#include "device/monotonic.h"
 #include "device/passivity_controller.h"
-#include "device/real_time.h"
 #include "device/supervisor.h"
 #include "device/timing.h"
 #include "files/csv.h"
 #include "forceshade/fast.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
 
 static_assert(std::atomic<bool>::is_always_lock_free, "the stop flag is set from signal handlers");
 
-// What this thread has computed, whoever else had the processor meanwhile.
-std::int64_t processor_time() noexcept {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return time.tv_sec * kSecond + time.tv_nsec;
-}
-
 double milliseconds(std::int64_t ns) noexcept {
   return static_cast<double>(ns) / 1e6;
-}
-
-void sleep_until(std::int64_t due, const std::atomic<bool>& stop) noexcept {
-  const timespec time{.tv_sec = due / kSecond, .tv_nsec = due % kSecond};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) == EINTR && !stop) {
-  }
 }
 
 std::size_t ticks_in(std::optional<double> seconds, double rate_hz) {
@@ -168,20 +151,21 @@ class Run {
 
 void Run::run() noexcept {
   end_with(device_.start(options_.rate_hz));
-  start_ = monotonic_now();
+  start_ = system::now();
   while (!end_) tick();
   finish();
 }
 
 std::int64_t Run::wait() noexcept {
-  if (!options_.paced) return monotonic_now();
+  if (!options_.paced) return system::now();
   if (!result.followed_device) {
-    sleep_until(due(result.ticks), stop_);
-    return due(result.ticks);
+    const std::int64_t next = due(result.ticks);
+    while (!system::sleep_until(next) && !stop_) continue;
+    return next;
   }
-  const std::int64_t deadline = monotonic_now() + longest_wait_;
+  const std::int64_t deadline = system::now() + longest_wait_;
   std::int64_t frame = due_;
-  while (frame == due_ && !stop_ && monotonic_now() < deadline) frame = device_.wait_for_frame(deadline);
+  while (frame == due_ && !stop_ && system::now() < deadline) frame = device_.wait_for_frame(deadline);
   return frame;
 }
 
@@ -191,13 +175,13 @@ void Run::tick() noexcept {
   const bool has_frames = result.followed_device;
   if (options_.paced && has_frames) session_.look_ahead();
   due_ = wait();
-  const std::int64_t woken_at = monotonic_now();
-  if (options_.paced) computed_ = processor_time();
+  const std::int64_t woken_at = system::now();
+  if (options_.paced) computed_ = system::processor_time();
   if (stop_) return end_with(EndReason::stopped);
   if (result.ticks == ticks_) return end_with(EndReason::time_up);
   if (options_.paced && !has_frames) session_.look_ahead();
   const ReadResult read = device_.read();
-  const std::int64_t read_at = monotonic_now();
+  const std::int64_t read_at = system::now();
   if (const Fault* fault = std::get_if<Fault>(&read)) return end_with(*fault);
   if (std::holds_alternative<EndOfData>(read)) return end_with(EndReason::end_of_data);
   // The device's own code, or its driver's, may have changed it in this thread.
@@ -221,7 +205,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
   device_.allow(controller_->allowance());
   const std::optional<Fault> refused = device_.command(force);
-  const std::int64_t commanded_at = monotonic_now();
+  const std::int64_t commanded_at = system::now();
 
   const bool late = options_.paced && commanded_at > due_ + period_;
   const double late_ms = milliseconds(latency);
@@ -229,7 +213,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
     result.worst_delay = {
         .tick = result.ticks, .late_ms = late_ms, .before_ms = before_.took_ms, .computed_ms = before_.computed_ms};
   // A tick that was in time cannot delay the next one, whatever it computed.
-  const std::int64_t computed = late ? processor_time() - computed_ : 0;
+  const std::int64_t computed = late ? system::processor_time() - computed_ : 0;
   before_ = {.took_ms = milliseconds(commanded_at - woken_at), .computed_ms = milliseconds(computed)};
   if (late) ++result.missed_deadlines;
   if (computed > period_) ++result.overruns;
@@ -268,7 +252,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
 void Run::finish() noexcept {
   end_with(device_.command(Eigen::Vector3f::Zero()));
   result.end_reason = *end_;
-  const std::int64_t elapsed = std::max<std::int64_t>(monotonic_now() - start_, 1);
+  const std::int64_t elapsed = std::max<std::int64_t>(system::now() - start_, 1);
   result.achieved_rate_hz = static_cast<double>(result.ticks) / (static_cast<double>(elapsed) / 1e9);
   Sample sample = sample_of(last_, options_.placement);
   sample.wall_ns = elapsed;
@@ -309,8 +293,11 @@ ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOp
   check(options, device.capabilities());
   const auto run = std::make_unique<Run>(device, session, options, stop);
   {
-    std::optional<RealTime> real_time;
-    if (options.paced) run->result.privileges = real_time.emplace(options.cpu).granted();
+    std::optional<system::RealTime> real_time;
+    if (options.paced) {
+      const auto& [scheduling, memory_locked, cpu] = real_time.emplace(options.cpu).granted();
+      run->result.privileges = {scheduling, memory_locked, cpu};
+    }
     run->run();
   }
   run->summarise();

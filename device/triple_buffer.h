@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cstdint>
 
+#include "system/system.h"
+
 namespace forceshade::device {
 
 // A triple buffer. Of three slots the writer owns one, the reader one, and the third changes hands; not a lock and not a
@@ -15,12 +17,15 @@ class TripleBuffer {
  public:
   // Called by the writing thread.
   void publish(const T& value) noexcept {
+    system::step();
     slots_[writers_] = value;
+    system::step();
     writers_ = shared_.exchange(writers_ | kFresh, std::memory_order_acq_rel) & kSlot;
   }
 
   // Called by the reading thread; the result is valid until its next call. T{} before anything was published.
   const T& latest() noexcept {
+    system::step();
     if (shared_.load(std::memory_order_relaxed) & kFresh)
       readers_ = shared_.exchange(readers_, std::memory_order_acq_rel) & kSlot;
     return slots_[readers_];

@@ -19,6 +19,7 @@
 #include "files/csv.h"
 #include "files/keeper.h"
 #include "files/printable.h"
+#include "system/system.h"
 
 namespace forceshade::files {
 namespace {
@@ -73,6 +74,12 @@ class NoBrokenPipe {
   bool was_pending_ = false;
 };
 
+// At least 0, as poll() takes it.
+int milliseconds_until(std::int64_t time) {
+  constexpr std::int64_t kMillisecond = 1'000'000;
+  return static_cast<int>(std::max<std::int64_t>(0, (time - system::now() + kMillisecond - 1) / kMillisecond));
+}
+
 std::string seconds(std::chrono::milliseconds time) {
   return shortest(static_cast<double>(time.count()) / 1000) + " s";
 }
@@ -121,11 +128,11 @@ ChildProcess::~ChildProcess() {
 }
 
 // Writes what it can of `rest` and reads what there is, once.
-bool ChildProcess::transfer(std::string_view& rest, Clock::time_point until) {
+bool ChildProcess::transfer(std::string_view& rest, std::int64_t until) {
   std::array<pollfd, 3> ends{pollfd{from_, POLLIN, 0}, {errors_, POLLIN, 0}, {rest.empty() ? -1 : to_, POLLOUT, 0}};
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
-  if (left <= 0) fail("did not answer within " + seconds(limits_.answer));
-  if (::poll(ends.data(), ends.size(), static_cast<int>(left)) < 0 && errno != EINTR) fail("could not be heard");
+  const int left = milliseconds_until(until);
+  if (left == 0) fail("did not answer within " + seconds(limits_.answer));
+  if (::poll(ends.data(), ends.size(), left) < 0 && errno != EINTR) fail("could not be heard");
   std::array<char, 1 << 16> block;
   if (ends[1].revents != 0) {
     if (const ssize_t size = ::read(errors_, block.data(), block.size()); size > 0) {
@@ -163,11 +170,12 @@ std::string ChildProcess::hear() {
 
 // Writes `rest` meanwhile.
 std::string ChildProcess::next_line(std::string_view& rest) {
-  const auto until = Clock::now() + limits_.answer;
+  const std::int64_t until = system::now() + system::in_ns(limits_.answer);
   std::size_t end = said_.find('\n');
   while (end == std::string::npos) {
     const std::size_t looked_at = said_.size();
-    if (!transfer(rest, until)) fail(how_it_ended(std::max(until, Clock::now() + kToReport)) + " without an answer");
+    if (!transfer(rest, until))
+      fail(how_it_ended(std::max(until, system::now() + system::in_ns(kToReport))) + " without an answer");
     end = said_.find('\n', looked_at);
     if (std::min(end, said_.size()) > limits_.longest_line)
       fail("wrote a line of more than " + std::to_string(limits_.longest_line) + " bytes: " + shown(said_));
@@ -181,7 +189,7 @@ std::string ChildProcess::next_line(std::string_view& rest) {
 void ChildProcess::say_goodbye(std::string_view line) {
   const std::string sent = std::string(line) + '\n';
   std::string_view rest = sent;
-  const auto until = Clock::now() + limits_.answer;
+  const std::int64_t until = system::now() + system::in_ns(limits_.answer);
   while (!rest.empty()) {
     if (!transfer(rest, until)) break;
     if (!said_.empty()) fail("wrote after goodbye: " + shown(said_));
@@ -193,7 +201,7 @@ void ChildProcess::say_goodbye(std::string_view line) {
 }
 
 std::string ChildProcess::dismiss(std::string_view lines) noexcept try {
-  const auto until = Clock::now() + limits_.grace + kToBeEnded;
+  const std::int64_t until = system::now() + system::in_ns(limits_.grace + kToBeEnded);
   const auto hand_over = [&] {
     const bool is_more = transfer(lines, until);
     said_.clear();
@@ -212,10 +220,9 @@ std::string ChildProcess::dismiss(std::string_view lines) noexcept try {
 }
 
 // Its output is at its end. Waits for it.
-std::string ChildProcess::how_it_ended(Clock::time_point until) {
+std::string ChildProcess::how_it_ended(std::int64_t until) {
   pollfd reports{status_ ? -1 : reports_, POLLIN, 0};
-  const auto left = std::max<std::int64_t>(0, std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count());
-  if (!status_ && ::poll(&reports, 1, static_cast<int>(left)) <= 0) return "closed its output, and did not end";
+  if (!status_ && ::poll(&reports, 1, milliseconds_until(until)) <= 0) return "closed its output, and did not end";
   int status = status_.value_or(0);
   if (!status_ && ::read(reports_, &status, sizeof status) != sizeof status)
     return control_ >= 0 ? "ended the process that watches it"

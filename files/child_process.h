@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -58,12 +59,10 @@ class ChildProcess {
   std::string dismiss(std::string_view lines) noexcept;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  bool transfer(std::string_view& rest, Clock::time_point until);  // false at the end of its output
+  bool transfer(std::string_view& rest, std::int64_t until);  // false at the end of its output
   std::string next_line(std::string_view& rest);
   [[noreturn]] void fail(const std::string& words);
-  std::string how_it_ended(Clock::time_point until);
+  std::string how_it_ended(std::int64_t until);
 
   ProcessLimits limits_;
   const char* whose_;

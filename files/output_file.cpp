@@ -15,11 +15,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
-#include <random>
 #include <regex>
 #include <streambuf>
 #include <system_error>
 #include <utility>
+
+#include "system/system.h"
 
 namespace forceshade::files {
 namespace {
@@ -75,7 +76,7 @@ OutputError output_failure(const std::string& path, const std::string& what, int
 
 std::string partial_name(const std::string& path) {
   std::array<char, 9> digits{};
-  std::snprintf(digits.data(), digits.size(), "%08x", static_cast<unsigned>(std::random_device{}()));
+  std::snprintf(digits.data(), digits.size(), "%08x", static_cast<unsigned>(system::random()));
   return path + ".partial-" + digits.data();
 }
 

@@ -2,10 +2,10 @@
 #include "recorder/parts.h"
 
 #include <chrono>
-#include <thread>
 #include <utility>
 
 #include "recorder/sqlite.h"
+#include "system/system.h"
 
 namespace forceshade::recorder {
 
@@ -20,7 +20,9 @@ struct Parts::Part {
 
 Parts::Parts(const Recorder::Options& options) : options_(options) {}
 
-Parts::~Parts() = default;
+Parts::~Parts() {
+  if (closing_.is_joinable()) closing_.join();
+}
 
 void Parts::begin(const std::string& path, Metadata metadata) {
   expect_closed();
@@ -30,7 +32,7 @@ void Parts::begin(const std::string& path, Metadata metadata) {
   // A hazard pointer: the loop says what it uses before it looks again whether that is still current.
   current_ = next.get();
   if (std::unique_ptr<Part> before = std::exchange(part_, std::move(next))) {
-    while (in_use_ == before.get()) std::this_thread::sleep_for(std::chrono::microseconds(50));
+    while (in_use_ == before.get()) system::sleep_for(std::chrono::microseconds(50));
     close(std::move(before), "the next part began");
   }
 }
@@ -67,17 +69,18 @@ void Parts::push(const device::Sample& sample) noexcept {
 }
 
 void Parts::close(std::unique_ptr<Part> part, const std::string& why) {
-  closing_ = std::async(std::launch::async, [closed = std::move(part), why] {
+  closing_ = system::Thread("closing part", [this, closed = std::shared_ptr<Part>(std::move(part)), why] {
     const auto [written, lost, error] = closed->recorder.close(why);
-    if (lost == 0 && error.empty()) return std::string();
-    return (error.empty() ? closed->path + ": the disk was too slow" : error) + "; recorded " + std::to_string(written) +
-           " samples, lost " + std::to_string(lost);
+    if (lost == 0 && error.empty()) return;
+    lost_ = (error.empty() ? closed->path + ": the disk was too slow" : error) + "; recorded " + std::to_string(written) +
+            " samples, lost " + std::to_string(lost);
   });
 }
 
 void Parts::expect_closed() {
-  if (!closing_.valid()) return;
-  if (const std::string lost = closing_.get(); !lost.empty()) throw RecordingError(lost);
+  if (!closing_.is_joinable()) return;
+  closing_.join();
+  if (const std::string lost = std::exchange(lost_, {}); !lost.empty()) throw RecordingError(lost);
 }
 
 }  // namespace forceshade::recorder

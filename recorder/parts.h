@@ -4,11 +4,11 @@
 
 #include <atomic>
 #include <cstdint>
-#include <future>
 #include <memory>
 #include <string>
 
 #include "forceshade/recording.h"
+#include "system/system.h"
 
 namespace forceshade::recorder {
 
@@ -43,7 +43,8 @@ class Parts final : public device::SampleSink {
   std::unique_ptr<Part> part_;
   std::atomic<Part*> current_ = nullptr, in_use_ = nullptr;  // the second: by the loop, just now
   int number_ = 0;
-  std::future<std::string> closing_;  // what was lost, in words
+  std::string lost_;        // by the part that was closed last, in words
+  system::Thread closing_;  // which writes them
 };
 
 }  // namespace forceshade::recorder

@@ -5,12 +5,8 @@
 #include <atomic>
 #include <boost/lockfree/spsc_queue.hpp>
 #include <cerrno>
-#include <condition_variable>
-#include <ctime>
-#include <mutex>
 #include <span>
 #include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -18,17 +14,10 @@
 #include "recorder/checksum.h"
 #include "recorder/layout.h"
 #include "recorder/sqlite.h"
+#include "system/system.h"
 
 namespace forceshade::recorder {
 namespace {
-
-std::string now_utc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
-}
 
 void make_new_file(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -64,7 +53,7 @@ Database make_database(const std::string& path, Metadata& metadata) {
     database.execute("COMMIT; PRAGMA wal_checkpoint(TRUNCATE)");
     // The first commit to an empty log waits for the disk: here, not with samples behind it.
     database.execute("BEGIN");
-    insert(database, metadata, {{"started", now_utc()}});
+    insert(database, metadata, {{"started", system::date()}});
     database.execute("COMMIT");
     return database;
   } catch (...) {
@@ -90,7 +79,7 @@ class Recorder::Writer {
     }
     ring_.reset();
     chunk_.reserve(kLongestChunk);
-    thread_ = std::thread([this] { work(); });
+    thread_ = system::Thread("recorder", [this] { work(); });
   }
 
   ~Writer() { stop(); }
@@ -98,7 +87,7 @@ class Recorder::Writer {
   void push(const device::Sample& sample) noexcept {
     bool taken = ring_.push(sample);
     while (!taken && waits_ && !failing_) {
-      std::this_thread::sleep_for(interval_ / 10);
+      system::sleep_for(interval_ / 10);
       taken = ring_.push(sample);
     }
     if (!taken) dropped_.fetch_add(1, std::memory_order_relaxed);
@@ -118,7 +107,7 @@ class Recorder::Writer {
     try {
       database_.execute("BEGIN");
       insert(database_, metadata_,
-             {{"ended", now_utc()},
+             {{"ended", system::date()},
               {"end_reason", end_reason},
               {"samples", std::to_string(result.written)},
               {"lost", std::to_string(result.lost)}});
@@ -137,19 +126,17 @@ class Recorder::Writer {
 
  private:
   void stop() {
-    if (!thread_.joinable()) return;
-    {
-      const std::lock_guard lock(mutex_);
-      stopping_ = true;
-    }
-    wake_.notify_one();
+    if (!thread_.is_joinable()) return;
+    stopping_ = 1;
+    system::wake(stopping_);
     thread_.join();
   }
 
   void work() {
-    std::unique_lock lock(mutex_);
     for (bool last = false; !last;) {
-      last = wake_.wait_for(lock, interval_, [this] { return stopping_; });
+      system::wait_for_change(stopping_, 0, system::now() + system::in_ns(interval_));
+      system::step();
+      last = stopping_ != 0;
       empty_ring();
     }
   }
@@ -193,15 +180,13 @@ class Recorder::Writer {
   boost::lockfree::spsc_queue<device::Sample> ring_;
   std::atomic<std::uint64_t> dropped_{0};
   std::atomic<bool> failing_{false};
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool stopping_ = false;
+  system::Number stopping_ = 0;
 
   // The thread's until it has stopped.
   std::vector<device::Sample> chunk_;
   std::uint64_t written_ = 0;
   std::string error_;
-  std::thread thread_;
+  system::Thread thread_;
 };
 
 Recorder::Recorder(const std::string& path, Metadata metadata, const Options& options)

@@ -4,11 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <thread>
 
 #include "device/dhd/dhd_words.h"
 #include "files/csv.h"
 #include "files/printable.h"
+#include "system/system.h"
 
 namespace forceshade::device::dhd {
 namespace {
@@ -99,7 +99,7 @@ void Arm::switch_on() {
   expect(dhd_.dhdSetBrakes(0, *id_), "releasing the brakes");
   expect(dhd_.dhdEnableForce(1, *id_), "switching the forces on");
   output_ = Output::switched_on;
-  switched_on_ = std::chrono::steady_clock::now();
+  switched_on_ = system::now();
 }
 
 // matters: whether a failure is one of the run.
@@ -125,7 +125,7 @@ FrameState Arm::exchange(const Eigen::Vector3d& force) {
     const bool was_on = output_ == Output::on;
     if (status[kForce] != 0)
       output_ = Output::on;
-    else if (was_on || std::chrono::steady_clock::now() - switched_on_ > kToSwitchOn)
+    else if (was_on || system::now() - switched_on_ > system::in_ns(kToSwitchOn))
       throw Refused(forces_are_off(status[kForceOffCause]));
   }
   if (output_ == Output::off && may_force_ && is_calibrated) switch_on();
@@ -153,7 +153,7 @@ void Arm::close() noexcept {
   if (output_ != Output::off) {
     dhd_.dhdSetForce(0, 0, 0, *id_);
     dhd_.dhdStop(*id_);
-    std::this_thread::sleep_for(kBeforeClose);
+    system::sleep_for(kBeforeClose);
   }
   dhd_.dhdClose(*id_);
   id_.reset();

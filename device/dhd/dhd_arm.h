@@ -3,8 +3,8 @@
 // A device of DHD that is open: what it is, a frame of it, and its end. One thread calls all of it, since DHD keeps the last
 // error for each thread, and perhaps the expert mode.
 
-#include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -63,7 +63,7 @@ class Arm {
   std::optional<Id> id_;  // none: it is not open
   double peak_ = 0;       // N
   enum class Output { off, switched_on, on } output_ = Output::off;
-  std::chrono::steady_clock::time_point switched_on_;
+  std::int64_t switched_on_ = 0;  // system::now()
   std::size_t saturated_ = 0, guarded_ = 0;
 };
 

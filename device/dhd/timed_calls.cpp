@@ -1,77 +1,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/dhd/timed_calls.h"
 
-#include <pthread.h>
-
-#include <condition_variable>
-#include <csignal>
 #include <exception>
-#include <mutex>
 #include <utility>
-
-#include "device/real_time.h"
 
 namespace forceshade::device {
 
+// The call belongs to its thread from the moment that it is asked for until it is answered.
 struct TimedCalls::Shared {
-  std::mutex mutex;
-  std::condition_variable changed;
-  std::function<void()> call;  // empty: there is none
+  system::Number asked = 0, answered = 0;  // calls
+  std::atomic<bool> is_over = false;
+  std::function<void()> call;  // empty: the thread was woken for its end
   std::exception_ptr thrown;
-  bool is_over = false;
+
+  bool is_free() const noexcept { return answered == asked; }
 
   void serve() {
-    const RealTime real_time(processor_before_last(), RealTime::kFramesPriority);
-    std::unique_lock lock(mutex);
-    for (;;) {
-      changed.wait(lock, [&] { return call || is_over; });
-      if (!call) return;
-      lock.unlock();
-      std::exception_ptr caught;
-      try {
-        call();
-      } catch (...) {
-        caught = std::current_exception();
-      }
-      lock.lock();
-      thrown = caught;
+    const system::RealTime real_time(system::processor_before_last(), system::RealTime::kFramesPriority);
+    for (std::uint32_t served = 0; !is_over;) {
+      system::wait_for_change(asked, served, system::kForever);
+      system::step();
+      if (asked == served) continue;  // woken by something else
+      if (call) try {
+          call();
+          thrown = nullptr;
+        } catch (...) {
+          thrown = std::current_exception();
+        }
       call = nullptr;
-      changed.notify_all();
+      system::step();
+      answered = ++served;
+      system::wake(answered);
     }
   }
 };
 
-TimedCalls::TimedCalls() : shared_(std::make_shared<Shared>()) {
-  // Signals are for the thread that waits for frames.
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([shared = shared_] { shared->serve(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-}
+TimedCalls::TimedCalls() : shared_(std::make_shared<Shared>()), thread_("calls", [shared = shared_] { shared->serve(); }) {}
 
 TimedCalls::~TimedCalls() {
-  bool returns = false;
-  {
-    const std::lock_guard lock(shared_->mutex);
-    shared_->is_over = true;
-    returns = !shared_->call;
-  }
-  shared_->changed.notify_all();
+  const bool returns = shared_->is_free();
+  shared_->is_over = true;
+  ++shared_->asked;
+  system::wake(shared_->asked);
   if (returns)
     thread_.join();
   else
-    thread_.detach();
+    thread_.leave();
+}
+
+bool TimedCalls::is_free_before(std::int64_t deadline) const noexcept {
+  for (;;) {
+    system::step();
+    const std::uint32_t answered = shared_->answered;
+    if (answered == shared_->asked) return true;
+    if (system::now() >= deadline) return false;
+    system::wait_for_change(shared_->answered, answered, deadline);
+  }
 }
 
 bool TimedCalls::run(std::function<void()> call, std::chrono::nanoseconds longest) {
-  const auto deadline = std::chrono::steady_clock::now() + longest;
-  std::unique_lock lock(shared_->mutex);
-  const auto is_free = [&] { return !shared_->call; };
-  if (!shared_->changed.wait_until(lock, deadline, is_free)) return false;
+  const std::int64_t deadline = system::now() + system::in_ns(longest);
+  if (!is_free_before(deadline)) return false;
   shared_->call = std::move(call);
-  shared_->changed.notify_all();
-  if (!shared_->changed.wait_until(lock, deadline, is_free)) return false;
+  system::step();
+  ++shared_->asked;
+  system::wake(shared_->asked);
+  if (!is_free_before(deadline)) return false;
   if (const std::exception_ptr thrown = std::exchange(shared_->thrown, nullptr)) std::rethrow_exception(thrown);
   return true;
 }

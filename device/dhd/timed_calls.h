@@ -5,7 +5,8 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <thread>
+
+#include "system/system.h"
 
 namespace forceshade::device {
 
@@ -24,8 +25,10 @@ class TimedCalls {
 
  private:
   struct Shared;
+  bool is_free_before(std::int64_t deadline) const noexcept;
+
   std::shared_ptr<Shared> shared_;
-  std::thread thread_;
+  system::Thread thread_;
 };
 
 }  // namespace forceshade::device

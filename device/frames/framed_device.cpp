@@ -3,12 +3,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <thread>
 #include <utility>
 
-#include "device/monotonic.h"
 #include "device/shortened.h"
 #include "files/csv.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
@@ -78,21 +77,21 @@ std::optional<Fault> FramedDevice::start(double rate) noexcept {
 }
 
 std::optional<std::string> FramedDevice::why_not_ready(double rate) {
-  const auto begin = std::chrono::steady_clock::now();
-  auto calibrated_at = begin;
+  const std::int64_t begin = system::now();
+  std::int64_t calibrated_at = begin;
   bool has_reported = false;
   for (;;) {
-    std::this_thread::sleep_for(kPollFrames);
+    system::sleep_for(kPollFrames);
     if (attendant_.has_left()) return "stopped before " + description_.name + " was ready";
     const FrameSample& sample = frames_->samples.latest();
-    const auto now = std::chrono::steady_clock::now();
+    const std::int64_t now = system::now();
     if (sample.troubled) return std::string(room_->data());
     if (sample.ready) {
       attendant_.report(words_of(*sample.times) + ": " + grade_of(*sample.times));
       return std::nullopt;
     }
     if (sample.time == 0 || sample.state.calibrated) {
-      if (now - calibrated_at <= options_.start) continue;
+      if (now - calibrated_at <= system::in_ns(options_.start)) continue;
       return "communication with " + description_.partner + " is too irregular to send forces: expected " +
              files::shortest(rate) + " frames a second and no long gap, got " +
              (sample.times ? words_of(*sample.times) : "too few frames") + ": check what else this machine computes";
@@ -101,7 +100,7 @@ std::optional<std::string> FramedDevice::why_not_ready(double rate) {
       attendant_.report("waiting for the calibration of " + description_.name + ": " + description_.to_calibrate);
     has_reported = true;
     calibrated_at = now;
-    if (now - begin > options_.calibration) return description_.name + " is not calibrated";
+    if (now - begin > system::in_ns(options_.calibration)) return description_.name + " is not calibrated";
   }
 }
 
@@ -118,7 +117,7 @@ ReadResult FramedDevice::read() noexcept {
   state_ = {.calibrated = sample.state.calibrated, .forces_on = sample.state.forces_on};
   if (sample.troubled)
     fault_ = room_->data();
-  else if (monotonic_now() - sample.time > std::chrono::nanoseconds(options_.watchdog_timeout).count())
+  else if (system::now() - sample.time > system::in_ns(options_.watchdog_timeout))
     fault_ = "no frame of the device came in time: what answers for it, or this machine, is too slow";
   if (fault_) return Fault{fault_};
   return Reading{.position = sample.state.position.cast<float>(),
@@ -131,7 +130,7 @@ std::optional<Fault> FramedDevice::command(const Eigen::Vector3f& force) noexcep
   const bool finite = force.allFinite();
   Eigen::Vector3d limited = Eigen::Vector3d::Zero();
   if (finite) limited = shortened(force, static_cast<double>(capabilities_.peak_force)).cast<double>();
-  if (frames_) frames_->orders.publish({.force = limited, .time = monotonic_now(), .allowance = allowance_});
+  if (frames_) frames_->orders.publish({.force = limited, .time = system::now(), .allowance = allowance_});
   if (!finite) return Fault{"a force that is not finite was commanded"};
   return std::nullopt;
 }

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/frames/thread.h"
 
-#include <pthread.h>
-#include <time.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
-
-#include "device/monotonic.h"
-#include "device/real_time.h"
 
 namespace forceshade::device {
 
@@ -21,20 +13,17 @@ FrameThread::FrameThread(FrameLink& link, const FramedOptions& options, double r
       rate_(rate),
       trouble_(trouble),
       times_(rate, std::max(1, static_cast<int>(rate / 2))),
-      thread_([this] { run(); }) {}
+      thread_("frames", [this] { run(); }) {}
 
 void FrameThread::end() noexcept {
   ending_ = true;
-  if (thread_.joinable()) thread_.join();
+  if (thread_.is_joinable()) thread_.join();
 }
 
 void FrameThread::run() noexcept {
-  sigset_t all;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, nullptr);  // they are for the thread that waits for frames
-  const RealTime real_time(processor_before_last(), RealTime::kFramesPriority);
+  const system::RealTime real_time(system::processor_before_last(), system::RealTime::kFramesPriority);
   const std::int64_t period = std::llround(1e9 / rate_);
-  std::int64_t due = monotonic_now();
+  std::int64_t due = system::now();
   while (!ending_ && !sample_.troubled) {
     try {
       frame();
@@ -43,12 +32,10 @@ void FrameThread::run() noexcept {
     }
     samples.publish(sample_);
     due += period;
-    const std::int64_t now = monotonic_now();
+    const std::int64_t now = system::now();
     if (now > due + period) ++count_.late;
     due = options_.device_paces ? now : std::max(due, now);  // what was missed is not made up for
-    const timespec until{.tv_sec = due / kSecond, .tv_nsec = due % kSecond};
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
-    }
+    system::sleep_until(due);
   }
   link_.close();
 }
@@ -56,7 +43,7 @@ void FrameThread::run() noexcept {
 void FrameThread::frame() {
   const ForceOrder& order = orders.latest();
   const std::chrono::nanoseconds timeout = options_.watchdog_timeout;
-  const std::int64_t begin = monotonic_now(), age = begin - order.time;
+  const std::int64_t begin = system::now(), age = begin - order.time;
   if (!order.force.isZero(0) && age > timeout.count())
     return note("the servo loop has stood still: no force was sent from then on");
   const bool obeys = sample_.ready && sample_.state.forces_on && sample_.state.calibrated && !ending_;
@@ -64,7 +51,7 @@ void FrameThread::frame() {
   Eigen::Vector3d force{0, 0, 0};
   if (obeys) force = sent_.send_ahead(order.force * share_of_force(age, timeout));
   const FrameState state = link_.exchange(force);
-  sample_.time = monotonic_now();
+  sample_.time = system::now();
   count_.longest_trip = std::max(count_.longest_trip, static_cast<double>(sample_.time - begin) / 1e6);
   ++count_.frames;
   take(state, force);

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "device/force_order.h"
 #include "device/frame_samples.h"
@@ -18,6 +17,7 @@
 #include "device/sent_forces.h"
 #include "device/triple_buffer.h"
 #include "forceshade/device.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 
@@ -25,7 +25,7 @@ struct FrameSample {
   bool ready = false;  // forces that are ordered are sent
   // Why, is in the words that the frames were given; no sample follows, and zero was sent if that was possible.
   bool troubled = false;
-  std::int64_t time = 0;  // CLOCK_MONOTONIC, ns, when the state came; 0: there was no frame
+  std::int64_t time = 0;  // system::now(), when the state came; 0: there was no frame
   FrameState state{.calibrated = false, .forces_on = false};
   Sent sent;
   std::optional<FrameTimes::Window> times = std::nullopt;  // of the last whole window
@@ -74,7 +74,7 @@ class FrameThread {
   SentForces sent_;
   FrameTimes times_;
   FrameCount count_;
-  std::thread thread_;  // the last, so that all else is there when it begins
+  system::Thread thread_;  // the last, so that all else is there when it begins
 };
 
 }  // namespace forceshade::device

@@ -4,13 +4,13 @@
 #include <chrono>
 #include <cstdlib>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "device/frames/framed_device.h"
 #include "device/haply/haply_link.h"
 #include "files/csv.h"
 #include "files/printable.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
@@ -98,13 +98,13 @@ haply::Message begun(haply::Socket& socket, const haply::Version& version, const
                      const FramedOptions& options, const Attendant& attendant) {
   haply::Message message = first_message(socket, options);
   const std::string configuration = haply::configuration(version);
-  const auto deadline = std::chrono::steady_clock::now() + options.open;
+  const std::int64_t deadline = system::now() + system::in_ns(options.open);
   bool is_first = true;
   // A device that was just plugged in is listed a moment later.
   while (is_first || message.arms.empty()) {
     if (attendant.has_left()) throw DeviceError("stopped before the Inverse3 was ready");
-    if (!is_first && std::chrono::steady_clock::now() > deadline) break;
-    if (!is_first) std::this_thread::sleep_for(kRepeat);
+    if (!is_first && system::now() > deadline) break;
+    if (!is_first) system::sleep_for(kRepeat);
     if (!message.arms.empty() && haply::chosen(message, name).in_use)
       throw DeviceError("another program uses the Inverse3 " + haply::chosen(message, name).id +
                         ": forces of several programs add up, so end the other one");

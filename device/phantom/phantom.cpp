@@ -14,7 +14,6 @@
 #include <cstring>
 #include <new>
 #include <system_error>
-#include <thread>
 
 #include "device/lasting_words.h"
 #include "device/phantom/hdapi_words.h"
@@ -24,13 +23,13 @@
 #include "device/simulated/arm.h"
 #include "files/csv.h"
 #include "forceshade/device.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
 
 using Kind = PhantomMessage::Kind;
 using std::chrono::milliseconds;
-using Clock = std::chrono::steady_clock;
 
 constexpr milliseconds kListen{50}, kPoll{1};
 constexpr milliseconds kEnding{1500};  // for the process to end by itself
@@ -92,8 +91,8 @@ PhantomMessage Phantom::answer(milliseconds timeout) {
     std::snprintf(it.words.data(), it.words.size(), "%s", why.c_str());
     return it;
   };
-  auto deadline = Clock::now() + timeout;
-  while (Clock::now() < deadline) {
+  std::int64_t deadline = system::now() + system::in_ns(timeout);
+  while (system::now() < deadline) {
     if (attendant_.has_left()) return failed("stopped before the PHANToM was ready");
     const Received received = receive_message(socket_, kListen, message);
     if (received == Received::closed) return failed(how_it_ended());
@@ -103,7 +102,7 @@ PhantomMessage Phantom::answer(milliseconds timeout) {
     } else if (message.kind == Kind::asked) {
       const bool done = attendant_.did(message.words.data());
       send_message(socket_, {.kind = done ? Kind::yes : Kind::no});
-      deadline = Clock::now() + timeout;
+      deadline = system::now() + system::in_ns(timeout);
     } else {
       return message;
     }
@@ -116,9 +115,9 @@ PhantomMessage Phantom::answer(milliseconds timeout) {
 // The exit status of the process, once it has ended; 0 where the program ignores SIGCHLD, so that the system keeps none.
 std::optional<int> Phantom::ended_within(milliseconds timeout) noexcept {
   int status = 0;
-  for (const auto deadline = Clock::now() + timeout; ::waitpid(process_, &status, WNOHANG) == 0;) {
-    if (Clock::now() > deadline) return std::nullopt;
-    std::this_thread::sleep_for(kPoll);
+  for (const std::int64_t deadline = system::now() + system::in_ns(timeout); ::waitpid(process_, &status, WNOHANG) == 0;) {
+    if (system::now() > deadline) return std::nullopt;
+    system::sleep_for(kPoll);
   }
   return status;
 }
@@ -206,7 +205,7 @@ ReadResult Phantom::read() noexcept {
     std::snprintf(room_->data(), room_->size(), "%s", shared_->trouble.data());
     return fault();
   }
-  if (monotonic_now() - sample.time > std::chrono::nanoseconds(options_.watchdog_timeout).count()) {
+  if (system::now() - sample.time > system::in_ns(options_.watchdog_timeout)) {
     failed_ = true;
     int status = 0;
     const bool ended = ::waitpid(process_, &status, WNOHANG) == process_;
@@ -233,7 +232,7 @@ std::optional<Fault> Phantom::command(const Eigen::Vector3f& force) noexcept {
   if (finite) limited = turned_to_arm(force.cast<double>());
   const double size = limited.norm(), highest = static_cast<double>(capabilities_.peak_force);
   if (size > highest) limited *= highest / size;
-  if (started_) shared_->orders.publish({.force = limited, .time = monotonic_now(), .allowance = allowance_});
+  if (started_) shared_->orders.publish({.force = limited, .time = system::now(), .allowance = allowance_});
   if (!finite) return Fault{"a force that is not finite was commanded"};
   return std::nullopt;
 }

@@ -11,11 +11,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
-#include <thread>
 
-#include "device/monotonic.h"
 #include "device/phantom/phantom_messages.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
@@ -24,6 +22,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kWatch{10};
 constexpr milliseconds kClosing{200};  // for the last frame
+constexpr std::chrono::microseconds kBetweenLooks{500};
 
 // The frames that a crash of this process has time to close, and their own thread.
 std::atomic<PhantomFrames*> running = nullptr;
@@ -34,8 +33,8 @@ thread_local bool is_driver = false;
 constexpr int kInterrupt = SIGUSR1;
 
 bool closes_in_time(const PhantomFrames& frames) noexcept {
-  const std::int64_t deadline = monotonic_now() + std::chrono::nanoseconds(kClosing).count();
-  while (!frames.closed() && monotonic_now() < deadline) ::usleep(500);
+  const std::int64_t deadline = system::now() + system::in_ns(kClosing);
+  while (!frames.closed() && system::now() < deadline) system::sleep_for(kBetweenLooks);
   return frames.closed();
 }
 
@@ -59,7 +58,7 @@ void watch(int socket, pid_t parent, LastWords& last_words) {
   if (words)
     send_words(socket, PhantomMessage::Kind::failed, *words);
   else if (zero_was_sent)
-    std::this_thread::sleep_for(kTimeToEnd);
+    system::sleep_for(kTimeToEnd);
   ::_exit(kStuck);
 }
 
@@ -153,7 +152,7 @@ int become_process_of_driver(int socket) {
 }
 
 void watch_for_the_end(int socket, pid_t parent, LastWords& last_words) {
-  std::thread(watch, socket, parent, std::ref(last_words)).detach();
+  system::Thread("watch", [=, &last_words] { watch(socket, parent, last_words); }).leave();
 }
 
 }  // namespace forceshade::device

@@ -5,11 +5,12 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <mutex>
 #include <optional>
 #include <string>
 
 #include "device/phantom/phantom_frames.h"
+#include "device/triple_buffer.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 
@@ -41,26 +42,23 @@ bool is_alone(int socket, pid_t parent) noexcept;
 // What the watch says for the process, and ends it, where the driver's call does not return in time.
 class LastWords {
  public:
+  // Both are called by the thread that calls the driver.
   void say_unless_taken_back(const std::string& words, std::chrono::milliseconds timeout) {
-    const std::lock_guard lock(mutex_);
-    words_ = words;
-    due_ = Clock::now() + timeout;
+    words_.publish({words, system::now() + system::in_ns(timeout)});
   }
-  void take_back() {
-    const std::lock_guard lock(mutex_);
-    due_.reset();
-  }
+  void take_back() { words_.publish({}); }
+  // Called by the watch.
   std::optional<std::string> due() {
-    const std::lock_guard lock(mutex_);
-    return due_ && Clock::now() > *due_ ? std::optional(words_) : std::nullopt;
+    const Words& latest = words_.latest();
+    return system::now() > latest.due ? std::optional(latest.words) : std::nullopt;
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  std::mutex mutex_;
-  std::string words_;
-  std::optional<Clock::time_point> due_;
+  struct Words {
+    std::string words;
+    std::int64_t due = system::kForever;
+  };
+  TripleBuffer<Words> words_;
 };
 
 // A thread that ends the process when it is alone or its last words are due, whatever the driver's calls are stuck in. Both

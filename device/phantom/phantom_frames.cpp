@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "device/monotonic.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
@@ -65,7 +65,7 @@ bool PhantomFrames::known_and_well(const char* step, bool& known) noexcept {
 }
 
 void PhantomFrames::frame() noexcept {
-  sample_.time = monotonic_now();
+  sample_.time = system::now();
   const auto window = times_.add(sample_.time);
   if (window) sample_.times = window;
   hd_.hdBeginFrame(device_);

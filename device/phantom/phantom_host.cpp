@@ -7,16 +7,15 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include "device/phantom/hdapi_library.h"
 #include "device/phantom/phantom_end.h"
 #include "device/phantom/phantom_frames.h"
 #include "device/phantom/phantom_limits.h"
 #include "device/phantom/phantom_messages.h"
-#include "device/real_time.h"
 #include "files/csv.h"
 #include "forceshade/device.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
@@ -115,7 +114,7 @@ class Host {
   const hdapi::Functions& hd_;
   hdapi::HHD device_ = hdapi::kInvalidDevice;
   PhantomDescription description_;
-  std::optional<RealTime> real_time_;
+  std::optional<system::RealTime> real_time_;
   std::unique_ptr<PhantomFrames> frames_;
   std::optional<hdapi::HDSchedulerHandle> callback_;
   hdapi::HDenum style_ = 0;
@@ -218,7 +217,7 @@ void Host::start(double rate) {
   expect_success("scheduling the frames");
 
   // The driver's thread inherits this one's priority and processor.
-  real_time_.emplace(processor_before_last(), RealTime::kFramesPriority);
+  real_time_.emplace(system::processor_before_last(), system::RealTime::kFramesPriority);
   // It may run although an error is reported: it is stopped either way.
   scheduler_ = true;
   last_words_.say_unless_taken_back(hdapi::kNoStart, options_.start);
@@ -239,18 +238,18 @@ std::string why_not_ready(const PhantomSample& sample, double rate) {
 }
 
 void Host::wait_until_ready() {
-  const Privileges& granted = real_time_->granted();
+  const system::RealTime::Granted& granted = real_time_->granted();
   report(std::string("the driver's thread has ") +
          (granted.scheduling ? "real-time priority" : "ordinary priority, because real-time priority was refused") +
          (granted.cpu ? ", on processor " + std::to_string(*granted.cpu) : ""));
-  const auto begin = std::chrono::steady_clock::now();
-  auto calibrated_at = begin;
+  const std::int64_t begin = system::now();
+  std::int64_t calibrated_at = begin;
   bool has_reported = false;
   for (;;) {
-    std::this_thread::sleep_for(kHostPoll);
+    system::sleep_for(kHostPoll);
     if (is_alone(socket_, parent_)) throw Refused("the other process is gone");
     const PhantomSample& sample = frames_->samples.latest();
-    const auto now = std::chrono::steady_clock::now();
+    const std::int64_t now = system::now();
     if (sample.troubled) throw Refused(shared_.trouble.data());
     if (sample.phase == PhantomSample::Phase::ready) {
       if (!sample.has_temperature) report(hdapi::kTemperatureUnknown);
@@ -258,7 +257,7 @@ void Host::wait_until_ready() {
       return report(words_of(*sample.times) + ": " + grade_of(*sample.times));
     }
     if (sample.time == 0 || sample.calibrated) {
-      if (now - calibrated_at > options_.start) throw Refused(why_not_ready(sample, rate_));
+      if (now - calibrated_at > system::in_ns(options_.start)) throw Refused(why_not_ready(sample, rate_));
       continue;
     }
     if (!has_reported)
@@ -266,7 +265,7 @@ void Host::wait_until_ready() {
              (style_ == hdapi::kCalibratesItself ? hdapi::kMoveItAbout : hdapi::kRestInInkwell));
     has_reported = true;
     calibrated_at = now;
-    if (now - begin > options_.calibration) throw Refused(hdapi::kNotCalibrated);
+    if (now - begin > system::in_ns(options_.calibration)) throw Refused(hdapi::kNotCalibrated);
   }
 }
 

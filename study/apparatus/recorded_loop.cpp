@@ -56,11 +56,11 @@ RecordedLoop::RecordedLoop(device::Device& device, Bumps& bumps, LoopPlan plan, 
 
 RecordedLoop::~RecordedLoop() {
   stop_ = true;
-  if (loop_.joinable()) loop_.join();
+  if (loop_.is_joinable()) loop_.join();
 }
 
 void RecordedLoop::start() {
-  loop_ = std::thread([this] {
+  loop_ = system::Thread("servo loop", [this] {
     try {
       result_ = device::run_servo_loop(device_, stage_, plan_.servo, stop_);
     } catch (...) {
@@ -149,7 +149,7 @@ device::ServoResult RecordedLoop::stop() {
 }
 
 device::ServoResult RecordedLoop::stop_at_the_end() {
-  if (loop_.joinable()) loop_.join();
+  if (loop_.is_joinable()) loop_.join();
   parts_.end(thrown_ ? "not begun" : std::string(name_of(result_.end_reason)));
   if (thrown_) std::rethrow_exception(thrown_);
   return std::move(result_);

@@ -9,7 +9,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "device/stage.h"
 #include "forceshade/servo_loop.h"
@@ -17,6 +16,7 @@
 #include "study/apparatus/bumps.h"
 #include "study/apparatus/latest_tick.h"
 #include "study/experiments/session.h"
+#include "system/system.h"
 
 namespace forceshade::apparatus {
 
@@ -77,7 +77,7 @@ class RecordedLoop {
   std::atomic<bool> stop_ = false, ended_ = false;
   LatestTick latest_;
   std::ofstream stimuli_;
-  std::thread loop_;
+  system::Thread loop_;
   device::ServoResult result_;
   std::exception_ptr thrown_;
 

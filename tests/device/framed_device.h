@@ -17,8 +17,8 @@
 #include <variant>
 #include <vector>
 
-#include "device/monotonic.h"
 #include "forceshade/servo_loop.h"
+#include "system/system.h"
 #include "tests/support/allocations.h"
 
 namespace forceshade::device {
@@ -38,7 +38,7 @@ inline Fault fault_of(Device& device) {
 inline void expect_ticks_without_allocation(Device& device) {
   const std::size_t before = tests::allocations();
   for (int tick = 0; tick < 200; ++tick) {
-    device.wait_for_frame(monotonic_now() + 20 * kSecond);
+    device.wait_for_frame(system::now() + 20 * system::kSecond);
     ASSERT_TRUE(std::holds_alternative<Reading>(device.read()));
     device.allow({.work = 1, .longest_step = 1});
     device.command({0, 0, 0.1F});
@@ -52,7 +52,7 @@ inline void command_too_much(Device& device) {
   ASSERT_FALSE(device.start(1000));
   device.allow({.work = 1e6, .longest_step = 1});
   for (int tick = 0; tick < 50; ++tick) {
-    device.wait_for_frame(monotonic_now() + 20 * kSecond);
+    device.wait_for_frame(system::now() + 20 * system::kSecond);
     device.read();
     EXPECT_FALSE(device.command({0, 0, 100}));
   }

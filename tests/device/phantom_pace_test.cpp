@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "device/monotonic.h"
 #include "device/simulated/arm.h"
 #include "forceshade/fast.h"
 #include "forceshade/servo_loop.h"
+#include "system/system.h"
 #include "tests/device/stand_in_hd/phantom_fixture.h"
 #include "tests/support/kept_samples.h"
 
@@ -124,7 +124,7 @@ TEST_F(phantom, frame_that_began_between_waiting_and_reading_is_not_read_again) 
   ASSERT_FALSE(device.start(1000));
   double last = -1;
   for (int tick = 0; tick < 20; ++tick) {
-    device.wait_for_frame(monotonic_now() + 20 * kSecond);
+    device.wait_for_frame(system::now() + 20 * system::kSecond);
     if (tick % 2 == 0) std::this_thread::sleep_for(5ms);
     const double time = std::get<Reading>(device.read()).time;
     EXPECT_GT(time, last);

@@ -8,10 +8,10 @@
 #include <memory>
 #include <thread>
 
-#include "device/monotonic.h"
 #include "device/phantom/phantom.h"
 #include "forceshade/device.h"
 #include "forceshade/fast.h"
+#include "system/system.h"
 #include "tests/device/servo_loop_fixture.h"
 #include "tests/device/stand_in_hd/stand_in_hd.h"
 #include "tests/support/allocations.h"
@@ -85,7 +85,7 @@ TEST(servo_loop, phantom_allocates_nothing_once_started) {
   ASSERT_FALSE(device.start(1000));
   const std::size_t before = tests::allocations();
   for (int tick = 0; tick < 200; ++tick) {
-    device.wait_for_frame(monotonic_now() + 20 * kSecond);
+    device.wait_for_frame(system::now() + 20 * system::kSecond);
     device.read();
     device.allow({.work = 1, .longest_step = 1});
     device.command({0, 0, 0.1F});

@@ -10,10 +10,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "device/monotonic.h"
 #include "device/phantom/hdapi_library.h"
 #include "device/phantom/phantom.h"
 #include "forceshade/device.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 namespace {
@@ -105,7 +105,7 @@ TEST_F(vendor_library, runs_frames_for_a_second_without_force) {
   double last = -1;
   int frames = 0;
   for (const auto give_up = std::chrono::steady_clock::now() + 20s; last < 1 && std::chrono::steady_clock::now() < give_up;) {
-    device.wait_for_frame(monotonic_now() + std::chrono::nanoseconds(10ms).count());
+    device.wait_for_frame(system::now() + std::chrono::nanoseconds(10ms).count());
     const ReadResult result = device.read();
     const auto* const reading = std::get_if<Reading>(&result);
     ASSERT_TRUE(reading) << std::get<Fault>(result).words;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "device/command/command.h"
-#include "device/monotonic.h"
+#include "system/system.h"
 #include "tests/device/framed_device.h"
 #include "tests/support/temporary_directory.h"
 
@@ -64,7 +64,7 @@ std::string driven(const Program& program, const FramedOptions& options, Attenda
   const auto device = open_command(program.command(), options, attendant);
   if (const auto fault = device->start(kRate)) return fault->words;
   for (const auto deadline = std::chrono::steady_clock::now() + 30s; std::chrono::steady_clock::now() < deadline;) {
-    device->wait_for_frame(monotonic_now() + kSecond);
+    device->wait_for_frame(system::now() + system::kSecond);
     const ReadResult reading = device->read();
     if (const auto* fault = std::get_if<Fault>(&reading)) return fault->words;
     device->allow({.work = 1e6, .longest_step = 1});
@@ -221,7 +221,7 @@ TEST(command_device, sends_no_force_that_is_forbidden) {
     ASSERT_FALSE(device->start(kRate));
     device->allow({.work = 1e6, .longest_step = 1});
     for (int tick = 0; tick < 20; ++tick) {
-      device->wait_for_frame(monotonic_now() + 20 * kSecond);
+      device->wait_for_frame(system::now() + 20 * system::kSecond);
       device->read();
       device->command({0, 0, 0.5F});
     }
