@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/world/session.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "forceshade/fast.h"
+#include "tests/world/judge.h"
+
+namespace forceshade::world {
+namespace {
+
+using device::FrameState;
+
+constexpr Ns kMillisecond = 1'000'000;
+constexpr Ns kAnswer = kMillisecond / 20, kLongestAnswer = 25 * kMillisecond;
+constexpr Ns kLongest = 20 * system::kSecond;  // of a session in the world
+
+// The hand's height above the wall: down to 1 mm inside it, every second.
+double height_at(Ns time) {
+  return 1.5 - 2.5 * std::cos(2 * std::numbers::pi * (static_cast<double>(time) * 1e-9 - 0.9));
+}
+
+std::uint64_t mixed(std::uint64_t digest, std::uint64_t value) {
+  return (digest ^ value) * 0x100000001b3ULL;
+}
+
+std::uint64_t bits_of(double value) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+}  // namespace
+
+const Event* Arm::event_at(int frame, Event::Kind kind) const noexcept {
+  const auto found = std::ranges::find_if(plan_.events, [&](const Event& event) {
+    const bool lasts = event.kind == Event::Kind::uncalibrated || event.kind == Event::Kind::forces_off ||
+                       event.kind == Event::Kind::lets_go_of_button;
+    const int frames = lasts ? std::max(1, static_cast<int>(event.milliseconds)) : 1;
+    return event.kind == kind && frame >= event.frame && frame < event.frame + frames;
+  });
+  return found == plan_.events.end() ? nullptr : &*found;
+}
+
+FrameState Arm::frame(const Eigen::Vector3d& force) {
+  World& world = *current();
+  const int number = static_cast<int>(sent_.size());
+  if (closed_at_) on_misuse("a frame follows the end");
+  if (event_at(number, Event::Kind::jump)) offset_ += 10;
+  const Ns time = world.outside_now();
+  const double seconds = static_cast<double>(time) * 1e-9;
+  const Eigen::Vector3d position{0.3 * std::sin(40 * seconds) + offset_, 0, height_at(time)};
+  if (!sent_.empty()) work_ += felt().dot(position - sent_.back().position);
+  most_work_ = std::max(most_work_, work_);
+  FrameState state{.position = position,
+                   .buttons = static_cast<std::uint16_t>(static_cast<unsigned>(number) << 1U),
+                   .calibrated = event_at(number, Event::Kind::uncalibrated) == nullptr,
+                   .forces_on = event_at(number, Event::Kind::forces_off) == nullptr};
+  if (event_at(number, Event::Kind::lets_go_of_button) == nullptr) state.buttons |= 1U;
+  sent_.push_back({time, force, position, state.calibrated && state.forces_on});
+  on_sent(sent_.back());
+  if (event_at(number, Event::Kind::garbage)) throw std::runtime_error("the arm sent garbage");
+  const Event* late = event_at(number, Event::Kind::late);
+  const Ns answer = kAnswer + (late ? static_cast<Ns>(late->milliseconds * 1e6) : 0);
+  system::sleep_until(system::now() + std::min(answer, kLongestAnswer));
+  sent_.back().answered = world.now();
+  if (answer > kLongestAnswer) throw std::runtime_error("the arm has not answered in time");
+  return state;
+}
+
+void Arm::close() {
+  system::step();
+  if (closed_at_) on_misuse("closed twice");
+  closed_at_ = current()->outside_now();
+}
+
+Eigen::Vector3d Arm::felt() const noexcept {
+  const Ns now = current()->outside_now();
+  const bool is_over = plan_.own_watchdog && !sent_.empty() && now - sent_.back().time > *plan_.own_watchdog;
+  if (sent_.empty() || closed_at_ || is_over) return Eigen::Vector3d::Zero();
+  return sent_.back().force;
+}
+
+std::string Outcome::words() const {
+  if (end == World::End::dead) return "the loop is dead";
+  if (end == World::End::never) return "it never ends";
+  std::string words(name_of(result.end_reason));
+  if (result.trip) words += ": " + std::string(name_of(result.trip->rule));
+  if (result.end_reason == device::EndReason::device_fault) words += std::string(": ") + result.fault;
+  return words;
+}
+
+Outcome session(const Plan& plan, const Open& open) {
+  World world(plan.schedule);
+  Arm arm(plan);
+  Judge judge(world, arm);
+  const Ns begin = world.now();
+  world.at_step = [&](long step) {
+    if (plan.at_step) plan.at_step(step);
+    judge.look();
+  };
+  Outcome outcome;
+  outcome.end = world.run(
+      [&] {
+        Watched device(open(arm), judge);
+        const std::atomic<bool> stop = false;
+        auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
+        device::ServoOptions options{.rate_hz = 1000, .max_seconds = plan.seconds, .sinks = {&judge}};
+        if (plan.has_dead_man_button) options.dead_man_button = 0;
+        outcome.result = device::run_servo_loop(device, law, options, stop);
+      },
+      kLongest);
+  // The frames of a loop that is dead go on alone.
+  if (outcome.end == World::End::dead && world.threads() > kFrames) world.run_until_over(kFrames, 200 * kMillisecond);
+  judge.conclude(outcome);
+  outcome.violations = judge.violations();
+  outcome.decisions = world.decisions();
+  outcome.frames = arm.sent().size();
+  outcome.lasted = world.now() - begin;
+  outcome.steps = world.steps();
+  outcome.digest = mixed(static_cast<std::uint64_t>(outcome.lasted), static_cast<std::uint64_t>(outcome.steps));
+  for (const Arm::Sent& sent : arm.sent()) {
+    outcome.peak = std::max(outcome.peak, sent.force.norm());
+    outcome.digest = mixed(mixed(outcome.digest, static_cast<std::uint64_t>(sent.time)), bits_of(sent.force.z()));
+  }
+  return outcome;
+}
+
+}  // namespace forceshade::world

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Sessions of the servo loop over an arm, in a simulated world, judged at every step by the rules that each session must keep.
+// docs/faults.md, "In a simulated world", lists the rules.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "device/frames/link.h"
+#include "forceshade/servo_loop.h"
+#include "tests/world/world.h"
+
+namespace forceshade::world {
+
+// What an arm does in one of its frames, counted from 0.
+struct Event {
+  enum class Kind { late, garbage, jump, uncalibrated, forces_off, lets_go_of_button };
+  int frame;
+  Kind kind;
+  double milliseconds = 0;  // for which it lasts; of `late`, by which the answer is late
+};
+
+// What does not depend on how an arm is driven.
+struct Plan {
+  Schedule schedule = {};
+  double seconds = 0.6;  // of ticks; the hand touches the wall from 0.25 s on
+  std::vector<Event> events = {};
+  std::optional<Ns> own_watchdog = std::nullopt;  // of the arm: without a frame for this long it gives no force
+  bool has_dead_man_button = false;
+  // Called at each step, before the rules are: places faults.
+  std::function<void(long)> at_step = {};
+};
+
+// An arm in a hand that goes its way whatever force it feels. It holds the last force that it was sent, by a clock of its own.
+class Arm {
+ public:
+  static constexpr double kPeak = 3;  // N
+
+  explicit Arm(const Plan& plan) : plan_(plan) {}
+
+  // A frame: this force from now on, and the state. Takes the time of the answer.
+  device::FrameState frame(const Eigen::Vector3d& force);
+  void close();
+
+  Eigen::Vector3d felt() const noexcept;
+  bool is_closed() const noexcept { return closed_at_.has_value(); }
+
+  struct Sent {
+    Ns time;  // by the arm's clock
+    Eigen::Vector3d force, position;
+    bool obeys;       // it is calibrated and its forces are on
+    Ns answered = 0;  // by the machine's clock; 0: not yet
+  };
+  const std::vector<Sent>& sent() const noexcept { return sent_; }
+  double work() const noexcept { return most_work_; }  // mJ: the most that the hand had been given beyond what it put in
+
+  // Called when a force has been sent, and when something follows the end.
+  std::function<void(const Sent&)> on_sent;
+  std::function<void(const char*)> on_misuse;
+
+ private:
+  const Event* event_at(int frame, Event::Kind kind) const noexcept;
+
+  const Plan& plan_;
+  std::vector<Sent> sent_;
+  double work_ = 0, most_work_ = 0;
+  std::optional<Ns> closed_at_;
+  double offset_ = 0;  // mm, after a jump
+};
+
+// Which of the rules a session broke, and how.
+struct Violation {
+  int rule;
+  std::string words;
+};
+
+struct Outcome {
+  std::vector<Violation> violations;
+  World::End end = World::End::over;
+  device::ServoResult result;  // where the loop was not killed
+  std::vector<Entry> decisions;
+  std::size_t frames = 0;
+  double peak = 0;  // N, felt
+  Ns lasted = 0;    // in the world
+  long steps = 0;
+  std::uint64_t digest = 0;     // of all that happened
+  double without_watchdog = 0;  // ms, for which only the arm's own watchdog could have ended the force
+  std::string words() const;    // of the end
+};
+
+// How an arm is opened: the device whose frames are the arm's.
+using Open = std::function<std::unique_ptr<device::Device>(Arm&)>;
+
+// One session, in a world of its own.
+Outcome session(const Plan& plan, const Open& open);
+
+// The threads of a session: the loop's is the first, that of the frames the next.
+inline constexpr int kLoop = 0, kFrames = 1;
+
+}  // namespace forceshade::world
