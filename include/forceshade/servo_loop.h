@@ -264,7 +264,7 @@ struct ServoOptions {
   // seen twice and none is missed where two clocks drift. False: this machine's clock, as for any other device.
   bool follows_device = true;
 
-  // The processor to run on when paced; none: system::RealTime chooses.
+  // The processor to run on when paced; none: the last that its thread may run on.
   std::optional<int> cpu = std::nullopt;
 
   // A device that can push is supervised and kept passive; one that cannot (Capabilities::peak_force) is only observed, and
