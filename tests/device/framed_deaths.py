@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """framed_deaths.py FORCESHADE haply|dhd|command LIBRARY [PHASE]: ends the client, what it speaks with, and the link between them at each
-phase of a run, and prints for how many ms the arm then felt a force. LIBRARY is the stand-in's for DHD. Exit code 1 where the arm felt
-what it should not, or a side did not end as it should."""
+phase of a run, and prints for how many ms the arm then felt a force. LIBRARY is the stand-in's for DHD. Exit code 1 where a force stayed
+or a side did not end as it should; scripts/real judges the times."""
 
 import os
 import signal
@@ -14,7 +14,6 @@ import arms
 from checks import Checks
 
 PHASES = ("opened", "settling", "free", "in contact", "tripping", "stopping")
-LATE = 60  # ms: of an end in order, or of a broken link, on a busy machine
 IN_ORDER = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 STOPPED = "stopped"
 
@@ -106,32 +105,40 @@ def died(kind, death, phase, forceshade):
             client.communicate()
 
 
-def is_right(arm_class, death, phase, late, end, words, faults):
-    """Whether the arm was let go in time, the client ended as it should, and the stand-in blames it for nothing but its death."""
+def most_ms(kind, death):
+    """Within which the arm has to be let go in contact, on a machine that never stands still; None where its own time-out decides."""
+    arm_class = arms.KINDS[kind]
+    if death.who in ("service", "program"):
+        return None
+    if death.number in IN_ORDER:
+        return 4  # a tick, a frame, and the threads that wake up for them
+    if death.number in (signal.SIGSTOP, None) or arm_class is arms.Dhd:
+        return arm_class.longest_ms + 3
+    return 12  # the system takes some ms to end a process
+
+
+def is_in_order(death, phase, late, end, words, faults):
+    """Whether the arm was let go at all, the client ended as it should, and the stand-in blames it for nothing but its death."""
+    if death.who in ("service", "program"):
+        return end == 3 and words or end in (0, 130) and phase == "stopping"
+    if late is None:
+        return False
     if death.who != "client":
-        is_ended = end == 3 and words or end == 0 and phase == "stopping" or end == 130 and phase == "stopping"
-        most = None if death.who in ("service", "program") else arm_class.longest_ms if death.who == "link" else LATE
-        return is_ended and (most is None or late is not None and late <= most)
+        return end == 3 and words or end in (0, 130) and phase == "stopping"
     if death.number in IN_ORDER:
         codes = {"opened": (0, 3, 130), "settling": (0, 3, 130), "tripping": (0, 3)}.get(phase, (0,))
-        return late is not None and late <= LATE and end in codes and not faults - {"left-open"}
+        return end in codes and not faults - {"left-open"}
     codes = (STOPPED,) if death.number == signal.SIGSTOP else (-death.number, 0) if phase == "stopping" else (-death.number,)
-    most = arm_class.longest_ms if death.number == signal.SIGSTOP or arm_class is arms.Dhd else LATE
-    return late is not None and late <= most + 5 and end in codes and not faults - {"left-open", "abrupt-end", "force-at-end"}
+    return end in codes and not faults - {"left-open", "abrupt-end", "force-at-end"}
 
 
 def cell_of(kind, death, phase, forceshade, checks):
     if not death.happens_in(phase):
         return "-"
-    arm_class = arms.KINDS[kind]
-
-    def is_wrong(outcome):
-        return not outcome or not is_right(arm_class, death, phase, *outcome)
-
-    outcome = checks.in_time(lambda: died(kind, death, phase, forceshade), is_wrong)
-    checks.expect(not is_wrong(outcome), f"{death.name}, {phase}: {outcome}")
+    outcome = died(kind, death, phase, forceshade)
     if outcome is None:
         return "did not happen"
+    checks.expect(is_in_order(death, phase, *outcome), f"{death.name}, {phase}: {outcome}")
     late, end = outcome[:2]
     if late is None:
         return f"exit code {end}"
@@ -144,7 +151,8 @@ def main(forceshade, kind, library, phases):
     print(f"| death | {' | '.join(phases)} |\n|---|{'---|' * len(phases)}")
     for death in DEATHS[kind]:
         print(f"| {death.name} | {' | '.join(cell_of(kind, death, phase, forceshade, checks) for phase in phases)} |", flush=True)
-    return checks.exit_code(len(SIGNALS) * len(phases) + 2)
+    return checks.exit_code(1)
 
 
-sys.exit(main(os.path.abspath(sys.argv[1]), sys.argv[2], os.path.abspath(sys.argv[3]), sys.argv[4:] or PHASES))
+if __name__ == "__main__":
+    sys.exit(main(os.path.abspath(sys.argv[1]), sys.argv[2], os.path.abspath(sys.argv[3]), sys.argv[4:] or PHASES))
