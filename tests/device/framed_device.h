@@ -17,21 +17,12 @@
 #include <variant>
 #include <vector>
 
-#include "device/frames/link.h"
 #include "device/monotonic.h"
 #include "forceshade/servo_loop.h"
+#include "tests/device/patient.h"
 #include "tests/support/allocations.h"
 
 namespace forceshade::device {
-
-// As long as CTest lets a test run, and any rate: however late either thread is, what a test waits for comes.
-inline constexpr std::chrono::minutes kLongest{10};
-inline constexpr FramedOptions kPatient{.watchdog_timeout = kLongest,
-                                        .answer = kLongest,
-                                        .open = kLongest,
-                                        .start = kLongest,
-                                        .calibration = kLongest,
-                                        .rate_tolerance = 100};
 
 // Waits for the next frame.
 inline void wait_for_frame(Device& device) {
@@ -99,12 +90,6 @@ struct Session {
 // Why a run ended, in words.
 inline std::string end_of(const ServoResult& run) {
   return run.trip ? std::string(name_of(run.trip->rule)) : run.fault;
-}
-
-// A hand in contact until something goes wrong, however late any thread is.
-inline constexpr double kHour = 3600;  // s
-inline ServoOptions patient_loop() {
-  return {.max_seconds = kHour, .watchdog_timeout = 10};
 }
 
 // What goes wrong in contact, and the words that end the run for it.

@@ -78,7 +78,8 @@ TEST_F(phantom, whose_library_fails_in_a_frame_ends_the_command_in_words_and_wit
   };
   for (const auto& [crash, words] :
        {Case{{.how = Crash::How::exit, .when = Moment::settling}, "the process of the PHANToM's driver "},
-        Case{{.how = Crash::How::segmentation_fault, .when = Moment::settling}, "was ended by a signal (Segmentation fault)"}}) {
+        Case{{.how = Crash::How::segmentation_fault, .when = Moment::settling},
+             "was ended by a signal (Segmentation fault)"}}) {
     stand_in_hd::reset();
     tell({.position = kFree, .crash = crash});
     const CommandRun run = drive("");

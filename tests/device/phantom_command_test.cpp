@@ -44,7 +44,8 @@ TEST_F(phantom, whose_library_fails_while_it_is_opened_ends_the_command_in_words
        {Case{{.how = Crash::How::exit, .when = Moment::before_start}, "ended with exit code 0"},
         Case{{.how = Crash::How::abort, .when = Moment::before_start}, "was ended by a signal (Aborted)"},
         Case{{.how = Crash::How::exception, .when = Moment::before_start}, "the vendor's library failed: thrown by the driver"},
-        Case{{.how = Crash::How::segmentation_fault, .when = Moment::before_start}, "was ended by a signal (Segmentation fault)"}}) {
+        Case{{.how = Crash::How::segmentation_fault, .when = Moment::before_start},
+             "was ended by a signal (Segmentation fault)"}}) {
     stand_in_hd::reset();
     tell({.position = kFree, .crash = crash});
     const CommandRun run = drive("");

@@ -189,10 +189,7 @@ TEST_F(phantom, closed_under_force_sends_zero_first) {
 TEST_F(phantom, that_loses_its_calibration_under_force_trips) {
   const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
   constexpr std::uint64_t kLost = 1800;  // frame: some 1.3 s after the output went on, with the hand down
-  tell({.calibration = std::nullopt,
-        .in_inkwell = true,
-        .calibration_lost_at = kLost,
-        .press = true});
+  tell({.calibration = std::nullopt, .in_inkwell = true, .calibration_lost_at = kLost, .press = true});
   ServoResult result;
   {
     Phantom device("", kPatient);

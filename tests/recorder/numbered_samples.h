@@ -26,7 +26,8 @@ inline device::Sample sample(std::uint64_t tick) {
 
 inline std::vector<device::Sample> samples_of(const std::string& path) {
   std::vector<device::Sample> all;
-  Recording(path).for_each_chunk([&](std::span<const device::Sample> chunk) { all.insert(all.end(), chunk.begin(), chunk.end()); });
+  Recording(path).for_each_chunk(
+      [&](std::span<const device::Sample> chunk) { all.insert(all.end(), chunk.begin(), chunk.end()); });
   return all;
 }
 

@@ -13,16 +13,16 @@
 #include "tests/recorder/faulty_disk.h"
 #include "tests/recorder/numbered_samples.h"
 #include "tests/support/allocations.h"
-#include "tests/support/wait_until.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::recorder {
 namespace {
 
 using namespace std::chrono_literals;
-using tests::wait_until;  // the writer's thread has come so far
 using tests::FaultyDisk;
 using tests::TemporaryDirectory;
+using tests::wait_until;  // the writer's thread has come so far
 
 TEST(recorder, gives_back_every_sample_to_the_bit) {
   const TemporaryDirectory directory;

@@ -21,8 +21,8 @@
 #include "study/window/settings.h"
 #include "study/window/view.h"
 #include "tests/device/faults/command.h"
-#include "tests/support/wait_until.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::window {
 namespace {
@@ -118,12 +118,12 @@ class Person {
   }
 
   void start(std::vector<std::string> arguments) {
-    for (const char* word : {"--device", "simulated:premium-1.5:mouse", "--uncertified"})
-      arguments.emplace_back(word);
+    for (const char* word : {"--device", "simulated:premium-1.5:mouse", "--uncertified"}) arguments.emplace_back(word);
     command_.emplace(folder_, arguments);
     wait_until([&] { return is_on_display() || !command_->is_running(); });
     ASSERT_TRUE(command_->is_running()) << command_->end();
-    wait_until([&] { return std::filesystem::exists(folder_.file("session/trials.jsonl")) && events().size() == expected_.size(); });
+    wait_until(
+        [&] { return std::filesystem::exists(folder_.file("session/trials.jsonl")) && events().size() == expected_.size(); });
   }
 
   std::size_t answered() const {

@@ -12,8 +12,8 @@
 #include <cstring>
 #include <thread>
 
-#include "tests/support/wait_until.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::deaths {
 namespace {

@@ -16,8 +16,8 @@
 #include "forceshade/recording.h"
 #include "tests/device/faults/press.h"
 #include "tests/recorder/faulty_disk.h"
-#include "tests/support/wait_until.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::faults {
 namespace {

@@ -14,9 +14,10 @@ namespace forceshade::faults {
 namespace {
 
 // Those of a PHANToM are in phantom_faults_test, which needs no command to be built.
-INSTANTIATE_TEST_SUITE_P(
-    faults, fault,
-    testing::ValuesIn(faults_of({position_faults(), device_faults(), timing_faults(), disk_faults(), command_faults()})), test_name);
+INSTANTIATE_TEST_SUITE_P(faults, fault,
+                         testing::ValuesIn(faults_of({position_faults(), device_faults(), timing_faults(), disk_faults(),
+                                                      command_faults()})),
+                         test_name);
 
 // The same loop on a device that says it cannot push, which is therefore not supervised.
 TEST(faults, are_noticed_where_the_supervisor_does_nothing) {

@@ -28,8 +28,8 @@ using stand_in_hd::tell;
 using Clock = std::chrono::steady_clock;
 namespace hdapi = device::hdapi;
 
-// Instead of 25 ms, where ms are judged. Where frames are counted no time is judged, and a loop that the machine keeps waiting is
-// not to end the run before the fault does.
+// Instead of 25 ms, where ms are judged. Where frames are counted no time is judged, and a loop that the machine keeps waiting
+// is not to end the run before the fault does.
 constexpr std::chrono::milliseconds kTimeout{200}, kLongTimeout{600'000};
 constexpr double kTimeoutMs = 200;
 constexpr double kClosingMs = 200;  // what a driver that hangs is waited for at the end

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every fault of a PHANToM is answered as the catalogue says, but for those that time decides. Driven in this process, on the stand-in for its driver.
+// Every fault of a PHANToM is answered as the catalogue says, but for those that time decides. Driven in this process, on the
+// stand-in for its driver.
 
 #include <gtest/gtest.h>
 

@@ -82,12 +82,11 @@ TEST_F(haply_device, ends_a_run_in_the_words_of_what_went_wrong) {
 }
 
 TEST_F(haply_device, that_cannot_be_driven_is_refused_in_words) {
-  for (const auto& [stand_in, words] :
-       {std::pair{"--assume in-use=any", "another program uses the Inverse3 049D"},
-        std::pair{"--assume http=none", "no Inverse Service answers at 127.0.0.1:"},
-        std::pair{"--version 2.2.0", "expected 3.1 or later, below 4, got 2.2.0"},
-        std::pair{"--version 4.0.1", "expected 3.1 or later, below 4, got 4.0.1"},
-        std::pair{"--event unplug@1", "no Inverse3 is connected"}})
+  for (const auto& [stand_in, words] : {std::pair{"--assume in-use=any", "another program uses the Inverse3 049D"},
+                                        std::pair{"--assume http=none", "no Inverse Service answers at 127.0.0.1:"},
+                                        std::pair{"--version 2.2.0", "expected 3.1 or later, below 4, got 2.2.0"},
+                                        std::pair{"--version 4.0.1", "expected 3.1 or later, below 4, got 4.0.1"},
+                                        std::pair{"--event unplug@1", "no Inverse3 is connected"}})
     EXPECT_NE(words_of(stand_in).find(words), std::string::npos) << words_of(stand_in);
 }
 
