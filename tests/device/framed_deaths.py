@@ -116,7 +116,7 @@ def died(kind, death, phase, forceshade, patient=None):
             return None
         finally:
             client.kill()
-            client.communicate()
+            client.wait()
 
 
 def most_ms(kind, death):

@@ -37,6 +37,18 @@ inline Fault fault_of(Device& device) {
   }
 }
 
+// Drives it with a force until there is a fault, whose words these are, or those of what did not start.
+inline std::string driven(Device& device, double rate) {
+  if (const auto fault = device.start(rate)) return fault->words;
+  for (;;) {
+    wait_for_frame(device);
+    const ReadResult reading = device.read();
+    if (const auto* fault = std::get_if<Fault>(&reading)) return fault->words;
+    device.allow({.work = 1e6, .longest_step = 1});
+    device.command({0, 0, 0.5F});
+  }
+}
+
 // Ticks of a device that runs. Only the thread that calls the device is counted.
 inline void expect_ticks_without_allocation(Device& device) {
   const std::size_t before = tests::allocations();
@@ -86,11 +98,6 @@ struct Session {
   nlohmann::json verdict;
   int frames;
 };
-
-// Why a run ended, in words.
-inline std::string end_of(const ServoResult& run) {
-  return run.trip ? std::string(name_of(run.trip->rule)) : run.fault;
-}
 
 // What goes wrong in contact, and the words that end the run for it.
 struct Wrong {

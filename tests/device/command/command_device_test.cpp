@@ -16,17 +16,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Drives it with a force until there is a fault. Its words, or those of what did not open or start.
+// Its words, or those of what did not open.
 std::string driven(const Program& program, const FramedOptions& options, Attendant& attendant) try {
-  const auto device = open_command(program.command(), options, attendant);
-  if (const auto fault = device->start(kRate)) return fault->words;
-  for (;;) {
-    wait_for_frame(*device);
-    const ReadResult reading = device->read();
-    if (const auto* fault = std::get_if<Fault>(&reading)) return fault->words;
-    device->allow({.work = 1e6, .longest_step = 1});
-    device->command({0, 0, 0.5F});
-  }
+  return driven(*open_command(program.command(), options, attendant), kRate);
 } catch (const DeviceError& error) {
   return error.what();
 }
@@ -87,7 +79,6 @@ TEST(command_device, ends_a_run_in_words_for_a_wrong_answer) {
       {"exits-at",
        "the program ended with exit code 1 without an answer; it wrote last on standard error: \"the arm was unplugged\""},
       {"crashes", "the program was killed by signal 6"},
-      {"closes", "the program closed its output, and did not end"},
       {"fails-at", "the program failed: \"motor 2 is too hot\""},
   };
   for (const Hostile& hostile : kAnswers) expect_words_and_an_end(hostile, kPatient);

@@ -89,7 +89,8 @@ def assumptions():
     Run(["--seconds", "1"], ["--version", "3.4.2", "--assume", "grip=none", "--type", "minverse"]).expect("version 3.4", 0)
     refused = {name: (stand_in, expected) for name, stand_in, expected in (
             ("in-use", ["--assume", "in-use=any"], "another program uses the Inverse3 049D"),
-            ("top-rate", ["--assume", "top-rate=300"], "too irregular to send forces"))}
+            ("top-rate", ["--assume", "top-rate=300"], "too irregular to send forces"),
+            ("no device", ["--event", "unplug@1"], "no Inverse3 is connected"))}
     for name, run in at_once(lambda name: Run(["--seconds", "0.2"], refused[name][0]), refused, 3).items():
         run.expect(name, 3, refused[name][1])
     nobody = subprocess.run([forceshade, "drive", "--device", "haply", "--law", "wall", "--uncertified"], text=True, capture_output=True,
