@@ -266,7 +266,7 @@ TEST(drive, gives_no_force_after_the_key_of_the_dead_man_switch_was_typed_again)
   terminal.shown_until(kKeys);
   terminal.shown_until("dead-man switch");  // in contact, and the button is up
   terminal.type("1");
-  wait_until([&] { return std::ranges::any_of(recorded(here), has_force); });
+  wait_until([&] { return is_down(recorded(here).back()); });
   terminal.type("1");
   wait_until([&] { return !is_down(recorded(here).back()); });
   terminal.type("\x03");

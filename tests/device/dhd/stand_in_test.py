@@ -61,7 +61,7 @@ ASSUMPTIONS = [
     ("not-finite", BEGIN + "print(force(NAN, 0, 0))  # nan" + END, {"refuse": "-1", "accept": "0"}),
     ("watchdog", BEGIN + "force(0, 0, 0)\ntime.sleep(0.06)\nprint(status()[5], status()[14])" + END, {"0": "1 0", "240": "0 3"}),
     ("watchdog-works", BEGIN + "dhd.dhdEnableExpertMode()\nprint(dhd.dhdSetWatchdog(255, ID))" + END, {"yes": "0", "no": "-1"}),
-    ("time-guard", BEGIN + "print(read())" + END, {"0": "0", "3600000000": "1"}),
+    ("time-guard", BEGIN + "print(read())" + END, {"0": "0", "600000000": "1"}),
     ("last-error", """
 begin(enabled=False)
 dhd.dhdEnableForce(1, ID)
