@@ -21,7 +21,7 @@ sed -i 's/^repetitions = .*/repetitions = 1/; s/^reference_radii_mil = .*/refere
 # run KEYS COMMAND...: a part of a session, which the end of its input interrupts.
 run() {
   local keys=$1; shift
-  printf "$keys" | "$forceshade" experiment "$@" --device simulated --terminal --uncertified --watchdog-timeout 10 > out.txt 2>&1 ||
+  printf "$keys" | "$forceshade" experiment "$@" --device simulated --terminal --uncertified > out.txt 2>&1 ||
     { echo "FAILED: experiment $*: $(cat out.txt)"; exit 1; }
 }
 for experiment in matching classification; do

@@ -161,11 +161,11 @@ expect 1 "missed.toml: no verdict: not enclosed: the height map is so steep or s
   energy --height-map missed.toml --depth 1 --at 1e-35 --json missed.json
 [ ! -e missed.json ] || { echo "FAILED: a verdict that is none was written"; exit 1; }
 "$forceshade" energy --height-map far.toml --depth 2 --from=-100 --to 100 --json stopped.json > stopped.txt 2>&1 &
-sleep 1; kill -INT $!; wait $!; same 130 $?
+stopped INT; same 130 $?
 same "forceshade: interrupted: far.toml has no verdict, and nothing was written" "$(cat stopped.txt)"
 # A run of properties writes nothing where it is interrupted.
 "$forceshade" properties --law wall --cases 1000000000 --junit hung_up.xml > /dev/null 2> stopped.txt &
-sleep 1; kill -TERM $!; wait $!; same 130 $?
+stopped TERM; same 130 $?
 same "forceshade: interrupted: not all properties were checked, and nothing was written" "$(cat stopped.txt)"
 same "" "$(ls | grep hung_up)"
 [ ! -e stopped.json ] || { echo "FAILED: a verdict that is none was written"; exit 1; }

@@ -3,7 +3,7 @@
 # anything else.
 . "$(dirname "$0")/expect.sh"
 renderers=$examples/renderers
-conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 5 "$@"; }
+conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 120 "$@"; }
 
 # A right one, its files, and a scene that it does not render.
 expect 0 "a wall in Python 1 renders wall: correctly rounded 3000 of 3000 (100 %)

@@ -47,7 +47,7 @@ expect 2 "expected k/n" -- sweep --shards 3/2 --out parts
 expect 2 "--sweeps: expected a kind of sweep that the law has" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out parts
 expect 2 "certify: expected --out, got none" -- "$forceshade" certify --law wall
 "$forceshade" certify --exhaustive --out stopped_sweep > stopped.txt 2>&1 &
-sleep 2; kill -INT $!; wait $!; same 130 $?
+stopped INT; same 130 $?
 grep -q "the same command goes on from" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
 grep -q '"finished": false' stopped_sweep/exhaustive-1-of-1.json || { echo "FAILED: no checkpoint"; exit 1; }
 drive() { "$forceshade" drive --device replay:hand.csv --free-run "$@"; }
@@ -198,7 +198,8 @@ no_disk() { (trap '' XFSZ; ulimit -f 0; "$@"); }
 expect 2 "forceshade: unmade.csv: " -- no_disk "$forceshade" drive --law wall --uncertified --device null --seconds 0.1 --record unmade.csv
 same "" "$(ls | grep unmade)"
 "$forceshade" drive --law wall --uncertified --device null --record killed.fsr 2> killed.txt &
-sleep 1; kill -KILL $!; wait $! 2> /dev/null
+until [ -n "$(find . -name 'killed.fsr-wal' -size +40k)" ]; do sleep 0.02; done
+kill -KILL $!; wait $! 2> /dev/null
 expect 1 "killed.fsr: no end: cut off" -- recording verify killed.fsr
 expect 0 "the recording has no end" -- recording export killed.fsr --out killed.csv
 checks=$((checks + 1))
@@ -206,13 +207,15 @@ checks=$((checks + 1))
 
 # Ctrl-C: a drive ends with force zero and its record complete; certify and force leave nothing.
 { echo t_s,x_mm,y_mm,z_mm; for i in $(seq 0 20000); do echo "$i,3,0,-1"; done; } > long.csv
-"$forceshade" drive --law wall --uncertified --device replay:long.csv --record stopped.csv > stopped.txt 2>&1 &
-sleep 1; kill -INT $!; wait $!; same 0 $?
+mkdir kept
+TMPDIR=kept "$forceshade" drive --law wall --uncertified --device replay:long.csv --record stopped.csv > stopped.txt 2>&1 &
+until [ -n "$(find kept -size +40k)" ]; do sleep 0.02; done
+stopped INT; same 0 $?
 grep -q "(stopped)" stopped.txt || { echo "FAILED: not stopped: $(cat stopped.txt)"; exit 1; }
 same "0,0,0,end" "$(tail -1 stopped.csv | cut -d, -f7-10)"
 same "$(($(sed -n 's/^ticks *\([0-9]*\).*/\1/p' stopped.txt) + 2))" "$(wc -l < stopped.csv)"
 "$forceshade" certify --points 1000000000 --out stopped > stopped.txt 2>&1 &
-sleep 1; kill -INT $!; wait $!; same 130 $?
+stopped INT; same 130 $?
 grep -q "interrupted" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
 same "" "$(ls -d stopped 2> /dev/null)"
 echo "$checks checks passed"

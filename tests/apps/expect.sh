@@ -27,6 +27,15 @@ same() {
   checks=$((checks + 1))
   [ "$1" = "$2" ] || { echo "FAILED: expected: $1"; echo "got: $2"; exit 1; }
 }
+# stopped SIGNAL: sends it to what was started last in the background, once that has a handler for it, and waits for the end.
+stopped() {
+  local process=$! caught=0
+  until ((caught >> ($(kill -l "$1") - 1) & 1)); do
+    sleep 0.02
+    caught=$((16#$(sed -n 's/^SigCgt:\t//p' "/proc/$process/status")))
+  done
+  kill -"$1" "$process"; wait "$process"
+}
 # fits SCHEMA FILE...: JSON that is as the schema says, where there is a program that can say so.
 fits() {
   checks=$((checks + 1))

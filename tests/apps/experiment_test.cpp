@@ -11,13 +11,13 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <span>
 #include <thread>
 
 #include "forceshade/recording.h"
 #include "study/experiments/session_folder.h"
 #include "tests/experiments/protocol_folder.h"
-#include "tests/support/comes_true.h"
 #include "tests/support/command_run.h"
 #include "tests/support/temporary_directory.h"
 
@@ -31,7 +31,7 @@ struct Lab : ProtocolFolder {
   CommandRun run(const std::string& line) const { return run_command(*this, words_of(line)); }
 };
 
-// The command with its standard input at the test's hand; a session that nobody ends is killed with the test.
+// The command with its standard input at the test's hand, which ends with the test.
 class Running {
  public:
   Running(const Lab& lab, const std::string& line) : lab_(lab) {
@@ -56,7 +56,6 @@ class Running {
     if (::dup2(ends[0], STDIN_FILENO) < 0 || !redirect(out, STDOUT_FILENO) || !redirect(err, STDERR_FILENO) ||
         ::chdir(lab.path().c_str()) != 0)
       ::_exit(126);
-    ::alarm(120);
     ::execv(program.c_str(), argv.data());
     ::_exit(127);
   }
@@ -85,6 +84,19 @@ class Running {
   }
   std::string err() const { return lab_.read("err"); }
 
+  // Waits for it; false where the command ends before.
+  bool comes_to(const std::function<bool()>& condition) const {
+    for (;; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+      siginfo_t ended{};  // looked for first, so that its last moment is seen
+      ::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT);
+      try {
+        if (condition()) return true;
+      } catch (const std::exception&) {  // there is no file yet
+      }
+      if (ended.si_pid != 0) return false;
+    }
+  }
+
  private:
   const Lab& lab_;
   int keys_ = -1;
@@ -99,8 +111,8 @@ std::ptrdiff_t count(const std::string& session, EventKind kind) {
   return std::ranges::count(events_of(session), kind, &experiments::Event::kind);
 }
 
-bool has(const std::string& session, EventKind kind, std::ptrdiff_t times) {
-  return comes_true([&] { return count(session, kind) >= times; });
+bool has(const Running& run, const std::string& session, EventKind kind, std::ptrdiff_t times) {
+  return run.comes_to([&] { return count(session, kind) >= times; });
 }
 
 std::vector<fs::path> parts_of(const std::string& session, int run) {
@@ -127,8 +139,7 @@ device::Sample last_of(const std::vector<fs::path>& parts) {
   return last;
 }
 
-// However busy the machine is, and however late the ticks are.
-constexpr const char* kDriving = " --device simulated --terminal --uncertified --watchdog-timeout 10";
+constexpr const char* kDriving = " --device simulated --terminal --uncertified";
 
 std::string run_of(const std::string& protocol) {
   return "experiment run " + protocol + " --participant P1 --seed 3 --session S" + kDriving;
@@ -138,8 +149,8 @@ std::string run_of(const std::string& protocol) {
 constexpr const char *kBegin = "\n\n", *kTrial = "kjl7\n";
 
 // The gentle start is over, and the simulated hand has met a bump.
-bool has_ticks(const std::string& session, int run, std::uint64_t ticks) {
-  return comes_true([&] { return ticks_of(parts_of(session, run).back()) > ticks; });
+bool has_ticks(const Running& run, const std::string& session, std::uint64_t ticks) {
+  return run.comes_to([&] { return ticks_of(parts_of(session, 1).back()) > ticks; });
 }
 
 TEST(experiment, of_three_matches_goes_from_the_instructions_to_the_results) {
@@ -147,11 +158,11 @@ TEST(experiment, of_three_matches_goes_from_the_instructions_to_the_results) {
   const std::string session = lab.file("S");
   Running run(lab, run_of("matching.toml"));
   run.type(kBegin);
-  ASSERT_TRUE(has(session, EventKind::trial_started, 1)) << run.err();
-  ASSERT_TRUE(has_ticks(session, 1, 2500));
+  ASSERT_TRUE(has(run, session, EventKind::trial_started, 1)) << run.err();
+  ASSERT_TRUE(has_ticks(run, session, 2500));
   run.type(kTrial);
-  ASSERT_TRUE(has(session, EventKind::trial_started, 2)) << run.err();
-  ASSERT_TRUE(has_ticks(session, 1, 1000));
+  ASSERT_TRUE(has(run, session, EventKind::trial_started, 2)) << run.err();
+  ASSERT_TRUE(has_ticks(run, session, 1000));
   run.type(kTrial);
   run.type(kTrial);
   // The questionnaire.
@@ -208,9 +219,9 @@ TEST(experiment, killed_in_the_middle_of_a_trial_goes_on_at_that_trial) {
   {
     Running run(lab, run_of("matching.toml"));
     run.type(std::string(kBegin) + kTrial + "k");
-    ASSERT_TRUE(has(session, EventKind::trial_started, 2)) << run.err();
-    ASSERT_TRUE(has(session, EventKind::radius_changed, 2)) << run.err();
-    ASSERT_TRUE(has_ticks(session, 1, 500));
+    ASSERT_TRUE(has(run, session, EventKind::trial_started, 2)) << run.err();
+    ASSERT_TRUE(has(run, session, EventKind::radius_changed, 2)) << run.err();
+    ASSERT_TRUE(has_ticks(run, session, 500));
     seen = ticks_of(parts_of(session, 1).back());
     run.send(SIGKILL);
     EXPECT_EQ(run.end(), 128 + SIGKILL);
@@ -229,7 +240,7 @@ TEST(experiment, killed_in_the_middle_of_a_trial_goes_on_at_that_trial) {
 
   Running resumed(lab, std::string("experiment resume S") + kDriving);
   resumed.type("\n");
-  ASSERT_TRUE(has(session, EventKind::trial_started, 3)) << resumed.err();
+  ASSERT_TRUE(has(resumed, session, EventKind::trial_started, 3)) << resumed.err();
   const auto after = events_of(session);
   ASSERT_TRUE(std::equal(before.begin(), before.end(), after.begin())) << "nothing of the log was lost";
   EXPECT_EQ(after.back().index, 2);
@@ -247,7 +258,7 @@ TEST(experiment, ends_with_zero_force_and_goes_on_later_when_a_signal_comes_or_i
   {
     Running run(lab, run_of("matching.toml"));
     run.type(kBegin);
-    ASSERT_TRUE(has(session, EventKind::trial_started, 1)) << run.err();
+    ASSERT_TRUE(has(run, session, EventKind::trial_started, 1)) << run.err();
     run.send(SIGINT);
     EXPECT_EQ(run.end(), 0) << run.err();
     EXPECT_NE(run.err().find("'forceshade experiment resume S' goes on with it"), std::string::npos) << run.err();
@@ -307,7 +318,7 @@ TEST(experiment, is_refused_before_the_session_where_a_bump_is_not_certified) {
   const auto kept = lab.run("experiment prepare classification.toml --out certificates");
   EXPECT_EQ(kept.out, "1 bumps, 1 of them certified before\n");
   EXPECT_EQ(lab.run("experiment check classification.toml --certificates certificates").code, 0);
-  Running run(lab, base + " --certificates certificates --watchdog-timeout 10");
+  Running run(lab, base + " --certificates certificates");
   run.close_keys();
   EXPECT_EQ(run.end(), 0) << run.err();
   EXPECT_EQ(run.err().find("UNCERTIFIED"), std::string::npos) << run.err();

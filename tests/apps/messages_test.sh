@@ -104,7 +104,7 @@ same "$(grep -m1 '"digest": "' few-mesh/certificate.json)" "$(grep -m1 '"digest"
 for command in "mesh check fan.off --unit mm" "force --mesh fan.off --unit mm"; do
   # A shell ignores SIGINT in what it starts in the background.
   env --default-signal=INT "$forceshade" $command > stopped.txt 2>&1 < /dev/null &
-  sleep 2; kill -INT $!; wait $!; same 130 $?
+  stopped INT; same 130 $?
   same 1 "$(wc -l < stopped.txt)"
   expect 0 "fan.off" -- grep "^forceshade: interrupted: [a-hj-z]" stopped.txt
 done

@@ -2,7 +2,7 @@
 # object_test.sh FORCESHADE: renderers that are shared objects: the example, and files that are none. hostile_objects.py has the others.
 . "$(dirname "$0")/expect.sh"
 renderers=$examples/renderers include=$examples/../include
-conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 5 "$@"; }
+conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 120 "$@"; }
 
 # The example, built as its page says, gives what the example in Python gives through another door.
 compile=$(grep -o '^cc .*wall\.so.*' "$renderers/README.md") || { echo "FAILED: the README builds no wall.so"; exit 1; }

@@ -3,7 +3,7 @@
 # do not keep to the protocol.
 . "$(dirname "$0")/expect.sh"
 exact=$(realpath "$(dirname "$0")/exact_simulator.py")
-conform() { "$forceshade" conform --answer-timeout 20 "$@"; }
+conform() { "$forceshade" conform --answer-timeout 120 "$@"; }
 
 expect 0 "an exact simulator 1, a simulator: it has none" -- conform --simulator "python3 -S $exact" --json held.json --junit found.xml --out page.html
 same "0 true 23" "$(grep -c '"held": false' held.json) $(sed -n 's/^  "held": \(.*\),/\1/p' held.json) $(grep -c '<testcase' found.xml)"

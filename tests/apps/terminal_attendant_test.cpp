@@ -127,7 +127,7 @@ TEST(keyboard_buttons, go_down_and_up_with_each_key_typed_and_leave_the_terminal
       for (const unsigned expected : {1U, 0U, 2U, 3U}) {
         std::printf("step %d\n", ++step);
         std::fflush(stdout);
-        while (keys.down() != expected) ::usleep(1000);  // the test's alarm ends it
+        while (keys.down() != expected) ::usleep(1000);  // the terminal's end ends it
       }
     }
     ::tcgetattr(STDIN_FILENO, &after);

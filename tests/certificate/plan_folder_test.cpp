@@ -71,8 +71,7 @@ TEST_F(plan_folder, touches_what_it_has_taken_while_it_lives) {
   Claims one(folder, 0.2, "one");
   ASSERT_TRUE(one.take(0));
   age(0, 1000);
-  for (int i = 0; i < 2000 && folder.claims()[0].second > 500; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  EXPECT_LT(folder.claims()[0].second, 500);
+  while (folder.claims()[0].second > 500) std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
 
 TEST_F(plan_folder, gives_everything_back_at_the_end) {

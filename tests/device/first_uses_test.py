@@ -2,7 +2,6 @@
 """first_uses_test.py FORCESHADE haply|dhd|command LIBRARY: a first contact (`device try`) and a session of an experiment over an
 arm behind its stand-in, which blames the client for nothing. The recordings are verified. LIBRARY is the stand-in's for DHD."""
 
-import itertools
 import os
 import pty
 import subprocess
@@ -11,7 +10,7 @@ import tempfile
 import time
 
 import arms
-from checks import BUSY, Checks
+from checks import Checks
 
 PROMPT = "Press Enter when this is done"
 PROTOCOL = """experiment = "classification"
@@ -77,11 +76,6 @@ def session(forceshade, kind, folder, name):
         return client.returncode, shown, arm.verdict()
 
 
-def is_late(outcome):
-    _, shown, faults = outcome
-    return "gap" in faults or any(words in shown for words in BUSY)
-
-
 def main(forceshade, kind, library):
     checks = Checks()
     arms.Dhd.library = library
@@ -92,7 +86,7 @@ def main(forceshade, kind, library):
         return run.stdout
 
     with tempfile.TemporaryDirectory() as folder:
-        code, shown, faults = checks.in_time(lambda: tried(forceshade, kind, folder), is_late)
+        code, shown, faults = tried(forceshade, kind, folder)
         checks.expect(code == 0 and shown.count(PROMPT) == 2, f"device try: exit code {code}: {shown}")
         felt = [line for line in shown.splitlines() if line.startswith("felt ")]
         checks.expect(felt and " in 0 of" not in felt[0], f"device try felt nothing: {shown}")
@@ -102,17 +96,10 @@ def main(forceshade, kind, library):
 
         with open(folder + "/protocol.toml", "w") as file:
             file.write(PROTOCOL.format(sources=sources))
-        names = iter(f"S{number}" for number in itertools.count())
-        name = [""]
-
-        def one():
-            name[0] = next(names)
-            return session(forceshade, kind, folder, name[0])
-
-        code, shown, faults = checks.in_time(one, is_late)
+        code, shown, faults = session(forceshade, kind, folder, "S")
         checks.expect(code == 0 and not faults, f"experiment: exit code {code}, the stand-in found {faults}: {shown}")
-        print(expect_good("recording verify", ran(forceshade, "recording", "verify", name[0], folder=folder)), end="")
-        said = expect_good("recording recompute", ran(forceshade, "recording", "recompute", name[0], folder=folder))
+        print(expect_good("recording verify", ran(forceshade, "recording", "verify", "S", folder=folder)), end="")
+        said = expect_good("recording recompute", ran(forceshade, "recording", "recompute", "S", folder=folder))
         checks.expect(" 0 in contact" not in said, f"recording recompute: {said}")
         print(said, end="")
     return checks.exit_code(8)

@@ -23,7 +23,7 @@ TEST_F(stand_in, is_readable_after_its_process_was_killed_anywhere) {
   tell({.position = Eigen::Vector3d(0, -0.5, 0), .frame_hz = 20'000});
   for (int microseconds = 0; microseconds < 30; ++microseconds) {
     const pid_t child = forked(run_for_ever);
-    ASSERT_TRUE(comes_true([&] { return arm().pid == child && !arm().force.isZero(0); }));
+    wait_until([&] { return arm().pid == child && !arm().force.isZero(0); });
     std::this_thread::sleep_for(std::chrono::microseconds(37 * microseconds));
     kill(child, SIGKILL);
     EXPECT_TRUE(ended_by(status_of(child), SIGKILL));
@@ -68,7 +68,7 @@ TEST_F(stand_in, puts_its_own_handler_over_the_programs_and_ends_with_the_force_
       std::signal(SIGTERM, [](int) { std::_Exit(3); });
       Caller caller(hd);
       caller.start();
-      EXPECT_TRUE(comes_true([] { return arm().force.norm() == 2; }));
+      wait_until([] { return arm().force.norm() == 2; });
       std::raise(SIGTERM);
     });
     EXPECT_TRUE(WIFEXITED(status));
@@ -80,7 +80,7 @@ TEST_F(stand_in, puts_its_own_handler_over_the_programs_and_ends_with_the_force_
 
 TEST_F(stand_in, is_in_use_until_the_process_that_uses_it_ends) {
   const pid_t user = forked(run_for_ever);
-  ASSERT_TRUE(comes_true([] { return seen().scheduler; }));
+  wait_until([] { return seen().scheduler; });
   const auto why_not = [](const Functions& hd) {
     const HHD device = hd.hdInitDevice(nullptr);
     const HDerror error = hd.hdGetError().code;
@@ -90,7 +90,7 @@ TEST_F(stand_in, is_in_use_until_the_process_that_uses_it_ends) {
   EXPECT_EQ(WEXITSTATUS(in_child(why_not)), 2);
   kill(user, SIGKILL);
   // Not yet waited for.
-  ASSERT_TRUE(comes_true([] { return seen().died; }));
+  wait_until([] { return seen().died; });
   EXPECT_EQ(WEXITSTATUS(in_child(why_not)), 0);
   status_of(user);
 }
@@ -129,7 +129,7 @@ TEST_F(stand_in, sends_a_signal_when_it_is_stopped) {
   EXPECT_TRUE(ended_by(in_child([](const Functions& hd) {
                          Caller caller(hd);
                          caller.start();
-                         EXPECT_TRUE(caller.runs(30));
+                         caller.runs(30);
                          caller.stop();
                        }),
                        SIGKILL));
@@ -143,7 +143,7 @@ TEST_F(stand_in, sends_signals_to_others) {
   EXPECT_EQ(in_child([](const Functions& hd) {
               Caller caller(hd);
               caller.start();
-              EXPECT_TRUE(caller.runs(10));
+              caller.runs(10);
               caller.stop();
             }),
             0);
@@ -182,7 +182,7 @@ TEST_F(stand_in, never_returns_from_the_call_told) {
       caller.runs(30);
       caller.stop();
     });
-    EXPECT_TRUE(comes_true([&, least = frames] { return seen().frames.size() >= least; }));
+    wait_until([&, least = frames] { return seen().frames.size() >= least; });
     std::this_thread::sleep_for(100ms);
     EXPECT_EQ(waitpid(child, nullptr, WNOHANG), 0) << static_cast<int>(blocks);
     EXPECT_TRUE(frames == 30 || seen().frames.size() == frames);
@@ -196,10 +196,10 @@ TEST_F(stand_in, waits_for_a_callback_that_hangs_for_ever) {
   const pid_t child = forked([](const Functions& hd) {
     Caller caller(hd);
     caller.start();
-    EXPECT_TRUE(comes_true([] { return seen().crashed.has_value(); }));
+    wait_until([] { return seen().crashed.has_value(); });
     hd.hdStopScheduler();
   });
-  EXPECT_TRUE(comes_true([] { return seen().crashed.has_value(); }));
+  wait_until([] { return seen().crashed.has_value(); });
   std::this_thread::sleep_for(100ms);
   EXPECT_EQ(waitpid(child, nullptr, WNOHANG), 0);
   EXPECT_TRUE(seen().scheduler);
@@ -212,10 +212,10 @@ TEST_F(stand_in, releases_the_device_for_no_other_thread_while_a_callback_hangs)
   const pid_t child = forked([](const Functions& hd) {
     Caller caller(hd);
     caller.start();
-    EXPECT_TRUE(comes_true([] { return seen().crashed.has_value(); }));
+    wait_until([] { return seen().crashed.has_value(); });
     hd.hdDisableDevice(caller.device);
   });
-  EXPECT_TRUE(comes_true([] { return seen().crashed.has_value(); }));
+  wait_until([] { return seen().crashed.has_value(); });
   std::this_thread::sleep_for(100ms);
   EXPECT_EQ(waitpid(child, nullptr, WNOHANG), 0);
   EXPECT_TRUE(seen().initialised);

@@ -15,13 +15,15 @@ namespace forceshade::tests {
 class FaultyDisk {
  public:
   static inline std::atomic<int> write_ms = 0, sync_ms = 0;  // how long each call takes
+  static inline std::atomic<bool> stands_still = false;      // each write waits until it is no more
+  static inline std::atomic<int> waiting = 0;                // writes that have had to
   static inline std::atomic<bool> full = false;              // each write fails as on a full disk
   static inline std::atomic<bool> unplugged = false;         // each write and sync fails as on a disk that is gone
   static inline std::atomic<int> refused_writes = 0, syncs = 0;
 
   FaultyDisk() {
-    write_ms = sync_ms = refused_writes = syncs = 0;
-    full = unplugged = false;
+    write_ms = sync_ms = refused_writes = syncs = waiting = 0;
+    full = unplugged = stands_still = false;
     static sqlite3_vfs faulty = [] {
       sqlite3_vfs vfs = *real();
       vfs.zName = "faulty";
@@ -50,6 +52,8 @@ class FaultyDisk {
     sqlite3_io_methods& methods = kinds.try_emplace(file->pMethods, *file->pMethods).first->second;
     methods.xWrite = [](sqlite3_file* self, const void* bytes, int count, sqlite3_int64 offset) {
       std::this_thread::sleep_for(std::chrono::milliseconds(write_ms));
+      if (stands_still) ++waiting;
+      while (stands_still) std::this_thread::yield();
       if (full) return ++refused_writes, SQLITE_FULL;
       if (unplugged) return ++refused_writes, SQLITE_IOERR_WRITE;
       return real_write(self, bytes, count, offset);

@@ -26,7 +26,6 @@ class PseudoTerminal {
     process_ = ::forkpty(&terminal_, nullptr, nullptr, nullptr);
     if (process_ < 0) throw std::runtime_error("no terminal to be had");
     if (process_ != 0) return;
-    ::alarm(kLongest);
     ::_exit(program());
   }
   ~PseudoTerminal() {
@@ -65,9 +64,6 @@ class PseudoTerminal {
   const std::string& shown() const { return shown_; }
 
  private:
-  // s: one that waits for keys that nobody types is ended by then, and the test fails instead of waiting with it.
-  static constexpr unsigned kLongest = 120;
-
   int terminal_ = -1;
   pid_t process_ = -1;
   std::string shown_;

@@ -6,7 +6,6 @@ import os
 import signal
 import subprocess
 import threading
-import time
 
 import numpy as np
 import pytest
@@ -66,11 +65,9 @@ def test_what_is_refused(bump, tmp_path):
 
 
 def test_ctrl_c_ends_a_certificate(bump):
-    started = time.monotonic()
     threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
     with pytest.raises(KeyboardInterrupt):
         forceshade.certify(bump, points=100_000_000)
-    assert time.monotonic() - started < 60
     assert forceshade.certify(bump, points=100, cases=2).held  # and the next one goes on
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""hostile.py MODE LOG: a device's program (docs/command-device.md) that does wrong what MODE says, in its hello or at its answer 150. LOG
-gets a line for each line that it was sent, and "end of input"."""
+"""hostile.py MODE LOG: a device's program (docs/command-device.md) that does wrong what MODE says, in its hello or at its answer 50 from
+the first that has a force. LOG gets a line for each line that it was sent, and "end of input"."""
 
 import json
 import os
@@ -9,7 +9,7 @@ import sys
 import time
 
 mode, log_file = sys.argv[1:3]
-AT = 150  # by then forces are sent, at 200 frames a second
+AT = 50
 log = open(log_file, "a", buffering=1)
 HELLO = {"forceshade-device": 1, "name": "test arm", "workspace_mm": [[-100, -100, -100], [100, 100, 100]], "peak_force_N": 3,
          "continuous_force_N": 1, "resolution_mm": 0.05, "buttons": 2, "paces": False}
@@ -97,7 +97,7 @@ def main():
             if mode == "hangs-at-end":
                 wait()
             return
-        count += 1
+        count += count > 0 or any(json.loads(line)["force_N"])
         if mode in ANSWERS and count == AT:
             ANSWERS[mode]()
         elif mode == "chatters" and count % 10 == 0:

@@ -12,8 +12,8 @@
 #include <cstring>
 #include <thread>
 
-#include "tests/support/comes_true.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::deaths {
 namespace {
@@ -129,7 +129,7 @@ Outcome tried(const Death& death, Moment phase) {
                             : started(directory, {FORCESHADE_MORTAL, death.way, seconds});
   Outcome outcome;
   std::optional<std::string> end;
-  tests::comes_true([&] { return (end = ended(program, 1ms)).has_value() || stand_in_hd::struck(); }, 10s);
+  tests::comes_true_within(10s, [&] { return (end = ended(program, 1ms)).has_value() || stand_in_hd::struck(); });
   // Long enough for the program to end in order, for a driver that is alive to let go, and for a run that goes on to go on.
   if (!end) end = ended(program, 4s);
   if (!end) {
@@ -141,7 +141,7 @@ Outcome tried(const Death& death, Moment phase) {
     outcome.end = *end;
   }
   const auto arm = stand_in_hd::arm();
-  tests::comes_true([&] { return is_gone(arm.pid); }, 4s);
+  tests::comes_true_within(4s, [&] { return is_gone(arm.pid); });
   const auto moment = stand_in_hd::struck();
   outcome.took_effect = moment.has_value();
   outcome.force = stand_in_hd::arm().force.norm();

@@ -10,7 +10,7 @@
 #include "forceshade/recording.h"
 #include "tests/device/faults/command.h"
 #include "tests/device/faults/press.h"
-#include "tests/support/comes_true.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::faults {
 namespace {
@@ -22,6 +22,7 @@ constexpr const char* kRecording = "run.fsr";
 // A hand that presses from 0.2 s on, for a minute.
 constexpr const char* kHand = "t_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.08,0,0,3\n0.2,0,0,-6\n60,0,0,-6\n";
 constexpr double kBusy = 0.2;  // s: within which a busy machine wakes the loop
+constexpr std::chrono::seconds kLongest{20};
 
 Words operator+(Words a, const Words& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -125,7 +126,7 @@ Outcome stopped_and_continued() {
   const TemporaryDirectory directory;
   directory.write("hand.csv", kHand);
   Command command(directory, pressing());
-  tests::comes_true([&] { return is_pushing(directory); });
+  tests::comes_true_within(kLongest, [&] { return is_pushing(directory); });
   command.send(SIGSTOP);
   std::this_thread::sleep_for(std::chrono::milliseconds(400));
   command.send(SIGCONT);
@@ -149,7 +150,7 @@ Outcome interrupted(int signal) {
   const TemporaryDirectory directory;
   directory.write("hand.csv", kHand);
   Command command(directory, pressing());
-  tests::comes_true([&] { return is_pushing(directory); });
+  tests::comes_true_within(kLongest, [&] { return is_pushing(directory); });
   command.send(signal);
   Outcome outcome{.reaction = command.end()};
   const auto samples = recorded(directory);
@@ -166,6 +167,7 @@ Fault interruption(std::string what, int signal) {
           .reaction = "exit 0 ... (stopped)",
           .to_zero = 1000 * kBusy + 1,
           .unit = "ms",
+          .is_timed = true,
           .run = [=](const Bench&) { return interrupted(signal); }};
 }
 
@@ -197,6 +199,7 @@ std::vector<Fault> command_faults() {
        .what = "the process is stopped for 0.4 s (SIGSTOP, SIGCONT)",
        .reaction = "exit 3 ... the supervisor stopped the run: watchdog",
        .to_zero = 1,  // it may be stopped in the middle of a tick, which then ends as it began
+       .is_timed = true,
        .run = [](const Bench&) { return stopped_and_continued(); }},
       {.kind = Kind::input, .what = "told to stop in contact", .reaction = "ends: stopped", .to_zero = 1, .run = stopped},
       interruption("Ctrl-C in contact (SIGINT)", SIGINT),

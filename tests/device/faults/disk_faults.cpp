@@ -16,8 +16,8 @@
 #include "forceshade/recording.h"
 #include "tests/device/faults/press.h"
 #include "tests/recorder/faulty_disk.h"
-#include "tests/support/comes_true.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::faults {
 namespace {
@@ -39,7 +39,7 @@ Fault disk(std::string what, std::string reaction, double lost, std::function<vo
             const FaultyDisk disk;
             const auto begin = [&](const std::string& path) {
               const std::size_t pushed = bench.records_all ? kResting : kResting - kResting / 100;
-              if (options.ring >= kEnd) tests::comes_true([&] { return recorder::Recording(path).extent().samples == pushed; });
+              if (options.ring >= kEnd) tests::wait_until([&] { return recorder::Recording(path).extent().samples == pushed; });
               at_fault(path);
             };
             return press(wrong, bench, {.recorder = options, .at_fault = begin});
@@ -112,7 +112,8 @@ Outcome killed(int signal) {
     _exit(0);
   }
   Outcome outcome;
-  outcome.took_effect = tests::comes_true([&] { return shared.force > 0.2F; });
+  tests::wait_until([&] { return shared.force > 0.2F; });
+  outcome.took_effect = true;
   outcome.before = outcome.highest = static_cast<double>(shared.force);
   ::kill(child, signal);
   const std::int64_t killed_at = now();
@@ -134,6 +135,7 @@ Fault death(std::string what, int signal) {
           .to_zero = 0,
           .lost = 100,
           .lost_unit = "ms",
+          .is_timed = true,
           .run = [=](const Bench&) { return killed(signal); }};
 }
 
@@ -148,7 +150,9 @@ std::vector<Fault> disk_faults() {
       disk("the disk gets full and has room again", "goes on, same forces", 0, [](const auto&) { FaultyDisk::full = true; }, {},
            {.read =
                 [](device::ReadResult&, Wrong::Since since) {
-                  if (since == 100) FaultyDisk::full = !tests::comes_true([] { return FaultyDisk::refused_writes > 0; });
+                  if (since != 100) return;
+                  tests::wait_until([] { return FaultyDisk::refused_writes > 0; });
+                  FaultyDisk::full = false;
                 }}),
       disk("the disk is unplugged", "goes on, same forces ... disk I/O error; counted as lost: 501", kRest,
            [](const auto&) { FaultyDisk::unplugged = true; }),

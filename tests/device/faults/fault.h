@@ -39,6 +39,7 @@ struct Fault {
   double lost = 0;                               // at most
   std::string lost_unit = "samples";
   bool under_force = true;  // else there must be no force before it either
+  bool is_timed = false;    // in ms of real time: judged by faults_real_test alone
   std::function<Outcome(const Bench&)> run = {};
 };
 

@@ -26,6 +26,15 @@ inline std::string all_of(const std::vector<std::string>& complaints) {
   return all;
 }
 
+// Those of these lists that are judged by the order of events, or the others.
+inline std::vector<Fault> faults_of(const std::vector<std::vector<Fault>>& lists, bool is_timed = false) {
+  std::vector<Fault> all;
+  for (const std::vector<Fault>& list : lists)
+    for (const Fault& fault : list)
+      if (fault.is_timed == is_timed) all.push_back(fault);
+  return all;
+}
+
 class fault : public testing::TestWithParam<Fault> {};
 
 TEST_P(fault, has_its_reaction) {

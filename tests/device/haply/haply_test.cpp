@@ -17,8 +17,19 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A busy machine may keep either thread waiting; where that does not matter, the timeout is long.
-constexpr FramedOptions kPatient{.watchdog_timeout = 20s, .answer = 20s, .start = 60s, .rate_tolerance = 1};
+// The hand moves with the messages, and the device keeps its force between any two.
+const std::string kPatientDevice = "--clock messages --longest-gap 3600000 --assume idle-after=never ";
+
+std::string words_of(const char* stand_in) {
+  HaplyStandIn service(stand_in);
+  Attendant nobody;
+  try {
+    open_haply("", kPatient, nobody);
+  } catch (const DeviceError& error) {
+    return error.what();
+  }
+  return "";
+}
 
 class haply_device : public testing::Test {
  protected:
@@ -30,7 +41,7 @@ class haply_device : public testing::Test {
 
 // Neither while it runs nor when it fails. Only the thread that calls the device is counted.
 TEST_F(haply_device, allocates_nothing_once_started) {
-  HaplyStandIn stand_in("--event garbage@1400 --longest-gap 20000");
+  HaplyStandIn stand_in(kPatientDevice + "--event garbage@1400");
   const auto device = open_haply("", kPatient, nobody);
   ASSERT_FALSE(device->start(1000));
   expect_ticks_without_allocation(*device);
@@ -40,19 +51,53 @@ TEST_F(haply_device, allocates_nothing_once_started) {
   EXPECT_NE(std::string(fault.words).find("expected JSON"), std::string::npos) << fault.words;
 }
 
+// Whatever it is that goes wrong in contact, and however late anybody is.
+TEST_F(haply_device, ends_a_run_in_the_words_of_what_went_wrong) {
+  constexpr const char *kClosed = "the Inverse Service has closed the connection", *kLate = "has not answered for 200 ms";
+  constexpr Wrong kAll[]{{"unplug", "the Inverse3 is no longer connected"},
+                         {"garbage", "the Inverse Service: expected JSON, got \"{"},
+                         {"nan", "the Inverse Service: expected JSON"},
+                         {"wrong-unit", "cursor_position: expected x, y and z of at most 2"},
+                         {"no-position", "a state without a position"},
+                         {"close", kClosed},
+                         {"reset", kClosed},
+                         {"die", kClosed},
+                         {"lose", kLate},
+                         {"freeze", kLate}};
+  for (const auto& [event, words] : kAll) {
+    SCOPED_TRACE(event);
+    HaplyStandIn stand_in(kPatientDevice + "--event " + event + "@contact");
+    FramedOptions options = kPatient;
+    if (words == kLate) options.answer = 200ms;
+    const std::string said = driven(*open_haply("", options, nobody), 1000);
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+    if (std::string(event) == "die" || words == kLate) continue;
+    EXPECT_EQ(stand_in.verdict()["faults"], nlohmann::json::object());
+  }
+}
+
+TEST_F(haply_device, that_cannot_be_driven_is_refused_in_words) {
+  for (const auto& [stand_in, words] : {std::pair{"--assume in-use=any", "another program uses the Inverse3 049D"},
+                                        std::pair{"--assume http=none", "no Inverse Service answers at 127.0.0.1:"},
+                                        std::pair{"--version 2.2.0", "expected 3.1 or later, below 4, got 2.2.0"},
+                                        std::pair{"--version 4.0.1", "expected 3.1 or later, below 4, got 4.0.1"}})
+    EXPECT_NE(words_of(stand_in).find(words), std::string::npos) << words_of(stand_in);
+}
+
 // As many as FORCESHADE_HAPLY_FRAMES says, as fast as they are answered, late, lost and wrong ones among them.
 TEST_F(haply_device, is_not_blamed_over_many_frames_whatever_goes_wrong) {
   const auto session = [&](const Events& events, int frames) {
-    std::string options = "--clock messages --rate 10000 --longest-gap 20000 --assume ping=1";
+    std::string options = kPatientDevice + "--rate 10000 --assume ping=1";
     for (const std::string& event : events) options += " --event " + event;
     HaplyStandIn stand_in(options);
     FramedOptions patient = kPatient;
-    patient.answer = 500ms;  // before the supervisor ends the run
+    if (events.back().starts_with("lose")) patient.answer = 2s;
     const ServoResult run = [&] {
       const auto device = open_haply("", patient, nobody);
       return run_servo_loop(*device, wall(), fast_loop(frames), kNeverStop);
     }();
-    return Session{run, stand_in.verdict()};
+    const nlohmann::json verdict = stand_in.verdict();
+    return Session{run, verdict, verdict["sessions"][0]["messages"]};
   };
   expect_no_blame(frames_named_by("FORCESHADE_HAPLY_FRAMES"), {"late", "unasked", "press"},
                   {"lose", "garbage", "nan", "wrong-unit", "no-position", "unplug", "close", "reset", "uncalibrated", "jump"},
@@ -61,7 +106,7 @@ TEST_F(haply_device, is_not_blamed_over_many_frames_whatever_goes_wrong) {
 
 // What the frames were given to hold is what the service was sent, and no force acts after the last command.
 TEST_F(haply_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_is_not_finite) {
-  HaplyStandIn stand_in("--longest-gap 20000");
+  HaplyStandIn stand_in(kPatientDevice);
   {
     const auto device = open_haply("", kPatient, nobody);
     EXPECT_EQ(device->capabilities().model, "inverse3");

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""stand_in_test.py STAND-IN: every fault of a client is recorded under its name, a client without one is not blamed, and every
-assumption can be seen in both of its ways."""
+"""stand_in_test.py STAND-IN faults|assumptions|early: every fault of a client is recorded under its name, a client without one is not
+blamed, and every assumption can be seen in both of its ways. `early` is the one fault that a client which is late does not make."""
 
 import asyncio
 import json
@@ -27,12 +27,12 @@ class Client:
     def __init__(self, socket):
         self.socket, self.inventory = socket, None
 
-    async def ask(self, text, timeout=2.0):
-        """The answer, or None."""
+    async def ask(self, text):
+        """The answer, or None where the connection is closed."""
         await self.socket.send(text)
         try:
-            return json.loads(await asyncio.wait_for(self.socket.recv(), timeout))
-        except (asyncio.TimeoutError, websockets.exceptions.ConnectionClosed):
+            return json.loads(await self.socket.recv())
+        except websockets.exceptions.ConnectionClosed:
             return None
 
 
@@ -43,9 +43,12 @@ async def session(address, act):
         return await act(client)
 
 
+PATIENT = ("--longest-gap", "3600000", "--assume", "idle-after=never")
+
+
 def run(act, *words):
     """What the act returned, and the faults."""
-    with StandIn(program, *words) as stand_in:
+    with StandIn(program, *PATIENT, *words) as stand_in:
         result = asyncio.run(session(stand_in.address, act))
         code, report = stand_in.verdict()
         checks.expect(code == (1 if report["faults"] else 0), f"exit code {code} with {report['faults']}")
@@ -127,7 +130,6 @@ MISDEEDS = {
     "absurd-force": misdeed(force({"x": 0, "y": 0, "z": 1000.0})),
     "force-first": forces_at_once,
     "in-flight": hurries,
-    "gap": pauses,
     "configured-again": configures_twice,
     "force-at-end": leaves_under_force,
     "abrupt-end": breaks_off,
@@ -135,6 +137,7 @@ MISDEEDS = {
     "protocol": sends_no_mask,
 }
 WITH_WORDS = {
+    "gap": (pauses, ["--longest-gap", "20"]),
     "uncalibrated-force": (misdeed(force(ONE)), ["--event", "uncalibrated@1"]),
     "unpowered-force": (misdeed(force(ONE)), ["--event", "power-off@1"]),
 }
@@ -155,7 +158,7 @@ def second_source():
             await session(address, other)
             await client.ask(force(ZERO))
         await session(address, under_force)
-    with StandIn(program, "--longest-gap", "10000", sessions=2) as stand_in:
+    with StandIn(program, *PATIENT, sessions=2) as stand_in:
         asyncio.run(two(stand_in.address))
         checks.expect(set(stand_in.verdict()[1]["faults"]) == {"second-source"}, "second-source")
 
@@ -181,7 +184,6 @@ def every_fault_is_seen():
         _, faults = run(act, *words)
         checks.expect(set(faults) == {name}, f"{name}: got {faults}")
     second_source()
-    early()
     listed = set(MISDEEDS) | set(WITH_WORDS) | {"second-source", "early"}
     sys.dont_write_bytecode = True
     sys.path.insert(0, program.rsplit("/", 1)[0])
@@ -193,6 +195,10 @@ def arm(answer):
     return answer["inverse3"][0]
 
 
+def force_in(answer):
+    return arm(answer)["state"]["current_cursor_force"]["z"]
+
+
 async def pushes(client):
     await client.ask(force(ZERO))
     answer = await client.ask(force({"x": 0, "y": 0, "z": 4.0}))
@@ -201,9 +207,11 @@ async def pushes(client):
 
 
 async def says(client, text):
+    """The next message has a force: an answer without one is that to the text."""
     await client.ask(force(ZERO))
-    answer = await client.ask(text, 0.3)
-    return "closed" if client.socket.closed else "silent" if answer is None else "answer"
+    await client.socket.send(text)
+    answer = await client.ask(force(ONE))
+    return "closed" if answer is None else "silent" if force_in(answer) == 1 else "answer"
 
 
 async def idles(client):
@@ -213,19 +221,21 @@ async def idles(client):
     await asyncio.sleep(0.06)
     answer = await client.ask(json.dumps({"inverse3": [{"device_id": "049D", "commands": {"probe_position": {}}}]}))
     await client.ask(force(ZERO))
-    return arm(answer)["state"]["current_cursor_force"]["z"]
+    return force_in(answer)
 
 
 async def drops(client):
+    """How many of ten are answered before one that has a force, which is sent until it is."""
     await client.ask(force(ZERO))
     await at_once(client, 10, force(ZERO))
     count = 0
-    try:
-        while True:
-            await asyncio.wait_for(client.socket.recv(), 0.3)
+    while True:
+        try:
+            if force_in(json.loads(await asyncio.wait_for(client.socket.recv(), 0.1))) == 1:
+                return count
             count += 1
-    except asyncio.TimeoutError:
-        return count
+        except asyncio.TimeoutError:
+            await client.socket.send(force(ONE))
 
 
 async def state(client):
@@ -240,9 +250,8 @@ def seen(act, *assumptions):
 
 
 def every_assumption_has_two_ways():
-    z = lambda answer: arm(answer)["state"]["current_cursor_force"]["z"]
-    checks.expect(z(seen(pushes)) == 4 and z(seen(pushes, "clamp=3")) == 3, "clamp")
-    checks.expect(z(seen(pushes, "ration=0.5")) == 2, "ration")
+    checks.expect(force_in(seen(pushes)) == 4 and force_in(seen(pushes, "clamp=3")) == 3, "clamp")
+    checks.expect(force_in(seen(pushes, "ration=0.5")) == 2, "ration")
     checks.expect(seen(idles) == 1 and seen(idles, "idle-after=30") == 0, "idle-after")
     nan = force(ONE).replace("1.0", "NaN")
     for name, text, ways in (("not-finite", nan, {"refuse": "answer", "close": "closed"}),
@@ -278,6 +287,9 @@ if __name__ == "__main__":
     if sys.argv[2] == "faults":
         every_fault_is_seen()
         the_report_is_written_whole_whatever_signals_come()
-        sys.exit(checks.exit_code(41))
+        sys.exit(checks.exit_code(40))
+    if sys.argv[2] == "early":
+        early()
+        sys.exit(checks.exit_code(1))
     every_assumption_has_two_ways()
     sys.exit(checks.exit_code(20))

@@ -20,17 +20,14 @@
 
 #include "device/phantom/hdapi_library.h"
 #include "tests/device/stand_in_hd/stand_in_hd.h"
-#include "tests/support/comes_true.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::stand_in_hd {
 
 using namespace std::chrono_literals;
 using namespace hdapi;
 
-// However busy the machine is: 66 000 frames of a sanitized stand-in take more than 20 s beside others. Far from CTest's limit.
-inline bool comes_true(const std::function<bool()>& condition) {
-  return tests::comes_true(condition, 300s);
-}
+using tests::wait_until;
 
 // A disciplined caller, in a process that has loaded the library: switches the output on after 20 frames, and presses against a
 // wall of 1 N/mm at the height 0.
@@ -45,14 +42,14 @@ class Caller {
   }
   void stop() {
     stopping = true;
-    EXPECT_TRUE(comes_true([&] { return stopped.load(); }));
+    wait_until([&] { return stopped.load(); });
     hd.hdStopScheduler();
     hd.hdUnschedule(handle);
     hd.hdDisableDevice(device);
     EXPECT_EQ(drained(hd).code, kSuccess);
   }
-  bool runs(int count) {
-    return comes_true([&, until = frames + count] { return frames >= until; });
+  void runs(int count) {
+    wait_until([&, until = frames + count] { return frames >= until; });
   }
 
   const Functions& hd;

@@ -73,7 +73,6 @@ void tick() {
     if (d.orders.hung) return;
     callbacks = d.callbacks;
     d.frames_this_tick = 0;
-    d.ticks[d.tick_count++ % d.ticks.size()] = Clock::now();
   }
   for (const auto& [handle, callback] : callbacks) {
     const bool done = callback.function(callback.data) != kCallbackContinue;
@@ -143,12 +142,8 @@ double meant_rate(const Driver& d) {
   return d.orders.frame_hz > 0 ? d.orders.frame_hz : d.rate;
 }
 
-int measured_rate(const Driver& d) {
-  if (d.orders.comm_lost) return 0;
-  const std::uint64_t size = d.ticks.size();
-  if (d.tick_count < size) return static_cast<int>(std::lround(meant_rate(d)));
-  const auto newest = d.ticks[(d.tick_count - 1) % size], oldest = d.ticks[d.tick_count % size];
-  return static_cast<int>(std::lround(static_cast<double>(size - 1) / std::chrono::duration<double>(newest - oldest).count()));
+int counted_rate(const Driver& d) {
+  return d.orders.comm_lost ? 0 : static_cast<int>(std::lround(meant_rate(d)));
 }
 
 Due due(Driver& d, std::optional<Moment> moment) {

@@ -66,8 +66,6 @@ struct Driver {
   // Frames since the start, since the output went on, in contact at a stretch, in contact ever.
   std::uint64_t frames = 0, frames_on = 0, in_contact = 0, contacts = 0;
   bool tripped = false;
-  std::array<Clock::time_point, 64> ticks{};
-  std::uint64_t tick_count = 0;
 
   std::map<HDSchedulerHandle, Callback> callbacks;
   std::recursive_mutex ticking;  // held while callbacks run
@@ -84,9 +82,9 @@ void obey(Driver& driver, const Eigen::Vector3d& force);
 // Where the arm is, and what its encoders say.
 void look(Driver& driver);
 
-// Frames a second that are meant, and that were run lately.
+// Frames a second that are meant; and as the device counts them, which knows nothing of how late this machine runs them.
 double meant_rate(const Driver& driver);
-int measured_rate(const Driver& driver);
+int counted_rate(const Driver& driver);
 
 // What is to happen at this moment, noted as done; and it happening, without the lock.
 struct Due {

@@ -217,7 +217,7 @@ void hdStartScheduler() {
   if (d.phantom) d.phantom->start(meant_rate(d));
   d.stop = false;
   d.running = d.noted.scheduler = true;
-  d.frames = d.frames_on = d.in_contact = d.contacts = d.tick_count = 0;
+  d.frames = d.frames_on = d.in_contact = d.contacts = 0;
   d.scheduler = std::thread(run);
   d.scheduler_id = d.scheduler.get_id();
   call.fail(d.orders.start_with_error);

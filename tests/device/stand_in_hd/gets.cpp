@@ -68,7 +68,7 @@ void hdGetIntegerv(HDenum what, int* value) {
     case kOutputDegrees: *value = orders.output_degrees; break;
     case kCalibrationStyles: *value = orders.styles; break;
     case kUpdateRate: return give(call, orders.update_rate, {1000}, value);
-    case kInstantaneousRate: return give(call, orders.instantaneous_rate, {measured_rate(call.d)}, value);
+    case kInstantaneousRate: return give(call, orders.instantaneous_rate, {counted_rate(call.d)}, value);
     default: call.fail(kInvalidEnum);
   }
 }

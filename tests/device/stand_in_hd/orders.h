@@ -109,7 +109,7 @@ struct Orders {
   Answer peak_force = {}, continuous_force = {};                         // N: 8.5, 1.4
   Answer workspace = {}, velocity_limit = {}, impulse_limit = {};        // mm, mm/s: 1500, N/ms: 4
   Answer temperature = {}, encoders = {}, joint_angles = {};             // 0 to 1, counts, rad
-  Answer update_rate = {}, instantaneous_rate = {}, input_degrees = {};  // Hz: 1000, Hz: as measured, 6
+  Answer update_rate = {}, instantaneous_rate = {}, input_degrees = {};  // Hz: 1000, Hz: as meant, 6
   int output_degrees = 3;                                                // 3 or 6: as many temperatures are written
 
   bool safety_switch = false;

@@ -21,8 +21,8 @@
 #include "study/window/settings.h"
 #include "study/window/view.h"
 #include "tests/device/faults/command.h"
-#include "tests/support/comes_true.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::window {
 namespace {
@@ -39,9 +39,9 @@ using namespace std::chrono_literals;
 constexpr std::uint64_t kSeed = 5;
 constexpr int kWindowLeft = 160, kWindowTop = 100;  // a window of 1280 x 800 in the middle of 1600 x 1000
 
-// Within a minute every machine has drawn a frame; a picture of the display takes a while.
-bool comes_true(const auto& condition) {
-  return tests::comes_true(condition, 60s, 20ms);
+// A picture of the display takes a while.
+void wait_until(const auto& condition) {
+  tests::wait_until(condition, 20ms);
 }
 
 // A participant whose screens are computed: another session in this process is given the same presses, so its screens and
@@ -118,13 +118,12 @@ class Person {
   }
 
   void start(std::vector<std::string> arguments) {
-    for (const char* word : {"--device", "simulated:premium-1.5:mouse", "--uncertified", "--watchdog-timeout", "10"})
-      arguments.emplace_back(word);
+    for (const char* word : {"--device", "simulated:premium-1.5:mouse", "--uncertified"}) arguments.emplace_back(word);
     command_.emplace(folder_, arguments);
-    ASSERT_TRUE(comes_true([&] { return is_on_display() || !command_->is_running(); }));
+    wait_until([&] { return is_on_display() || !command_->is_running(); });
     ASSERT_TRUE(command_->is_running()) << command_->end();
-    ASSERT_TRUE(comes_true(
-        [&] { return std::filesystem::exists(folder_.file("session/trials.jsonl")) && events().size() == expected_.size(); }));
+    wait_until(
+        [&] { return std::filesystem::exists(folder_.file("session/trials.jsonl")) && events().size() == expected_.size(); });
   }
 
   std::size_t answered() const {
@@ -182,7 +181,7 @@ class Person {
           all.at(kWindowLeft + static_cast<int>(drawn.x), kWindowTop + static_cast<int>(drawn.y - 1.3 * view.pixels_per_mm()));
       return pixel[0] == std::lround(255 * kCursor.red) && pixel[1] == std::lround(255 * kCursor.green);
     };
-    EXPECT_TRUE(comes_true(is_on_bump)) << "the cursor did not come to rest on the drawn bump";
+    wait_until(is_on_bump);
     EXPECT_GT(cursor_pixels(see("matching")), 100);
   }
 

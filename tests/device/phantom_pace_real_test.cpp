@@ -118,19 +118,5 @@ TEST_F(phantom, frames_that_are_slower_than_this_machines_clock_are_used_twice_w
   print("clock", 977, it);
 }
 
-// Which happens when the loop is kept waiting between its two calls.
-TEST_F(phantom, frame_that_began_between_waiting_and_reading_is_not_read_again) {
-  Phantom device("", kPatient);
-  ASSERT_FALSE(device.start(1000));
-  double last = -1;
-  for (int tick = 0; tick < 20; ++tick) {
-    device.wait_for_frame(system::now() + 20 * system::kSecond);
-    if (tick % 2 == 0) std::this_thread::sleep_for(5ms);
-    const double time = std::get<Reading>(device.read()).time;
-    EXPECT_GT(time, last);
-    last = time;
-  }
-}
-
 }  // namespace
 }  // namespace forceshade::device
