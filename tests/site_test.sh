@@ -25,7 +25,7 @@ if command -v chromium > /dev/null; then
     "file://$scratch/site/index.html?q=read_recording" > "$scratch/found" 2> /dev/null
   grep -q '<a href="[^"]*/docs/python-reference.html' "$scratch/found" || { echo "the search finds no name of Python"; exit 1; }
 else
-  echo "chromium is not there: the search is not tried"
+  echo "skipped: the search of the site, since chromium is not there (Debian package chromium)"
 fi
 # What cannot fail shows nothing: a method without a docstring is refused.
 mkdir "$scratch/build"

@@ -61,9 +61,10 @@ same '{"law":"bump-2p","parameters":{"radius_mm":15.239999771118164,"width_mm":2
 expect 0 "bump-2p: active" -- energy --law bump-2p --depth 2 --json energy.json
 grep -q '"witness":\[\[12.69' energy.json || { echo "FAILED: $(cat energy.json)"; exit 1; }
 expect 2 "energy: expected --depth, got none" -- energy --law wall
-"$forceshade" mesh make icosphere --cells 3 --out energy.off > made.txt
-expect 0 "energy.off: the shading gives at most" -- energy --mesh energy.off --unit mm --depth 0.5
+"$forceshade" mesh make icosphere --cells 2 --out energy.off > made.txt
+expect 0 "energy.off: the shading gives at most" -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm
 expect 0 '"gives_energy":true' -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm --json -
+also '"between_ticks":{"step_mm":0.1'
 expect 0 "without shading no closed path gives energy" -- energy --mesh energy.off --unit mm --depth 0.5 --shading none
 expect 0 "no witness: no stroke no longer than 0.1 mm" -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1
 expect 0 '"witness":[]' -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1 --json -
@@ -71,7 +72,6 @@ expect 2 "energy.off: expected the contact rule direct, got sub-goal" -- energy 
 expect 2 "--depth is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 0
 expect 2 "--length: expected --mesh beside it" -- energy --law wall --depth 1 --length 3
 expect 0 "the hand 0.5 mm further (500 mm/s at 1000 ticks a second): at most" -- energy --mesh energy.off --unit mm --depth 1 --step 0.5mm --shading none
-expect 0 '"between_ticks":{"step_mm":0.1' -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm --json -
 expect 2 "--step is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 1 --step 0
 expect 0 "drawn/energy-energy.png" -- "$forceshade" plot --mesh energy.off --unit mm --what energy --out drawn --overwrite
 expect 2 "--what: expected energy for a mesh, got" -- "$forceshade" plot --mesh energy.off --unit mm --what force --out drawn --overwrite
@@ -92,7 +92,7 @@ expect 2 "rim of a cap" -- "$forceshade" polygons --height-map "$examples/groove
 expect 0 "6 polygons: the normal turns by" -- "$forceshade" polygons --height-map "$examples/gaussian.toml" --from -15 --to 15 \
   --theta-critical 15 --out polygons.toml
 expect 0 ",contact" -- sh -c "printf 'x_mm,y_mm,z_mm\n3,0,-1\n' | '$forceshade' force --height-map 'polygons.toml' --stiffness 1"
-expect 2 "number of knots is" -- "$forceshade" polygons --height-map "$examples/gaussian.toml" --from -15 --to 15 --theta-critical 0.05 --out no.toml
+expect 2 "number of knots is" -- "$forceshade" polygons --height-map "$examples/gaussian.toml" --from -15 --to 15 --theta-critical 0.075 --out no.toml
 expect 0 "polygon" -- "$forceshade" polygons --height-map "$examples/leather.toml" --from -2 --to 2 --theta-critical 90 --out leather.toml
 expect 0 ",contact" -- sh -c "printf 'x_mm,y_mm,z_mm\n1,0,-1\n' | '$forceshade' force --height-map 'leather.toml' --stiffness 1"
 
@@ -115,8 +115,7 @@ expect 0 "hill.toml       passivity     held" -- "$forceshade" properties --heig
 expect 2 "too many inputs to sweep" -- "$forceshade" certify --exhaustive --height-map hill.toml --out map
 # Enough for driving, and too little, which is said.
 expect 0 "held, not certified: 3750 points" -- "$forceshade" certify --height-map hill.toml --points 3000 --cases 100 --out little
-expect 0 "too little for drive: the certificate has 3000 points for hill.toml; driving needs at least 200000" -- \
-  "$forceshade" certify --height-map hill.toml --points 3000 --cases 100 --out little --overwrite
+also "too little for drive: the certificate has 3000 points for hill.toml; driving needs at least 200000"
 expect 1 "the certificate has 3000 points for hill.toml; driving needs at least 200000" -- \
   "$forceshade" drive --height-map hill.toml --device null --certificate little/certificate.json
 printf 'render = "height-map"\n[[part]]\nshape = "sphere-cap"\nradius_mm = 20\nwidth_mm = 12\n' > cap.toml
@@ -204,8 +203,14 @@ expect 0 "" -- "$forceshade" certify --law wall --points 1000 --cases 20 --out j
 same "points equivalence continuity unit normals passivity" "$(sed -n 's/.*<testcase .* name="\([^"]*\)".*/\1/p' certify.xml | tr '\n' ' ' | sed 's/ $//')"
 grep -q '<system-out>1000 points, and 250 with other parameters</system-out>' certify.xml || { echo "FAILED: $(cat certify.xml)"; exit 1; }
 expect 2 "--junit: expected without --exhaustive" -- "$forceshade" certify --exhaustive --junit x.xml --out junit
-if command -v xmllint > /dev/null; then for file in two hostile facets certify; do expect 0 "" -- xmllint --noout $file.xml; done; fi
+if command -v xmllint > /dev/null; then
+  for file in two hostile facets certify; do expect 0 "" -- xmllint --noout $file.xml; done
+else
+  echo "skipped: the form of XML, since xmllint is not there (Debian package libxml2-utils)"
+fi
 # Both say how far they are, on a terminal and nowhere else.
-expect 0 " left  Ctrl-C stops  bump-3p" -- script -qec "$forceshade properties --law bump-3p --cases 200000" /dev/null
+script -qfec "echo \$\$ > pid; exec $forceshade properties --law bump-3p --cases 1000000000" shown.txt > /dev/null &
+until grep -sq " left  Ctrl-C stops  bump-3p" shown.txt; do sleep 0.05; done
+kill -INT "$(cat pid)"; wait $!
 same "" "$("$forceshade" properties --law bump-3p --cases 1000 2>&1 | grep Ctrl-C)"
 echo "$checks checks passed"

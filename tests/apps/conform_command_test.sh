@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # conform_command_test.sh FORCESHADE: renderers of other programs through the door of processes: right ones, wrong ones, and such that do
 # anything else.
+python_options=-SE
 . "$(dirname "$0")/expect.sh"
 renderers=$examples/renderers
 conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 120 "$@"; }
@@ -17,7 +18,7 @@ expect 1 "not applicable: a wall in Python 1 does not render bump-2p: it renders
 if command -v node > /dev/null; then
   expect 0 "a cylinder in JavaScript" -- "$forceshade" conform --law cylinder --points 3000 --tolerance "1e-6 N" --command "$renderers/cylinder.js"
 else
-  echo "cylinder.js was not tried: node is not there"
+  echo "skipped: cylinder.js, since node is not there (Debian package nodejs)"
 fi
 
 # In its own units and frame: metres, millinewtons, impulses, closest points.

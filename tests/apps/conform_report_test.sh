@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # conform_report_test.sh FORCESHADE: what a conformance run writes, and two of them side by side.
+python_options=-SE
 . "$(dirname "$0")/expect.sh"
 schema=$examples/../docs/conformance-schema.json
 renderer() {  # FILE VERSION FORCE: the wall in Python with another force
@@ -36,8 +37,8 @@ expect 2 "--max-answer-time: expected a number" -- conform --command "python3 ri
 expect 1 "" -- conform --command "exit 3" --json ended.json
 expect 1 "" -- "$forceshade" conform --law bump-2p --points 1000 --command "python3 right.py" --json refused.json
 fits "$schema" off.json right.json timed.json ended.json refused.json
-if python3 -c "import jsonschema" 2> /dev/null; then
-  python3 -c 'import json, jsonschema, sys
+if "$python" -c "import jsonschema" 2> /dev/null; then
+  "$python" -c 'import json, jsonschema, sys
 run = json.load(open(sys.argv[2]))
 for key in run:
     assert not jsonschema.Draft7Validator(json.load(open(sys.argv[1]))).is_valid(run | {key: []} if key != "invariants" else run | {key: {}}), key' "$schema" timed.json || exit 1

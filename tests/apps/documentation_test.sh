@@ -40,6 +40,9 @@ for command in $(below); do
 done
 [ ${#commands[@]} -ge 21 ] || fail "found only these commands: ${commands[*]}"
 
+for tool in groff mandoc zsh fish; do
+  command -v $tool > /dev/null || echo "skipped: what needs $tool, which is not there (Debian package $tool)"
+done
 zsh=$(cat forceshade.zsh) fish=$(cat forceshade.fish)
 for command in "${commands[@]}"; do
   read -ra words <<< "$command"

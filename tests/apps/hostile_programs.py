@@ -23,7 +23,10 @@ class Case:
 
 
 def add(name, case):
+    """A run that is not slow has two cases of each verdict on each kind of program or file; the others are slow."""
     assert name not in CASES, name
+    same = [its for other, its in CASES.items() if other.split()[0] == name.split()[0] and its.words == case.words]
+    case.slow = case.slow or sum(not its.slow for its in same) >= 2
     CASES[name] = case
 
 

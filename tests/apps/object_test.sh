@@ -29,14 +29,14 @@ allocates() {  # PER ANSWER, OBJECT
   fits "$examples/../docs/conformance-schema.json" timed.json
   same "$1" "$(python3 -c 'import json; print("%g" % json.load(open("timed.json"))["timing"]["allocations_per_answer"])')"
 }
-also() {  # TEXT IN OPEN, TEXT IN ANSWER: makes tried.so of the example
+made() {  # TEXT IN OPEN, TEXT IN ANSWER: makes tried.so of the example
   sed -e "s/^  \*hello = .*/&\n  $1;/" -e "s/^  (void)is_reset.*/&\n  $2;/" "$renderers/wall.c" > tried.c
   cc -D_GNU_SOURCE -std=c11 -ffp-contract=off -w -shared -fPIC -I"$include" -o tried.so tried.c || { echo "FAILED: cannot compile $*"; exit 1; }
 }
 allocates 0 wall.so
-also 'free(malloc(5))' 'void* volatile a = malloc(40); void* volatile b = calloc(3, 8); free(a); free(b)'
+made 'free(malloc(5))' 'void* volatile a = malloc(40); void* volatile b = calloc(3, 8); free(a); free(b)'
 allocates 2 tried.so
 expect 0 "on average: 2 times, 64 bytes" -- conform --object tried.so --timing
-also '' 'void* a = realloc(NULL, 1); a = realloc(a, 2); free(a); posix_memalign(\&a, 64, 64); free(a); free(aligned_alloc(64, 64)); free(strdup("x"))'
+made '' 'void* a = realloc(NULL, 1); a = realloc(a, 2); free(a); posix_memalign(\&a, 64, 64); free(a); free(aligned_alloc(64, 64)); free(strdup("x"))'
 allocates 5 tried.so
 echo "$checks checks passed"

@@ -92,8 +92,6 @@ expect 2 "absent.toml: cannot be opened" -- "$forceshade" force --scene absent.t
 printf 'sides = "both"\nscene = "scenes/table.toml"\n\nfriction = 0.3\n' > wrong.toml
 expect 2 "wrong.toml: line 4: friction" -- "$forceshade" force --subject wrong.toml
 
-echo "$checks checks"
-
 # Objects that move: both sides, every command, and the same force for the same tick of the path.
 moving="--scene scenes/moving.toml"
 printf 'x_mm,y_mm,z_mm\n-20,-15,25\n-20,-15,20\n-20,-15,20\n-20,-15,20\n' > hold.csv
@@ -103,14 +101,12 @@ same "$forces" "$("$forceshade" force $moving --path reference --input hold.csv)
 expect 0 "moving.toml     work of motion held    50 cases" -- "$forceshade" properties $moving --cases 50
 expect 0 "moving/moving-mesh.svg" -- "$forceshade" plot $moving --out moving
 expect 2 "--input: expected without objects that move" -- "$forceshade" plot $moving --input hold.csv --out other
-expect 0 "certified: 250000 points" -- "$forceshade" certify $moving --points 200000 --cases 2000 --out moved
-expect 0 "" -- "$forceshade" drive $moving --certificate moved/certificate.json --device simulated --free-run --seconds 2.5 \
-  --record moved.fsr
+expect 0 "held, not certified: 1250 points" -- "$forceshade" certify $moving --points 1000 --cases 50 --out moved
+expect 0 "" -- "$forceshade" drive $moving --uncertified --device simulated --free-run --seconds 2.5 --record moved.fsr
 expect 0 "" -- "$forceshade" recording verify moved.fsr
 expect 0 "computed again: 2500 ticks" -- "$forceshade" recording recompute moved.fsr $moving
 cp -r scenes otherwise && sed -i s/^2,-20,15/2,-20,14/ otherwise/box_sliding.csv
 expect 2 "moved.fsr: digest is " -- "$forceshade" recording recompute moved.fsr --scene otherwise/moving.toml
-expect 1 "refused to drive" -- "$forceshade" drive --scene otherwise/moving.toml --certificate moved/certificate.json --device simulated --seconds 0.1
 expect 2 "expected 1000 Hz, for which the motions of moving.toml are made, got 500" -- "$forceshade" drive $moving --uncertified \
   --rate 500 --device simulated --seconds 0.1
 expect 2 "expected no object with a motion, since the window of a mouse shows a surface that stays" -- "$forceshade" drive $moving --uncertified \
@@ -121,6 +117,14 @@ expect 1 "a wall in Python 1 does not render moving.toml" -- "$forceshade" confo
 sed -i s/^2,/0,/ otherwise/box_sliding.csv
 expect 2 "box_sliding.csv:3: column 1 (time_s): expected a time after that of the row before" -- \
   "$forceshade" force --scene otherwise/moving.toml --input hold.csv
+# One that is certified in a moment: a law that moves.
 printf '[[object]]\nname = "wall"\nlaw = "wall"\nmotion = "box_sliding.csv"\n' > scenes/alone.toml
+expect 0 "certified: 250000 points" -- "$forceshade" certify --scene scenes/alone.toml --points 200000 --cases 2000 --out alone
+certificate="--certificate alone/certificate.json --device simulated --free-run --seconds 0.1"
+expect 0 "(time up)" -- "$forceshade" drive --scene scenes/alone.toml $certificate
+sed s/box_sliding/knob_turning/ scenes/alone.toml > scenes/turning.toml
+expect 1 "refused to drive" -- "$forceshade" drive --scene scenes/turning.toml $certificate
+expect 1 "refused to drive" -- "$forceshade" drive $moving $certificate
 expect 2 "expected an object without a motion, whose mesh can be looked at, got none" -- "$forceshade" mesh info scenes/alone.toml
 expect 2 "expected meshes alone in the picture of a scene, got the object wall" -- "$forceshade" plot --scene scenes/alone.toml --out other
+echo "$checks checks"

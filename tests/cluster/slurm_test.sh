@@ -3,12 +3,12 @@
 # two nodes. One node is lost, one task is requeued, the controller is restarted and one task is killed by its time limit; the
 # evidence has the bytes of one process's. Skipped without root or without Debian's slurm-wlm.
 scripts=$(realpath "$2")
-[ "$(id -u)" = 0 ] || { echo "SKIPPED: slurmd needs root"; exit 77; }
+[ "$(id -u)" = 0 ] || { echo "skipped: slurmd needs root"; exit 77; }
 for program in slurmctld slurmd sbatch scontrol squeue; do
   command -v $program > /dev/null || PATH=$PATH:/usr/sbin
-  command -v $program > /dev/null || { echo "SKIPPED: no $program; apt-get install slurm-wlm"; exit 77; }
+  command -v $program > /dev/null || { echo "skipped: no $program; apt-get install slurm-wlm"; exit 77; }
 done
-unshare -pf --kill-child --mount-proc true 2> /dev/null || { echo "SKIPPED: no process namespaces here"; exit 77; }
+unshare -pf --kill-child --mount-proc true 2> /dev/null || { echo "skipped: no process namespaces here"; exit 77; }
 . "$(dirname "$0")/../apps/expect.sh"
 
 export SLURM_CONF=$scratch/slurm.conf

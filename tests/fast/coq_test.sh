@@ -21,7 +21,7 @@ out=$(mktemp -d)
 trap 'rm -r "$out"' EXIT
 cd "$out"
 if ! command -v coqc >no_output || ! echo 'From Gappa Require Import Gappa_library.' >probe.v || ! coqc probe.v >no_output 2>&1; then
-  echo "SKIPPED: the packages coq, libcoq-gappa and libcoq-flocq are not installed"
+  echo "skipped: the packages coq, libcoq-gappa and libcoq-flocq are not installed"
   exit 77
 fi
 cp "$here/gappa_rewritings.v" .

@@ -4,7 +4,7 @@
 set -euo pipefail
 compiler=$1 source=$2 eigen=$3
 echo '#include <simde/x86/avx512.h>' | "$compiler" -x c++ -fsyntax-only - 2>/dev/null ||
-  { echo "SKIPPED: the package libsimde-dev is not installed"; exit 77; }
+  { echo "skipped: the package libsimde-dev is not installed"; exit 77; }
 cache=$(command -v ccache || true)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -5,7 +5,7 @@
 # so, and each with every set of flags. Exits 77 where there is no such compiler.
 set -euo pipefail
 compiler=$1 source=$2 eigen=$3 sets=${4:-first_flag_set}
-command -v "$compiler" > /dev/null || { echo "$compiler is not installed"; exit 77; }
+command -v "$compiler" > /dev/null || { echo "skipped: $compiler is not installed"; exit 77; }
 cache=$(command -v ccache || true)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -80,7 +80,7 @@ for file in $tried; do
   if grep -qw $needs /proc/cpuinfo; then
     refused "fused" fast/$file -ffp-contract=fast -mfma
   else
-    echo "contraction in fast/$file not tried: this machine has no $needs"
+    echo "skipped: contraction in fast/$file, since this machine has no $needs"
   fi
 done
 for file in $tried; do

@@ -17,6 +17,7 @@
 #include "tests/height_maps/height_kinds.h"
 #include "tests/laws/force_suite.h"
 #include "tests/support/allocations.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade {
 namespace {
@@ -197,7 +198,7 @@ void for_every_map(int count, std::uint64_t seed, const Claim& claim) {
 }
 
 TEST(height_map_field, equals_the_rounded_reference) {
-  for_every_map(600, 11, [](const tests::Tested& one, const std::vector<Vector3f>& positions) {
+  for_every_map(static_cast<int>(tests::drawn(600)), 11, [](const tests::Tested& one, const std::vector<Vector3f>& positions) {
     tests::Met met;
     expect_rounded_reference(one, positions, met);
     const auto& [stages, methods, statuses] = met;

@@ -5,7 +5,7 @@
 set -eu
 build=$(realpath "$1") source=$(realpath "$2")
 python=/usr/bin/python3
-"$python" -c "import yaml" 2> /dev/null || { echo "not run: python3-yaml is not there"; exit 77; }
+"$python" -c "import yaml" 2> /dev/null || { echo "skipped: python3-yaml is not there"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() { echo "FAILED: $1"; cat "$scratch/said"; exit 1; }

@@ -20,7 +20,7 @@ if command -v lintian > /dev/null; then
   lintian --allow-root --fail-on error,warning "$scratch"/first/*.deb > "$scratch/said" 2>&1 || fail "lintian refuses the packages"
   echo "lintian: no error and no warning but those overridden"
 else
-  echo "lintian is not there (Debian package lintian): not run"
+  echo "skipped: lintian is not there (Debian package lintian)"
 fi
 
 root=$scratch/root
@@ -31,7 +31,7 @@ for package in "$scratch"/first/*.deb; do
 done
 ! grep -rl -e "$source" -e "$build" "$root" > "$scratch/said" || fail "files name a folder of this machine"
 if grep -q '^no package forceshade-doc' "$scratch/cpack_said"; then
-  echo "doxygen or mkdocs-material is not there: no package of the site"
+  echo "skipped: the package of the site, since doxygen or mkdocs-material is not there"
 else
   [ "$(dpkg-deb -f "$scratch"/first/forceshade-doc_*.deb Architecture)" = all ] || fail "the site is of one architecture"
   index=$(sed -n 's/^Index: //p' "$root/usr/share/doc-base/forceshade-doc.forceshade")

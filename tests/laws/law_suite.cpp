@@ -13,6 +13,7 @@
 #include "tests/laws/cases.h"
 #include "tests/laws/force_suite.h"
 #include "tests/support/allocations.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::tests {
 namespace {
@@ -79,7 +80,7 @@ LawId law_of_file(const char* file) {
 }
 
 void equals_the_rounded_reference(LawId law) {
-  constexpr int kPoints = 40000;
+  const std::size_t points = drawn(40000);
   std::array<std::uint64_t, 3> stages{}, methods{}, statuses{};
   std::array<std::uint64_t, properties::kAims> aims{};
   float closest = 1;
@@ -87,7 +88,7 @@ void equals_the_rounded_reference(LawId law) {
     const fast::Law fast = build(law, p);
     const auto reference = std::get<reference::Law>(reference::Law::build(law, p));
     properties::PositionSource source(reference, kSeed);
-    for (int i = 0; i < kPoints; ++i) {
+    for (std::size_t i = 0; i < points; ++i) {
       const auto [position, aim] = source.next();
       const fast::Evaluation answer = fast.evaluate(position);
       const reference::Rounded exact = reference.round_to_binary32(position);
@@ -159,10 +160,10 @@ void holds_its_properties(LawId law) {
   for (const Parameters& p : parameter_sets()) {
     const auto subject = std::get<properties::RenderedLaw>(properties::fast_rendering(law, p));
     for (const properties::PropertyResult& property :
-         properties::run_properties(properties::LawSubject(subject), 1000, kSeed)) {
+         properties::run_properties(properties::LawSubject(subject), static_cast<int>(drawn(1000)), kSeed)) {
       EXPECT_TRUE(property.held) << property.name << ", R = " << show(p.radius) << ", w = " << show(p.width)
                                  << ", K = " << show(p.stiffness) << ": " << property.counterexample;
-      EXPECT_GE(property.cases, 100U);
+      EXPECT_GE(property.cases, drawn(100));
     }
   }
 }

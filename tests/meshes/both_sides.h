@@ -20,6 +20,7 @@
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"
 #include "tests/support/allocations.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::tests {
 
@@ -53,7 +54,7 @@ inline void expect_reference(
     const std::function<void(const ComparedTick&)>& look) {
   constexpr std::uint64_t kShadings = mesh::kShadingNames.size() - 1;
   properties::MeshSource source(41);
-  for (std::uint64_t seed = 0; seed < meshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < drawn(meshes); ++seed) {
     const properties::RandomMesh made = source.next();
     const auto shading = static_cast<mesh::Shading>(seed % kShadings);
     const MeshRendering rendering = rendering_of(source, made, shading);

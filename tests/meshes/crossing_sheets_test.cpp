@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -21,6 +20,7 @@
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"
 #include "tests/support/allocations.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade {
 namespace {
@@ -193,18 +193,12 @@ class Source {
   std::size_t count_ = 0;
 };
 
-// More by hand.
-std::size_t ticks_of_a_test(std::size_t usual) {
-  const char* given = std::getenv("FORCESHADE_GOD_OBJECT_TICKS");
-  return given == nullptr ? usual : std::strtoull(given, nullptr, 10);
-}
-
 TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
   std::map<std::string, std::size_t> reached;
   Source source(71);
   properties::MeshSource looks(71);
   constexpr std::size_t kTicks = 250;
-  const std::size_t ticks = ticks_of_a_test(5000);
+  const std::size_t ticks = tests::drawn(5000);
   for (std::uint64_t seed = 0; seed * kTicks < ticks; ++seed) {
     const Made made = source.next();
     const Sides sides = seed % 3 == 0 ? Sides::both : Sides::front;
@@ -258,7 +252,7 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
 TEST(crossing_sheets, an_embedded_mesh_is_rendered_as_ever_in_every_bit) {
   std::size_t touching = 0;
   properties::MeshSource source(72);
-  const std::size_t ticks = ticks_of_a_test(11000);
+  const std::size_t ticks = tests::drawn(11000);
   for (std::uint64_t seed = 0; seed * 500 < ticks; ++seed) {
     const properties::RandomMesh made = source.next();
     const fast::Mesh plain = built(made.mesh, made.sides, mesh::SelfIntersections::refused),
@@ -314,7 +308,7 @@ int times_around(const TriangleMesh& mesh, std::size_t first, std::size_t last, 
 TEST(crossing_sheets, a_god_object_that_begins_outside_is_never_inside_a_part) {
   std::map<std::string, std::size_t> reached;
   Source source(73);
-  const std::size_t ticks = ticks_of_a_test(1500);
+  const std::size_t ticks = tests::drawn(1500);
   for (std::uint64_t seed = 0, done = 0; done < ticks; ++seed) {
     const Closed made = source.next_closed();
     const fast::Mesh mesh = built(made.mesh, Sides::front, mesh::SelfIntersections::allowed);

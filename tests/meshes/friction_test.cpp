@@ -3,7 +3,6 @@
 // rule where nothing is rough.
 
 #include <cmath>
-#include <cstdlib>
 
 #include "tests/meshes/both_sides.h"
 
@@ -42,14 +41,10 @@ TEST(mesh_friction, the_real_time_path_meets_every_column_of_the_paths_of_the_py
   occasions.expect_all({"ticks", "slipping"});
 }
 
-// More by hand: FORCESHADE_GOD_OBJECT_TICKS.
 TEST(mesh_friction, is_the_reference_in_every_bit_on_random_meshes_with_random_materials) {
-  constexpr std::size_t kTicksOfAMesh = 250;
-  const char* const wanted = std::getenv("FORCESHADE_GOD_OBJECT_TICKS");
-  const std::uint64_t meshes = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) / kTicksOfAMesh : 132;
   tests::Occasions occasions;
   tests::expect_reference(
-      meshes, kTicksOfAMesh, occasions,
+      132, 250, occasions,
       [](properties::MeshSource& source, const properties::RandomMesh& made, mesh::Shading shading) {
         return with_friction(tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness),
                              source.materials_of(made.mesh), shading);

@@ -19,6 +19,7 @@
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::fast {
 namespace {
@@ -118,17 +119,11 @@ struct Scene {
   }
 };
 
-// More by hand: FORCESHADE_GOD_OBJECT_TICKS.
-std::size_t ticks_of_a_test(std::size_t usual) {
-  const char* wanted = std::getenv("FORCESHADE_GOD_OBJECT_TICKS");
-  return wanted == nullptr ? usual : std::strtoull(wanted, nullptr, 10);
-}
-
 constexpr std::size_t kTicksOfAMesh = 500;
 
 TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   Reached reached;
-  const std::size_t ticks = ticks_of_a_test(36000);
+  const std::size_t ticks = tests::drawn(36000);
   properties::MeshSource source(31);
   for (std::uint64_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
     Scene scene(source, seed);
@@ -149,7 +144,7 @@ TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
 TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_a_session) {
   Reached reached;
   std::size_t in_binary64 = 0, in_integers = 0;
-  const std::size_t ticks = ticks_of_a_test(54000);
+  const std::size_t ticks = tests::drawn(54000);
   properties::MeshSource source(32);
   for (std::uint64_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
     Scene scene(source, seed);

@@ -9,7 +9,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <random>
@@ -28,6 +27,7 @@
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"
 #include "tests/support/allocations.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade {
 namespace {
@@ -46,12 +46,6 @@ void expect_all(const std::vector<const char*>& names) {
   counts.clear();
 }
 
-// More by hand: FORCESHADE_TEXTURE_TICKS.
-std::size_t ticks_of_a_test(std::size_t usual) {
-  const char* wanted = std::getenv("FORCESHADE_TEXTURE_TICKS");
-  return wanted == nullptr ? usual : std::strtoull(wanted, nullptr, 10);
-}
-
 HeightMap random_map(std::uint64_t seed) {
   return {properties::any_height_map().draw(seed).map.parts};
 }
@@ -61,9 +55,9 @@ const char* name_of_stage(fast::Stage stage) {
 }
 
 TEST(texture_scheme, slopes_are_the_reference_s_in_every_bit_on_random_maps_and_with_every_filter) {
-  constexpr std::uint64_t kMaps = 200;
+  const std::uint64_t maps = tests::drawn(200);
   std::mt19937_64 random(5);
-  for (std::uint64_t seed = 0; seed < kMaps; ++seed) {
+  for (std::uint64_t seed = 0; seed < maps; ++seed) {
     const HeightMap map = random_map(seed);
     const auto fast_map = fast::HeightMapField::build(map, height::Mode::force_shaded, 1);
     const auto reference_map = reference::HeightMapField::build(map, height::Mode::force_shaded, 1);
@@ -124,7 +118,7 @@ TEST(texture_scheme, a_slope_that_is_a_tie_is_rounded_to_even_and_one_beside_it_
 
 TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
   constexpr std::size_t kTicksOfAMesh = 250;
-  const std::size_t ticks = ticks_of_a_test(12000);
+  const std::size_t ticks = tests::drawn(24000);
   properties::MeshSource source(33);
   for (std::uint64_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
     const properties::RandomMesh made = source.next();

@@ -4,7 +4,7 @@
 set -euo pipefail
 hashes=$1
 shift
-[ "$1" != no_emulator ] || { echo "no emulator is installed for this target (docs/platforms.md)"; exit 77; }
+[ "$1" != no_emulator ] || { echo "skipped: no emulator is installed for this target (docs/platforms.md)"; exit 77; }
 printed=$("$@" | tr -d '\r') || {
   code=$?
   echo "$printed"

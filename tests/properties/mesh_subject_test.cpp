@@ -20,6 +20,7 @@
 #include "properties/mesh_properties.h"
 #include "properties/mesh_source.h"
 #include "tests/meshes/rendering.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::properties {
 namespace {
@@ -41,7 +42,7 @@ void expect_every_property(mesh::Shading shading, mesh::Contact contact) {
   for (std::size_t family = 0; family < kMeshFamilies.size(); ++family) {
     MeshSource source(2026 + family);
     const MeshSubject subject(std::string(kMeshFamilies[family]), rendering_of(source, family, shading, contact));
-    for (const PropertyResult& result : run_properties(subject, 40, 7))
+    for (const PropertyResult& result : run_properties(subject, static_cast<int>(tests::drawn(40)), 7))
       EXPECT_TRUE(result.held) << subject.identity().name << ", " << name_of(shading) << ", " << name_of(contact) << ", "
                                << result.name << ": " << result.counterexample;
   }

@@ -15,6 +15,7 @@
 #include "properties/positions.h"
 #include "properties/rest_regions.h"
 #include "tests/meshes/rendering.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::properties {
 namespace {
@@ -51,7 +52,8 @@ void rub(const MeshRendering& rendering, std::uint64_t seed, const Take& take) {
     using Draws::Draws;
     Vector3d any() { return Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)); }
   } hand(seed);
-  for (int stretch = 0; stretch < 150; ++stretch) {
+  const std::size_t stretches = tests::drawn(150);
+  for (std::size_t stretch = 0; stretch < stretches; ++stretch) {
     const auto session = open.open();
     const std::uint32_t t = static_cast<std::uint32_t>(hand.bits() % mesh.triangles.size());
     Vector3d p = Vector3d::Zero();
@@ -92,7 +94,7 @@ TEST(tick_changes, no_path_exceeds_the_bounds) {
         EXPECT_LE(turn, changes.turn.bound) << kMeshFamilies[family] << " " << is_shaded;
       });
     }
-  EXPECT_GT(counted, 10000U);
+  EXPECT_GT(counted, tests::drawn(10000));
 }
 
 // Beside an edge the hand may be as deep below one face as below the other: from (0, 0, depth) to (depth, 0, 0), and by what a

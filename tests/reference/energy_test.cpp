@@ -8,6 +8,7 @@
 #include <random>
 
 #include "reference/estimates.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::reference {
 namespace {
@@ -205,7 +206,8 @@ TEST(energy, no_simple_loop_generates_more_than_the_bound) {
     for (const Parameters& p : {kBump, {10, 20, 1}}) {
       const Law law = build(id, p);
       const auto w = static_cast<double>(p.width);
-      for (int i = 0; i < 100; ++i) {
+      const std::size_t loops = tests::drawn(100);
+      for (std::size_t i = 0; i < loops; ++i) {
         // Below z = 0 by at most D - h nothing is deeper than D: corners in order around a middle.
         const double deep = uniform(0.1, 8), depth = deep + static_cast<double>(law.geometry().h.mid());
         const double middle = uniform(-0.6, 0.6) * w, reach = uniform(0.05, 0.6) * w;

@@ -14,6 +14,7 @@
 #include "reference/height_energy.h"
 #include "reference/numbers/taylor_coefficients.h"
 #include "tests/properties/random_loop.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::reference {
 namespace {
@@ -252,9 +253,10 @@ Walked walked(const fast::HeightMapField& law, const std::vector<Eigen::Vector3f
 TEST(height_enclosures, of_random_maps_are_finite_and_in_order_or_refused) {
   Random random(5);
   std::mt19937 loops(7);
-  int met = 0, wide = 0, refused = 0, outside = 0, none = 0, felt = 0;
+  std::size_t met = 0, wide = 0, refused = 0, outside = 0, none = 0, felt = 0;
   double best = 0;
-  for (int i = 0; i < 120; ++i) {
+  const std::size_t maps = tests::drawn(120);
+  for (std::size_t i = 0; i < maps; ++i) {
     const double reach = static_cast<double>(random.size(2e-3, 20));
     HeightMap map;
     for (int parts = 1 + random.below(3); parts > 0; --parts) map.parts.push_back(random_part(random, reach));
@@ -300,17 +302,18 @@ TEST(height_enclosures, of_random_maps_are_finite_and_in_order_or_refused) {
       std::printf("  %s: %s\n", what.c_str(), error.what());
     }
   }
-  std::printf("  %d met to 99 %%, %d without a witness, %d wide, %d refused, %d outside the domain\n", met, none, wide, refused,
-              outside);
-  std::printf("  %d of the loops are felt; the best generates %.0f %% of its bound\n", felt, 100 * best);
-  EXPECT_GE(met, 50);
-  EXPECT_GE(felt, 50);
-  EXPECT_LE(wide + refused, 2);
+  std::printf("  %zu met to 99 %%, %zu without a witness, %zu wide, %zu refused, %zu outside the domain\n", met, none, wide,
+              refused, outside);
+  std::printf("  %zu of the loops are felt; the best generates %.0f %% of its bound\n", felt, 100 * best);
+  EXPECT_GE(met, tests::drawn(50));
+  EXPECT_GE(felt, tests::drawn(50));
+  EXPECT_LE(wide + refused, tests::drawn(2));
 }
 
 TEST(height_enclosures, of_laws_are_finite_and_in_order) {
   Random random(6);
-  for (int i = 0; i < 60; ++i) {
+  const std::size_t bumps = tests::drawn(60);
+  for (std::size_t i = 0; i < bumps; ++i) {
     const float R = random.size(0.1, 1e4),
                 w = random.is(0.3) ? std::nextafter(2 * R, 0.0F) : random.size(1e-3, 2 * static_cast<double>(R));
     for (const LawName& name : kLaws) {

@@ -3,7 +3,6 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <random>
 #include <sstream>
@@ -74,11 +73,8 @@ std::string show(const A& answer) {
   return words.str();
 }
 
-// More by hand: FORCESHADE_SCENE_TICKS.
 TEST(scene, is_the_reference_in_every_bit_on_random_objects_that_move) {
-  constexpr std::uint64_t kTicksOfAScene = 200;
-  const char* const wanted = std::getenv("FORCESHADE_SCENE_TICKS");
-  const std::uint64_t count = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) / kTicksOfAScene : 66;
+  const std::uint64_t count = tests::drawn(66);
   properties::MeshSource source(7);
   tests::Occasions occasions;
   for (std::uint64_t seed = 0; seed < count; ++seed) {
@@ -93,7 +89,7 @@ TEST(scene, is_the_reference_in_every_bit_on_random_objects_that_move) {
     const std::size_t felt = seed % motions.size();
     properties::MeshPath path(scenes.meshes[felt], seed);
     std::vector<scene::Pose> poses(motions.size());
-    for (std::uint64_t i = 0; i < kTicksOfAScene; ++i) {
+    for (std::uint64_t i = 0; i < 200; ++i) {
       for (std::size_t object = 0; object < motions.size(); ++object) poses[object] = motions[object].next();
       const Eigen::Vector3f p = vector(tests::about_in_world(poses[felt], path.next()));
       const std::size_t allocated = tests::allocations();

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The number of random cases that a test draws.
+
+#include <cstddef>
+#include <cstdlib>
+
+namespace forceshade::tests {
+
+// A quarter of `all`, which is what a plain run draws; with FORCESHADE_DRAWS=N in the environment, N times all. `ctest -C full` also
+// runs each program whose CMakeLists.txt says DRAWS with N = 1. A larger N is for searches by hand.
+inline std::size_t drawn(std::size_t all) {
+  const char* const times = std::getenv("FORCESHADE_DRAWS");
+  return times == nullptr ? (all + 3) / 4 : all * std::strtoull(times, nullptr, 10);
+}
+
+}  // namespace forceshade::tests
