@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/phantom/phantom.h"
 
-#include <sys/mman.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -31,7 +24,7 @@ namespace {
 using Kind = PhantomMessage::Kind;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kListen{50}, kPoll{1};
+constexpr milliseconds kListen{50};
 constexpr milliseconds kEnding{1500};  // for the process to end by itself
 
 Attendant& nobody() {
@@ -39,37 +32,24 @@ Attendant& nobody() {
   return it;
 }
 
-// No process to hold the device could be made.
-[[noreturn]] void refuse(const char* what) {
-  throw DeviceError(std::string("the process that holds the PHANToM: ") + what + ": " + std::generic_category().message(errno));
-}
-
-PhantomShared* shared_memory() {
-  void* const memory = ::mmap(nullptr, sizeof(PhantomShared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) refuse("no shared memory");
-  return new (memory) PhantomShared;
+std::int64_t after(milliseconds time) noexcept {
+  return system::now() + system::in_ns(time);
 }
 
 }  // namespace
 
 Phantom::Phantom(const std::string& name, const PhantomOptions& options) : Phantom(name, options, nobody()) {}
 
-Phantom::Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant)
+Phantom::Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant, HdapiLibrary library)
     : options_(options), attendant_(attendant), room_(room_for_words()) {
-  std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse("no socket");
-  shared_ = shared_memory();
-  const pid_t self = ::getpid();
-  process_ = ::fork();
-  if (process_ == 0) {
-    ::close(ends[0]);
-    ::_exit(run_phantom_host(ends[1], self, *shared_, name, options));
-  }
-  ::close(ends[1]);
-  socket_ = ends[0];
-  if (process_ < 0) {
+  try {
+    shared_ = new (system::map_shared(sizeof *shared_)) PhantomShared;
+    process_.emplace("forceshade-hd", [shared = shared_, name, options, library](system::Packets& packets) {
+      return run_phantom_host(packets, *shared, name, options, library);
+    });
+  } catch (const std::system_error& error) {
     end_process();
-    refuse("cannot be made");
+    throw DeviceError(std::string("the process that holds the PHANToM: ") + error.what());
   }
   const PhantomMessage message = answer(options_.open);
   if (message.kind != Kind::described) {
@@ -91,18 +71,19 @@ PhantomMessage Phantom::answer(milliseconds timeout) {
     std::snprintf(it.words.data(), it.words.size(), "%s", why.c_str());
     return it;
   };
-  std::int64_t deadline = system::now() + system::in_ns(timeout);
+  using Received = system::Packets::Received;
+  std::int64_t deadline = after(timeout);
   while (system::now() < deadline) {
     if (attendant_.has_left()) return failed("stopped before the PHANToM was ready");
-    const Received received = receive_message(socket_, kListen, message);
+    const Received received = process_->packets().receive(&message, sizeof message, after(kListen));
     if (received == Received::closed) return failed(how_it_ended());
     if (received == Received::nothing_yet) continue;
     if (message.kind == Kind::report) {
       attendant_.report(message.words.data());
     } else if (message.kind == Kind::asked) {
       const bool done = attendant_.did(message.words.data());
-      send_message(socket_, {.kind = done ? Kind::yes : Kind::no});
-      deadline = system::now() + system::in_ns(timeout);
+      send_message(process_->packets(), {.kind = done ? Kind::yes : Kind::no});
+      deadline = after(timeout);
     } else {
       return message;
     }
@@ -112,39 +93,28 @@ PhantomMessage Phantom::answer(milliseconds timeout) {
                 " s: check cable and power, and whether another program holds the device");
 }
 
-// The exit status of the process, once it has ended; 0 where the program ignores SIGCHLD, so that the system keeps none.
-std::optional<int> Phantom::ended_within(milliseconds timeout) noexcept {
-  int status = 0;
-  for (const std::int64_t deadline = system::now() + system::in_ns(timeout); ::waitpid(process_, &status, WNOHANG) == 0;) {
-    if (system::now() > deadline) return std::nullopt;
-    system::sleep_for(kPoll);
-  }
-  return status;
-}
-
 std::string Phantom::how_it_ended() {
-  const std::optional<int> status = ended_within(kEnding);
-  if (status) process_ = -1;
-  const std::string how = !status                ? "closed its connection"
-                          : WIFSIGNALED(*status) ? std::string("was ended by a signal (") + strsignal(WTERMSIG(*status)) + ")"
-                                                 : "ended with exit code " + std::to_string(WEXITSTATUS(*status));
+  const auto ended = process_->ended(after(kEnding));
+  if (ended) process_.reset();
+  const std::string how = !ended              ? "closed its connection"
+                          : ended->signal > 0 ? std::string("was ended by a signal (") + strsignal(ended->signal) + ")"
+                                              : "ended with exit code " + std::to_string(ended->code);
   return "the process of the PHANToM's driver " + how + ": the vendor's library failed in it";
 }
 
 void Phantom::end_process() noexcept {
-  if (socket_ >= 0) ::close(socket_);
-  socket_ = -1;
-  if (process_ > 0) {
-    std::optional<int> status = ended_within(kEnding);
-    if (!status) {
-      ::kill(process_, SIGKILL);
-      status = ended_within(kEnding);  // not where it is stuck in the system itself
+  if (process_) {
+    process_->close();
+    auto ended = process_->ended(after(kEnding));
+    if (!ended) {
+      process_->kill();
+      ended = process_->ended(after(kEnding));  // not where it is stuck in the system itself
     }
-    const bool in_order = status && WIFEXITED(*status) && (WEXITSTATUS(*status) == kLetGo || WEXITSTATUS(*status) == kRefused);
+    const bool in_order = ended && ended->signal == 0 && (ended->code == kLetGo || ended->code == kRefused);
     if (!in_order) attendant_.report(hdapi::kNoEnd);
   }
-  process_ = -1;
-  if (shared_) ::munmap(shared_, sizeof *shared_);
+  process_.reset();
+  if (shared_) system::unmap_shared(shared_, sizeof *shared_);
   shared_ = nullptr;
 }
 
@@ -170,7 +140,7 @@ void Phantom::describe(const PhantomDescription& driver) {
 
 std::optional<Fault> Phantom::start(double rate) noexcept {
   if (started_ || failed_) return Fault{"the PHANToM was started before"};
-  send_message(socket_, {.kind = Kind::start, .rate = rate});
+  send_message(process_->packets(), {.kind = Kind::start, .rate = rate});
   // Each step of the driver's has a limit of its own, which it says more about.
   const PhantomMessage message = answer(options_.start + options_.calibration + milliseconds(1000));
   if (message.kind != Kind::ready) {
@@ -207,10 +177,9 @@ ReadResult Phantom::read() noexcept {
   }
   if (system::now() - sample.time > system::in_ns(options_.watchdog_timeout)) {
     failed_ = true;
-    int status = 0;
-    const bool ended = ::waitpid(process_, &status, WNOHANG) == process_;
-    if (ended) process_ = -1;
-    std::snprintf(room_->data(), room_->size(), "%s", ended ? hdapi::kDriverEnded : hdapi::kSilent);
+    const bool has_ended = process_->ended(0).has_value();
+    if (has_ended) process_.reset();
+    std::snprintf(room_->data(), room_->size(), "%s", has_ended ? hdapi::kDriverEnded : hdapi::kSilent);
     return fault();
   }
   Sent sent = sample.sent;

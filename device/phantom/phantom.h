@@ -3,16 +3,17 @@
 // A real PHANToM (Premium, Omni, Touch) through the vendor's HDAPI, which runs in a process of its own. docs/phantom.md says
 // why it is driven the way it is.
 
-#include <sys/types.h>
-
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "device/lasting_words.h"
+#include "device/phantom/hdapi_library.h"
 #include "device/phantom/phantom_shared.h"
 #include "forceshade/device.h"
+#include "system/process.h"
 
 namespace forceshade::device {
 
@@ -26,6 +27,9 @@ struct PhantomOptions {
   bool force = true;             // false: the force output is never switched on
 };
 
+// Called in the process that holds the device.
+using HdapiLibrary = const hdapi::Functions& (*)();
+
 class Phantom final : public Device {
  public:
   using Options = PhantomOptions;
@@ -33,7 +37,7 @@ class Phantom final : public Device {
   // `name` as in the vendor's set-up program; empty: the default device. Starts the process, which opens the device and reads
   // what it can do; switches no force on and runs no frame. The attendant lives as long as this. Throws DeviceError, with what
   // to check.
-  Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant);
+  Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant, HdapiLibrary library = hdapi::vendor);
   Phantom(const std::string& name, const PhantomOptions& options);  // with nobody there
   explicit Phantom(const std::string& name) : Phantom(name, PhantomOptions{}) {}
 
@@ -59,12 +63,11 @@ class Phantom final : public Device {
   State state() const noexcept override { return state_; }
 
   // The process that holds the device.
-  pid_t process() const noexcept { return process_; }
+  int process() const noexcept { return process_ ? process_->id() : -1; }
 
  private:
   PhantomMessage answer(std::chrono::milliseconds timeout);
   void describe(const PhantomDescription& driver);
-  std::optional<int> ended_within(std::chrono::milliseconds timeout) noexcept;
   std::string how_it_ended();
   void end_process() noexcept;
   Fault fault() noexcept;
@@ -72,8 +75,7 @@ class Phantom final : public Device {
   PhantomOptions options_;
   Attendant& attendant_;
   PhantomShared* shared_ = nullptr;
-  int socket_ = -1;
-  pid_t process_ = -1;
+  std::optional<system::Process> process_;  // until it is known to have ended
   PhantomDescription description_;
   Capabilities capabilities_;
   LastingWords* room_;  // for the words of a fault

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "device/phantom/ending.h"
 #include "device/phantom/hdapi_library.h"
 #include "device/phantom/phantom_end.h"
 #include "device/phantom/phantom_frames.h"
@@ -33,15 +34,9 @@ struct Refused : std::runtime_error {
 
 class Host {
  public:
-  Host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options,
-       LastWords& last_words)
-      : socket_(socket),
-        parent_(parent),
-        shared_(shared),
-        name_(name),
-        options_(options),
-        last_words_(last_words),
-        hd_(hdapi::vendor()) {}
+  Host(system::Packets& packets, PhantomShared& shared, const std::string& name, const PhantomOptions& options,
+       LastWords& last_words, PhantomEnd& end, const hdapi::Functions& hd)
+      : packets_(packets), shared_(shared), name_(name), options_(options), last_words_(last_words), end_(end), hd_(hd) {}
 
   // Opens the device, starts it when the other process orders it, and holds it until the other process is gone. Throws Refused.
   void hold() {
@@ -49,7 +44,7 @@ class Host {
     PhantomMessage message;
     if (next(message) != Kind::start) return;
     start(message.rate);
-    send_words(socket_, Kind::ready, "");
+    send_words(packets_, Kind::ready, "");
     next(message);
   }
 
@@ -68,14 +63,15 @@ class Host {
 
   // The next message's kind; none where the other end is closed.
   std::optional<Kind> next(PhantomMessage& message) const {
+    using Received = system::Packets::Received;
     Received received = Received::nothing_yet;
-    while (received == Received::nothing_yet && !is_alone(socket_, parent_))
-      received = receive_message(socket_, kHostWatch, message);
+    while (received == Received::nothing_yet && !packets_.is_alone())
+      received = packets_.receive(&message, sizeof message, system::now() + system::in_ns(kHostWatch));
     return received == Received::message ? std::optional(message.kind) : std::nullopt;
   }
-  void report(const std::string& words) const { send_words(socket_, Kind::report, words); }
+  void report(const std::string& words) const { send_words(packets_, Kind::report, words); }
   bool is_confirmed(const std::string& words) const {
-    send_words(socket_, Kind::asked, words);
+    send_words(packets_, Kind::asked, words);
     PhantomMessage answer;
     return next(answer) == Kind::yes;
   }
@@ -105,12 +101,19 @@ class Host {
     if (has_answered() && words) std::snprintf(to.data(), to.size(), "%s", words);
   }
 
-  int socket_;
-  pid_t parent_;
+  // Scheduled with this.
+  static unsigned tick(void* host) noexcept {
+    auto& it = *static_cast<Host*>(host);
+    it.end_.meet_driver();
+    return PhantomFrames::tick(it.frames_.get());
+  }
+
+  system::Packets& packets_;
   PhantomShared& shared_;
   const std::string& name_;
   const PhantomOptions& options_;
   LastWords& last_words_;
+  PhantomEnd& end_;
   const hdapi::Functions& hd_;
   hdapi::HHD device_ = hdapi::kInvalidDevice;
   PhantomDescription description_;
@@ -123,7 +126,7 @@ class Host {
 };
 
 void Host::open() {
-  end_force_at_exit();
+  system::before_end(end_);
   hdapi::drained(hd_);
   device_ = hd_.hdInitDevice(name_.empty() ? nullptr : name_.c_str());
   const hdapi::HDErrorInfo error = hdapi::drained(hd_);
@@ -134,7 +137,7 @@ void Host::open() {
   }
   PhantomMessage message{.kind = Kind::described, .description = described()};
   description_ = message.description;
-  send_message(socket_, message);
+  send_message(packets_, message);
 }
 
 PhantomDescription Host::described() {
@@ -207,12 +210,8 @@ void Host::start(double rate) {
                          .rate_tolerance = options_.rate_tolerance,
                          .longest_gap = std::chrono::duration<double>(options_.watchdog_timeout).count() / 2};
   frames_ = std::make_unique<PhantomFrames>(hd_, device_, settings, shared_);
-  hold_frames(frames_.get());
-  const auto tick = [](void* self) -> unsigned {
-    meet_driver();
-    return PhantomFrames::tick(self);
-  };
-  callback_ = hd_.hdScheduleAsynchronous(tick, frames_.get(), hdapi::kDefaultPriority);
+  end_.hold(frames_.get());
+  callback_ = hd_.hdScheduleAsynchronous(&Host::tick, this, hdapi::kDefaultPriority);
   if (*callback_ == hdapi::kInvalidSchedulerHandle) callback_.reset();
   expect_success("scheduling the frames");
 
@@ -222,7 +221,7 @@ void Host::start(double rate) {
   scheduler_ = true;
   last_words_.say_unless_taken_back(hdapi::kNoStart, options_.start);
   hd_.hdStartScheduler();
-  end_force_at_exit();
+  system::before_end(end_);
   last_words_.take_back();
   expect_success("starting the driver's scheduler");
   wait_until_ready();
@@ -247,7 +246,7 @@ void Host::wait_until_ready() {
   bool has_reported = false;
   for (;;) {
     system::sleep_for(kHostPoll);
-    if (is_alone(socket_, parent_)) throw Refused("the other process is gone");
+    if (packets_.is_alone()) throw Refused("the other process is gone");
     const PhantomSample& sample = frames_->samples.latest();
     const std::int64_t now = system::now();
     if (sample.troubled) throw Refused(shared_.trouble.data());
@@ -271,7 +270,7 @@ void Host::wait_until_ready() {
 
 void Host::close() noexcept {
   if (scheduler_) {
-    let_go();
+    end_.let_go();
     if (was_abandoned()) return;  // nor does any call of the driver's return now
     hd_.hdStopScheduler();
     hdapi::drained(hd_);
@@ -282,7 +281,7 @@ void Host::close() noexcept {
       hdapi::drained(hd_);
     }
   }
-  hold_frames(nullptr);
+  end_.hold(nullptr);
   if (callback_) {
     hd_.hdUnschedule(*callback_);
     hdapi::drained(hd_);
@@ -294,22 +293,23 @@ void Host::close() noexcept {
 
 }  // namespace
 
-int run_phantom_host(int socket, pid_t parent, PhantomShared& shared, const std::string& name, const PhantomOptions& options) {
-  socket = become_process_of_driver(socket);
+int run_phantom_host(system::Packets& packets, PhantomShared& shared, const std::string& name, const PhantomOptions& options,
+                     HdapiLibrary library) {
   // What the other threads still look at when this one returns lives as long as the process.
   auto& last_words = *new LastWords;
+  auto& end = *new PhantomEnd;
   auto& host = *new std::optional<Host>;
-  watch_for_the_end(socket, parent, last_words);
+  watch_for_the_end(packets, end, last_words);
   try {
-    host.emplace(socket, parent, shared, name, options, last_words).hold();
+    host.emplace(packets, shared, name, options, last_words, end, library()).hold();
     host->close();
     return host->was_abandoned() ? kStuck : kLetGo;
   } catch (const std::exception& error) {
     const bool of_ours = dynamic_cast<const Refused*>(&error) || dynamic_cast<const DeviceError*>(&error);
     const std::string why = (of_ours ? "" : "the vendor's library failed: ") + std::string(error.what());
-    last_words.say_unless_taken_back(why, kTimeToEnd);
+    last_words.say_unless_taken_back(why, longest_of(Ending::released));
     if (host) host->close();
-    send_words(socket, Kind::failed, why);
+    send_words(packets, Kind::failed, why);
     return host && host->was_abandoned() ? kStuck : kRefused;
   }
 }

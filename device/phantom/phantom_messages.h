@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Messages between the two processes of a PHANToM, over a socket that keeps them whole.
+// Messages between the two processes of a PHANToM.
 
-#include <chrono>
-#include <optional>
+#include <cstdio>
 #include <string>
 
 #include "device/phantom/phantom_shared.h"
+#include "system/process.h"
 
 namespace forceshade::device {
 
 // False if the other end is closed.
-bool send_message(int socket, const PhantomMessage& message) noexcept;
-bool send_words(int socket, PhantomMessage::Kind kind, const std::string& words) noexcept;
+inline bool send_message(system::Packets& packets, const PhantomMessage& message) noexcept {
+  return packets.send(&message, sizeof message);
+}
 
-enum class Received { message, nothing_yet, closed };
-
-// Waits no longer than this; negative: for ever.
-Received receive_message(int socket, std::chrono::milliseconds timeout, PhantomMessage& message) noexcept;
+inline bool send_words(system::Packets& packets, PhantomMessage::Kind kind, const std::string& words) noexcept {
+  PhantomMessage message{.kind = kind};
+  std::snprintf(message.words.data(), message.words.size(), "%s", words.c_str());
+  return send_message(packets, message);
+}
 
 }  // namespace forceshade::device

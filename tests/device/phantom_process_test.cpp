@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The process that holds a PHANToM: what reaches it, what it leaves alone, and the ways in which the vendor's library may fail
-// in it. What becomes of the force when a process dies under it, is the death matrix's (tests/device/deaths).
+// in it, and three deaths under force. What becomes of the force when either process dies at any step, or a call of the
+// driver's fails or never returns, is tried in a simulated world (tests/world/phantom_world_test.cpp).
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -103,6 +104,16 @@ TEST_F(phantom, whose_library_exits_prints_nothing_that_the_program_was_about_to
   EXPECT_EQ(testing::internal::GetCapturedStderr().find("once"), std::string::npos);
 }
 
+TEST_F(phantom, whose_library_is_missing_says_where_it_was_looked_for) {
+  setenv("FORCESHADE_HD_LIBRARY", "/nowhere/libHD.so", 1);
+  try {
+    Phantom device("");
+    ADD_FAILURE();
+  } catch (const DeviceError& error) {
+    expect_words(error.what(), {"/nowhere/libHD.so: cannot open shared object file", "FORCESHADE_HD_LIBRARY"});
+  }
+}
+
 TEST_F(phantom, keeps_no_file_of_the_program_open) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe(ends.data()), 0);
@@ -171,6 +182,37 @@ TEST_F(phantom, whose_process_is_killed_says_so_and_leaves_none) {
   wait_for_the_end_of(device.process());
   EXPECT_EQ(words_of_fault(device), hdapi::kDriverEnded);
   EXPECT_TRUE(has_no_child());
+}
+
+// Under force, by the order of events alone: whatever time they take, the arm is let go, and no process is left.
+TEST_F(phantom, that_is_pushed_when_its_program_is_killed_is_let_go) {
+  const pid_t program = ::fork();
+  if (program == 0) {
+    Phantom device("", kPatient);
+    if (device.start(1000)) ::_exit(1);
+    for (;;) device.command({0, 0, 1});
+  }
+  wait_until([] { return stand_in_hd::arm().force == Eigen::Vector3d(0, 1, 0); });
+  ::kill(program, SIGKILL);
+  wait_until([] { return ::kill(stand_in_hd::arm().pid, 0) != 0; });
+  EXPECT_TRUE(stand_in_hd::arm().force.isZero(0));
+  ::waitpid(program, nullptr, 0);
+}
+
+TEST_F(phantom, that_is_pushed_when_its_library_fails_or_hangs_in_a_frame_is_let_go) {
+  for (const Crash::How how : {Crash::How::segmentation_fault, Crash::How::exit, Crash::How::hang}) {
+    SCOPED_TRACE(static_cast<int>(how));
+    stand_in_hd::reset();
+    auto device = std::make_unique<Phantom>("", kPatient);
+    ASSERT_FALSE(device->start(1000));
+    expect_obeys(*device);
+    tell({.crash = {.how = how, .when = Moment::frame}});
+    wait_until([] { return stand_in_hd::struck().has_value(); });
+    device.reset();
+    EXPECT_TRUE(stand_in_hd::arm().force.isZero(0));
+    EXPECT_TRUE(has_no_child());
+  }
+  stand_in_hd::reset();
 }
 
 // Every call that may hang, wherever the run is: words, and an end.

@@ -37,6 +37,7 @@ Judge::Judge(World& world, Arm& arm) : world_(world), arm_(arm) {
   samples_.reserve(20'000);
   arm_.on_sent = [this](const Arm::Sent& it) { sent(it); };
   arm_.on_misuse = [this](const char* words) { violate(4, words); };
+  arm_.on_lost = [this] { violate(3, "the process that has the arm ends under force"); };
 }
 
 void Judge::violate(int rule, std::string words) {
@@ -69,10 +70,10 @@ void Judge::sent(const Arm::Sent& sent) {
 void Judge::look() {
   if (arm_.is_closed() || arm_.sent().empty() || arm_.felt().isZero(0)) return;
   const Ns now = world_.now(), ordered = orders_.empty() ? 0 : orders_.back().time;
-  const Ns over = now - ordered - kWatchdog - 2 * kFrame;
+  const Ns over = now - ordered - arm_.plan().longest_force;
   if (over <= 0) return;
   // Where the frames' own thread stands still, nothing of this machine can end the force.
-  if (world_.held_until() > ordered && now - world_.held_until() < 2 * kFrame)
+  if (arm_.is_lost() || (world_.held_until() > ordered && now - world_.held_until() < 2 * kFrame))
     without_watchdog_ = std::max(without_watchdog_, static_cast<double>(over) * 1e-6);
   else
     violate(3, "a force is felt " + ms(now - ordered) + " after the last order");
@@ -101,15 +102,19 @@ void Judge::woken(Ns frame) {
   if (world_.now() > free + kWake) violate(5, "the loop slept " + ms(world_.now() - free) + " beside a frame that was there");
 }
 
-void Judge::conclude(Outcome& outcome) {
+void Judge::conclude(Outcome& outcome, const std::vector<std::string>& ends) {
   outcome.without_watchdog = without_watchdog_;
   const auto& sent = arm_.sent();
-  if (!sent.empty() && !arm_.felt().isZero(0)) violate(3, "a force is felt at the end");
-  if (outcome.end == World::End::dead) return;
-  if (!sent.empty() && !arm_.is_closed()) violate(4, "the arm was not closed");
+  if (!sent.empty() && !arm_.is_lost() && !arm_.felt().isZero(0)) violate(3, "a force is felt at the end");
+  if (outcome.end == World::End::dead && !world_.exit_code(0)) return;
+  if (!sent.empty() && !arm_.is_lost() && !arm_.is_closed()) violate(4, "the arm was not closed");
   if (outcome.end == World::End::never) violate(8, "the session does not end");
   for (int thread = 0; thread < world_.threads(); ++thread)
     if (!world_.is_over(thread)) violate(8, "the thread \"" + world_.name(thread) + "\" is left");
+  if (outcome.end == World::End::dead) return;
+  const auto is_in_the_words = [&](const std::string& it) { return outcome.words().find(it) != std::string::npos; };
+  if (!ends.empty() && std::ranges::none_of(ends, is_in_the_words)) violate(8, "an end for another reason: " + outcome.words());
+  if (!outcome.refused.empty()) return;
   const device::ServoResult& result = outcome.result;
   if (result.end_reason == device::EndReason::device_fault && *result.fault == '\0') violate(8, "an end without words");
   const device::PassivityAccount& account = result.account;
@@ -125,8 +130,15 @@ void Judge::conclude(Outcome& outcome) {
     if (frame >= sent.size() || !is_same(sample.sent_acting, sent[frame].force) ||
         (frame > 0 && !is_same(sample.sent_acted, sent[frame - 1].force)))
       return violate(7, "the record of tick " + std::to_string(k) + " differs from what was sent");
+    const std::size_t before = k > 0 ? samples_[k - 1].buttons >> 1U : frame - 1;
+    outcome.repeated += frame == before ? 1 : 0;
+    outcome.skipped += frame > before ? frame - before - 1 : 0;
+    if (orders_[k].force.isZero(0)) continue;
+    ++outcome.pushed;
+    outcome.one_later += frame + 1 < sent.size() && is_same(sample.force, sent[frame + 1].force) ? 1 : 0;
   }
-  if (samples_.size() != result.ticks + 1) violate(7, "not every tick is in the record");
+  const bool was_started = result.ticks > 0 || !samples_.empty();
+  if (was_started && samples_.size() != result.ticks + 1) violate(7, "not every tick is in the record");
 }
 
 }  // namespace forceshade::world

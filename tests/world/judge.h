@@ -22,7 +22,7 @@ class Judge final : public device::SampleSink {
   // At each step.
   void look();
   // When the session is over; adds what only its whole shows.
-  void conclude(Outcome& outcome);
+  void conclude(Outcome& outcome, const std::vector<std::string>& ends);
   const std::vector<Violation>& violations() const noexcept { return violations_; }
 
   // What the loop does with its device.

@@ -48,12 +48,11 @@ const Event* Arm::event_at(int frame, Event::Kind kind) const noexcept {
   return found == plan_.events.end() ? nullptr : &*found;
 }
 
-FrameState Arm::frame(const Eigen::Vector3d& force) {
-  World& world = *current();
-  const int number = static_cast<int>(sent_.size());
+FrameState Arm::look() {
+  const int number = frames();
   if (closed_at_) on_misuse("a frame follows the end");
   if (event_at(number, Event::Kind::jump)) offset_ += 10;
-  const Ns time = world.outside_now();
+  const Ns time = current()->outside_now();
   const double seconds = static_cast<double>(time) * 1e-9;
   const Eigen::Vector3d position{0.3 * std::sin(40 * seconds) + offset_, 0, height_at(time)};
   if (!sent_.empty()) work_ += felt().dot(position - sent_.back().position);
@@ -63,13 +62,27 @@ FrameState Arm::frame(const Eigen::Vector3d& force) {
                    .calibrated = event_at(number, Event::Kind::uncalibrated) == nullptr,
                    .forces_on = event_at(number, Event::Kind::forces_off) == nullptr};
   if (event_at(number, Event::Kind::lets_go_of_button) == nullptr) state.buttons |= 1U;
-  sent_.push_back({time, force, position, state.calibrated && state.forces_on});
+  return state;
+}
+
+void Arm::send(const Eigen::Vector3d& force, const FrameState& state) {
+  sent_.push_back({current()->outside_now(), force, state.position, state.calibrated && state.forces_on});
   on_sent(sent_.back());
+}
+
+void Arm::answered() noexcept {
+  sent_.back().answered = current()->now();
+}
+
+FrameState Arm::frame(const Eigen::Vector3d& force) {
+  const int number = frames();
+  const FrameState state = look();
+  send(force, state);
   if (event_at(number, Event::Kind::garbage)) throw std::runtime_error("the arm sent garbage");
   const Event* late = event_at(number, Event::Kind::late);
   const Ns answer = kAnswer + (late ? static_cast<Ns>(late->milliseconds * 1e6) : 0);
   system::sleep_until(system::now() + std::min(answer, kLongestAnswer));
-  sent_.back().answered = world.now();
+  answered();
   if (answer > kLongestAnswer) throw std::runtime_error("the arm has not answered in time");
   return state;
 }
@@ -80,6 +93,17 @@ void Arm::close() {
   closed_at_ = current()->outside_now();
 }
 
+void Arm::open() noexcept {
+  closed_at_.reset();
+  is_lost_ = false;
+}
+
+void Arm::lose() {
+  if (closed_at_) return;
+  if (!felt().isZero(0) && !plan_.may_be_lost) on_lost();
+  is_lost_ = true;
+}
+
 Eigen::Vector3d Arm::felt() const noexcept {
   const Ns now = current()->outside_now();
   const bool is_over = plan_.own_watchdog && !sent_.empty() && now - sent_.back().time > *plan_.own_watchdog;
@@ -88,6 +112,7 @@ Eigen::Vector3d Arm::felt() const noexcept {
 }
 
 std::string Outcome::words() const {
+  if (!refused.empty()) return "not opened: " + refused;
   if (end == World::End::dead) return "the loop is dead";
   if (end == World::End::never) return "it never ends";
   std::string words(name_of(result.end_reason));
@@ -106,19 +131,31 @@ Outcome session(const Plan& plan, const Open& open) {
     judge.look();
   };
   Outcome outcome;
+  const auto run = [&] {
+    Watched device(open(arm), judge);
+    const std::atomic<bool> stop = false;
+    auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = plan.stiffness}));
+    device::ServoOptions options{
+        .rate_hz = 1000, .max_seconds = plan.seconds, .follows_device = plan.follows_device, .sinks = {&judge}};
+    if (plan.has_dead_man_button) options.dead_man_button = 0;
+    outcome.result = device::run_servo_loop(device, law, options, stop);
+  };
   outcome.end = world.run(
       [&] {
-        Watched device(open(arm), judge);
-        const std::atomic<bool> stop = false;
-        auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
-        device::ServoOptions options{.rate_hz = 1000, .max_seconds = plan.seconds, .sinks = {&judge}};
-        if (plan.has_dead_man_button) options.dead_man_button = 0;
-        outcome.result = device::run_servo_loop(device, law, options, stop);
+        try {
+          run();
+        } catch (const device::DeviceError& error) {
+          outcome.refused = error.what();
+        }
       },
       kLongest);
-  // The frames of a loop that is dead go on alone.
-  if (outcome.end == World::End::dead && world.threads() > kFrames) world.run_until_over(kFrames, 200 * kMillisecond);
-  judge.conclude(outcome);
+  // The frames of a loop that is dead go on alone, and so does their process.
+  if (outcome.end == World::End::dead && world.threads() > kFrames) {
+    world.run_until_over(kFrames, world.exit_code(0) ? kLongest : 200 * kMillisecond);
+    judge.look();
+  }
+  judge.conclude(outcome, plan.ends);
+  outcome.driver_exit = world.exit_code(kDriver);
   outcome.violations = judge.violations();
   outcome.decisions = world.decisions();
   outcome.frames = arm.sent().size();

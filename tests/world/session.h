@@ -32,7 +32,11 @@ struct Plan {
   double seconds = 0.6;  // of ticks; the hand touches the wall from 0.25 s on
   std::vector<Event> events = {};
   std::optional<Ns> own_watchdog = std::nullopt;  // of the arm: without a frame for this long it gives no force
-  bool has_dead_man_button = false;
+  bool has_dead_man_button = false, follows_device = true;
+  float stiffness = 0.5F;              // N/mm, of the wall
+  bool may_be_lost = false;            // the arm under force, since what could end it is killed
+  Ns longest_force = 27'000'000;       // after the loop's last order: the watchdog's time and two frames
+  std::vector<std::string> ends = {};  // one of these is in the words of the end; empty: any words are right
   // Called at each step, before the rules are: places faults.
   std::function<void(long)> at_step = {};
 };
@@ -46,10 +50,21 @@ class Arm {
 
   // A frame: this force from now on, and the state. Takes the time of the answer.
   device::FrameState frame(const Eigen::Vector3d& force);
+  // The two halves of a frame, for an arm that gives its position first.
+  device::FrameState look();
+  void send(const Eigen::Vector3d& force, const device::FrameState& state);
+  void answered() noexcept;
   void close();
+  // Once more, after it was closed.
+  void open() noexcept;
+  // Whatever could send it something is gone: it holds its force.
+  void lose();
 
   Eigen::Vector3d felt() const noexcept;
   bool is_closed() const noexcept { return closed_at_.has_value(); }
+  bool is_lost() const noexcept { return is_lost_; }
+  const Event* event_at(int frame, Event::Kind kind) const noexcept;
+  int frames() const noexcept { return static_cast<int>(sent_.size()); }
 
   struct Sent {
     Ns time;  // by the arm's clock
@@ -58,20 +73,21 @@ class Arm {
     Ns answered = 0;  // by the machine's clock; 0: not yet
   };
   const std::vector<Sent>& sent() const noexcept { return sent_; }
+  const Plan& plan() const noexcept { return plan_; }
   double work() const noexcept { return most_work_; }  // mJ: the most that the hand had been given beyond what it put in
 
-  // Called when a force has been sent, and when something follows the end.
+  // Called when a force has been sent, when something follows the end, and when the arm is lost under force.
   std::function<void(const Sent&)> on_sent;
   std::function<void(const char*)> on_misuse;
+  std::function<void()> on_lost;
 
  private:
-  const Event* event_at(int frame, Event::Kind kind) const noexcept;
-
   const Plan& plan_;
   std::vector<Sent> sent_;
   double work_ = 0, most_work_ = 0;
   std::optional<Ns> closed_at_;
   double offset_ = 0;  // mm, after a jump
+  bool is_lost_ = false;
 };
 
 // Which of the rules a session broke, and how.
@@ -83,11 +99,15 @@ struct Violation {
 struct Outcome {
   std::vector<Violation> violations;
   World::End end = World::End::over;
-  device::ServoResult result;  // where the loop was not killed
+  device::ServoResult result;                     // where the loop was not killed
+  std::string refused;                            // why the device was not opened
+  std::optional<int> driver_exit = std::nullopt;  // of the process of a PHANToM's driver
   std::vector<Entry> decisions;
   std::size_t frames = 0;
-  double peak = 0;  // N, felt
-  Ns lasted = 0;    // in the world
+  std::size_t repeated = 0, skipped = 0;  // positions, between the first that the loop used and the last
+  std::size_t one_later = 0, pushed = 0;  // forces that were ordered; those of them that the frame after their position sent
+  double peak = 0;                        // N, felt
+  Ns lasted = 0;                          // in the world
   long steps = 0;
   std::uint64_t digest = 0;     // of all that happened
   double without_watchdog = 0;  // ms, for which only the arm's own watchdog could have ended the force
@@ -102,5 +122,7 @@ Outcome session(const Plan& plan, const Open& open);
 
 // The threads of a session: the loop's is the first, that of the frames the next.
 inline constexpr int kLoop = 0, kFrames = 1;
+// Those of a PHANToM: in the process of its driver, the one that calls it, the watch, and the driver's own.
+inline constexpr int kDriver = 1, kHost = 1, kWatch = 2, kScheduler = 3;
 
 }  // namespace forceshade::world

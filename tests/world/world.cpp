@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "tests/world/threads.h"
+
 namespace forceshade::world {
 namespace {
 
@@ -34,23 +36,11 @@ std::string Entry::words() const {
   return text;
 }
 
-struct World::Thread {
-  Thread(const char* its_name, std::function<void()> body) : name(its_name), fiber(std::move(body)) {}
-
-  std::string name;
-  Fiber fiber;
-  enum class State { ready, waiting, over, dead } state = State::ready;
-  Ns due = 0, held_until = 0;  // of one that waits; of one that is held up
-  long held_steps = 0;         // of the others
-  const void* number = nullptr;
-  int joined = -1;
-  Ns computed = 0;
-};
-
 World::World(Schedule schedule)
     : schedule_(std::move(schedule)), state_(schedule_.seed * 0x2545F4914F6CDD1DULL + 0x9e3779b97f4a7c15ULL) {
   if (the_world != nullptr) std::abort();
   the_world = this;
+  processes_.push_back(std::make_unique<Process>());
 }
 
 World::~World() {
@@ -85,6 +75,7 @@ int World::begin(const char* name, std::function<void()> body) {
       if (other->joined == number) other->due = now_;
     go(choose(), true);
   }));
+  threads_.back()->process = process();
   threads_.back()->fiber.release();
   return number;
 }
@@ -146,6 +137,7 @@ int World::choose() noexcept {
     }
     if (is_held && first > now_ + kRelease) {
       for (const auto& it : threads_) it->held_steps = 0;
+      held_until_ = now_;
       continue;
     }
     is_late_ = first == system::kForever;
@@ -173,10 +165,21 @@ void World::wait(Ns due, const void* number, int joined) noexcept {
   it.state = Thread::State::ready;
   it.number = nullptr;
   it.joined = -1;
+  be_interrupted();
+}
+
+void World::wake_all(const void* number) noexcept {
+  for (const auto& it : threads_)
+    if (it->number == number) it->due = now_;
 }
 
 void World::step() noexcept {
   if (running_ < 0) return;
+  make_step();
+  be_interrupted();
+}
+
+void World::make_step() noexcept {
   now_ += kStep;
   Thread& it = self();
   it.computed += kStep;
@@ -207,10 +210,12 @@ void World::step() noexcept {
 }
 
 void World::kill(int thread) noexcept {
+  if (thread >= threads()) return;
   threads_[static_cast<std::size_t>(thread)]->state = Thread::State::dead;
 }
 
 void World::hold(int thread, Ns time) noexcept {
+  if (thread >= threads()) return;
   Ns& until = threads_[static_cast<std::size_t>(thread)]->held_until;
   until = std::max(until, now_ + time);
   held_until_ = std::max(held_until_, until);
@@ -218,6 +223,11 @@ void World::hold(int thread, Ns time) noexcept {
 
 void World::hold_for_steps(int thread, long steps_of_others) noexcept {
   threads_[static_cast<std::size_t>(thread)]->held_steps = steps_of_others;
+}
+
+Ns World::held_until() const noexcept {
+  const bool is_held = std::ranges::any_of(threads_, [](const auto& it) { return it->held_steps > 0; });
+  return is_held ? std::max(now_, held_until_) : held_until_;
 }
 
 void World::stand_still(Ns time, bool clock_goes_on) noexcept {

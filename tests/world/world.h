@@ -64,17 +64,30 @@ class World {
   long steps() const noexcept { return steps_; }
   int threads() const noexcept { return static_cast<int>(threads_.size()); }
   int running() const noexcept { return running_; }
+  int process() const noexcept;  // of the thread that runs
   bool is_over(int thread) const noexcept;
   const std::string& name(int thread) const noexcept;
-  // When whatever a schedule or a fault has held up could go on again.
-  Ns held_until() const noexcept { return held_until_; }
+  // When whatever a schedule or a fault has held up could go on again; now, where that is not known yet.
+  Ns held_until() const noexcept;
   const std::vector<Entry>& decisions() const noexcept { return decisions_; }
 
   // Called at each step of a thread, before it goes on: judges, places faults. The number is that of the step.
   std::function<void(long)> at_step;
+  // Called when a process has ended, in whatever way.
+  std::function<void(int)> on_process_end;
 
-  // Faults. A thread that is killed stops where it is, as when its process ends or a call never returns.
+  // Faults. Of a thread that was not begun yet they are none. A thread that is killed stops where it is, as when its process
+  // ends or a call never returns.
   void kill(int thread) noexcept;
+  // All threads of this process stop, and its ends of packets are closed. That of run() is the first, 0; each other has the
+  // next number.
+  void kill_process(int process) noexcept;
+  // The thread that makes the step crashes: its process does its last act, and is killed.
+  void crash() noexcept;
+  // The exit code of a process, 128 and more after it was killed; none while it goes on.
+  std::optional<int> exit_code(int process) const noexcept;
+  // The thread that calls goes no further, unless it is interrupted.
+  void be_stuck() noexcept;
   void hold(int thread, Ns time) noexcept;
   void hold_for_steps(int thread, long steps_of_others) noexcept;
   // The whole machine stands still: its clock goes on meanwhile, or it stands still, too, as in a virtual machine.
@@ -90,21 +103,29 @@ class World {
   std::uint64_t random() noexcept;
 
  private:
-  friend struct Calls;  // world.cpp: the functions of system/
+  friend struct Calls;         // world.cpp: the functions of system/
+  friend struct ProcessCalls;  // processes.cpp: those of its processes
   struct Thread;
+  struct Process;
 
   int begin(const char* name, std::function<void()> body);
   void step() noexcept;
+  void make_step() noexcept;
   void go(int to, bool last = false) noexcept;
   int choose() noexcept;
   bool can_go_on(const Thread& thread) const noexcept;
   void wait(Ns due, const void* number, int joined) noexcept;
+  void wake_all(const void* number) noexcept;
+  void be_interrupted() noexcept;
+  void end_process(int process, int code) noexcept;
   const Entry* listed(Entry::Kind kind) const noexcept;
   bool happens(double chance) noexcept;
   Thread& self() noexcept { return *threads_[static_cast<std::size_t>(running_)]; }
 
   Schedule schedule_;
   std::vector<std::unique_ptr<Thread>> threads_;
+  std::vector<std::unique_ptr<Process>> processes_;
+  std::vector<std::unique_ptr<std::uint64_t[]>> mapped_;  // by several processes
   Fiber outside_;
   int running_ = -1, target_ = -1;  // threads; the first is -1 outside
   Ns now_ = system::kSecond, stopped_ = 0, limit_ = 0, held_until_ = 0, computed_ = system::kSecond;

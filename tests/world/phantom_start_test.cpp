@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A PHANToM that is opened and started, or says why not.
 
-#include "device/phantom/phantom.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,15 +10,16 @@
 #include <vector>
 
 #include "device/phantom/hdapi_words.h"
+#include "device/phantom/phantom.h"
 #include "forceshade/device.h"
-#include "tests/device/stand_in_hd/phantom_fixture.h"
+#include "tests/world/phantom_fixture.h"
 
-namespace forceshade::device {
+namespace forceshade::world {
 namespace {
 
-std::string why_not_started(const Orders& orders, const Phantom::Options& options = kPatient, Listener listener = {}) {
+std::string why_not_started(const Orders& orders, const Phantom::Options& options = kPatient, Attends listener = {}) {
   tell(orders);
-  Phantom phantom("", options, listener);
+  Phantom phantom = opened(options, listener);
   const auto fault = phantom.start(1000);
   EXPECT_EQ(seen().output, !fault);
   for (const auto& frame : seen().frames) EXPECT_TRUE(frame.force.isZero(0));
@@ -30,7 +29,7 @@ std::string why_not_started(const Orders& orders, const Phantom::Options& option
 std::string why_not_opened(const Orders& orders, const std::string& name = "") {
   tell(orders);
   try {
-    Phantom phantom(name, kPatient);
+    Phantom device = opened(kPatient, nobody(), name);
   } catch (const DeviceError& error) {
     EXPECT_FALSE(seen().initialised);
     return error.what();
@@ -38,26 +37,26 @@ std::string why_not_opened(const Orders& orders, const std::string& name = "") {
   return "";
 }
 
-TEST_F(phantom, opened_moves_nothing_and_switches_nothing_on) {
-  const auto device = open_device("phantom");
+IN_WORLD(opened_moves_nothing_and_switches_nothing_on) {
+  Phantom device = opened();
   EXPECT_TRUE(seen().initialised);
   EXPECT_FALSE(seen().name);
   EXPECT_FALSE(seen().output);
   EXPECT_FALSE(seen().scheduler);
   EXPECT_TRUE(seen().frames.empty());
-  EXPECT_FALSE(device->state().forces_on);
-  EXPECT_STREQ(std::get<Fault>(device->read()).words, "the PHANToM was not started");
-  EXPECT_FALSE(device->command({0, 0, 1}));
+  EXPECT_FALSE(device.state().forces_on);
+  EXPECT_STREQ(std::get<Fault>(device.read()).words, "the PHANToM was not started");
+  EXPECT_FALSE(device.command({0, 0, 1}));
 }
 
-TEST_F(phantom, is_opened_by_name) {
-  open_device("phantom:Default PHANToM");
+IN_WORLD(is_opened_by_name) {
+  const Phantom device = opened({}, nobody(), "Default PHANToM");
   EXPECT_EQ(seen().name, "Default PHANToM");
 }
 
-TEST_F(phantom, says_what_the_driver_says_it_can_do) {
-  Listener listener;
-  const Phantom device("", {}, listener);
+IN_WORLD(says_what_the_driver_says_it_can_do) {
+  Attends listener;
+  Phantom device = opened({}, listener);
   const Capabilities can = device.capabilities();
   EXPECT_EQ(can.model, "Stand-in 1.5");
   EXPECT_EQ(can.serial, "S-0042");
@@ -80,18 +79,18 @@ TEST_F(phantom, says_what_the_driver_says_it_can_do) {
   EXPECT_EQ(listener.heard, "") << "no limit is missing";
 }
 
-TEST_F(phantom, init_that_fails_without_an_error_says_so) {
+IN_WORLD(init_that_fails_without_an_error_says_so) {
   expect_words(why_not_opened({.init_fails_silently = true}), {"the driver says no more", "permission"});
 }
 
-TEST_F(phantom, init_failure_says_what_to_check) {
+IN_WORLD(init_failure_says_what_to_check) {
   expect_words(why_not_opened({.init = hdapi::kDeviceFault}, "Left arm"),
                {"0x0300", "internal 42", "Some error.", "\"Left arm\" must be written", "permission", "licence", "cable"});
   expect_words(why_not_opened({.init = hdapi::kCommunication}), {"the default device was asked for", "Default PHANToM"});
   expect_words(why_not_opened({.init = hdapi::kInvalidValue}), {"0x0101", "a name that it does not find there"});
 }
 
-TEST_F(phantom, missing_licence_and_busy_device_are_said_without_guessing) {
+IN_WORLD(missing_licence_and_busy_device_are_said_without_guessing) {
   for (const auto& [code, words] : {std::pair{hdapi::kNoLicence, "the vendor's licence is missing"},
                                     std::pair{hdapi::kAlreadyInitiated, "close the program that has it open"}}) {
     const std::string why = why_not_opened({.init = code});
@@ -100,24 +99,19 @@ TEST_F(phantom, missing_licence_and_busy_device_are_said_without_guessing) {
   }
 }
 
-TEST_F(phantom, whose_library_is_missing_says_where_it_was_looked_for) {
-  setenv("FORCESHADE_HD_LIBRARY", "/nowhere/libHD.so", 1);
-  expect_words(why_not_opened({}), {"/nowhere/libHD.so: cannot open shared object file", "FORCESHADE_HD_LIBRARY"});
-}
-
-TEST_F(phantom, without_a_highest_force_is_refused) {
+IN_WORLD(without_a_highest_force_is_refused) {
   expect_words(why_not_opened({.peak_force = Answer::fails(hdapi::kInvalidEnum)}), {"highest force", "does not say"});
   for (const Answer& peak : {Answer(0.0), Answer(-1.0), Answer(std::nan("")), Answer(HUGE_VAL), Answer::nothing()})
     expect_words(why_not_opened({.peak_force = peak}), {"highest force: expected a number of newtons above 0"});
 }
 
-TEST_F(phantom, can_be_opened_again_after_it_was_closed) {
+IN_WORLD(can_be_opened_again_after_it_was_closed) {
   EXPECT_EQ(why_not_started({}), "");
   EXPECT_NE(why_not_opened({.init = hdapi::kCommunication}), "");
   EXPECT_EQ(why_not_started({}), "");
 }
 
-TEST_F(phantom, start_names_the_step_that_failed) {
+IN_WORLD(start_names_the_step_that_failed) {
   expect_words(why_not_started({.schedule = hdapi::kSchedulerFull}), {"scheduling the frames", "0x0501"});
   expect_words(why_not_started({.start = hdapi::kTimer}), {"starting the driver's scheduler", "0x0304"});
   expect_words(why_not_started({.begin = hdapi::kCommunication}), {"beginning a frame", "communication", "0x0302"});
@@ -128,15 +122,15 @@ TEST_F(phantom, start_names_the_step_that_failed) {
 
 // Reported by hdStartScheduler, which has started it all the same: frames run while it is decided to give up, and nothing of
 // theirs may be gone before they are.
-TEST_F(phantom, error_that_the_scheduler_starts_with_is_a_fault_and_the_frames_end_in_order) {
+IN_WORLD(error_that_the_scheduler_starts_with_is_a_fault_and_the_frames_end_in_order) {
   expect_words(why_not_started({.start_with_error = hdapi::kTimer}), {"starting the driver's scheduler", "0x0304"});
   EXPECT_FALSE(seen().scheduler);
   EXPECT_FALSE(seen().initialised);
 }
 
-TEST_F(phantom, is_not_started_again_after_a_start_that_failed) {
+IN_WORLD(is_not_started_again_after_a_start_that_failed) {
   tell({.schedule = hdapi::kSchedulerFull});
-  Phantom device("", kPatient);
+  Phantom device = opened(kPatient);
   EXPECT_TRUE(device.start(1000));
   tell({});
   const auto fault = device.start(1000);
@@ -145,48 +139,48 @@ TEST_F(phantom, is_not_started_again_after_a_start_that_failed) {
   EXPECT_FALSE(seen().scheduler);
 }
 
-TEST_F(phantom, start_sets_the_loops_rate_and_says_when_it_is_refused) {
+IN_WORLD(start_sets_the_loops_rate_and_says_when_it_is_refused) {
   {
-    Phantom device("", kPatient);
+    Phantom device = opened(kPatient);
     EXPECT_FALSE(device.start(500));
     EXPECT_EQ(seen().rate, 500);
     EXPECT_STREQ(device.start(500)->words, "the PHANToM was started before");
   }
   tell({.rate = hdapi::kInvalidValue});
-  Phantom device("", kPatient);
+  Phantom device = opened(kPatient);
   const auto fault = device.start(3000);
   ASSERT_TRUE(fault);
   expect_words(fault->words, {"setting the driver's rate", "0x0101"});
 }
 
-TEST_F(phantom, frozen_in_the_uncalibrated_pose_is_told_from_one_that_rests) {
+IN_WORLD(frozen_in_the_uncalibrated_pose_is_told_from_one_that_rests) {
   expect_words(why_not_started({.position = Eigen::Vector3d(0, -110, -35)}), {"(0, -110, -35)", "inkwell"});
   EXPECT_EQ(why_not_started({.position = Eigen::Vector3d(0, -110.055, -35)}), "");
 }
 
-TEST_F(phantom, position_that_is_not_finite_is_a_fault) {
+IN_WORLD(position_that_is_not_finite_is_a_fault) {
   for (const double wrong : {std::nan(""), HUGE_VAL, -HUGE_VAL})
     EXPECT_EQ(why_not_started({.position = Eigen::Vector3d(0, wrong, 0)}), hdapi::kNotFinite);
 }
 
-TEST_F(phantom, waits_for_a_driver_that_hangs_no_longer_than_promised) {
+IN_WORLD(waits_for_a_driver_that_hangs_no_longer_than_promised) {
   Phantom::Options hasty = kPatient;
   hasty.start = 100ms;
   EXPECT_EQ(why_not_started({.hung = true}, hasty), hdapi::kNoFrames);
 }
 
-TEST_F(phantom, says_how_good_its_frames_were_and_what_priority_they_have) {
-  Listener listener;
-  Phantom device("", kPatient, listener);
+IN_WORLD(says_how_good_its_frames_were_and_what_priority_they_have) {
+  Attends listener;
+  Phantom device = opened(kPatient, listener);
   ASSERT_FALSE(device.start(1000));
   expect_words(listener.heard, {"the driver's thread has ", " priority", " frames a second, ", "longest gap"});
 }
 
-TEST_F(phantom, without_what_not_every_model_has_is_started_and_says_which_watch_is_off) {
+IN_WORLD(without_what_not_every_model_has_is_started_and_says_which_watch_is_off) {
   const Answer none = Answer::fails(hdapi::kInvalidEnum);
   tell({.temperature = none, .encoders = none, .joint_angles = none, .instantaneous_rate = none, .input_degrees = 3});
-  Listener listener;
-  Phantom device("", kPatient, listener);
+  Attends listener;
+  Phantom device = opened(kPatient, listener);
   EXPECT_FALSE(device.capabilities().gimbal);
   ASSERT_FALSE(device.start(1000));
   const auto reading = std::get<Reading>(device.read());
@@ -196,21 +190,21 @@ TEST_F(phantom, without_what_not_every_model_has_is_started_and_says_which_watch
   expect_words(listener.heard, {"temperatures", "update rate"});
 }
 
-TEST_F(phantom, of_six_motors_gives_the_temperature_of_the_hottest) {
+IN_WORLD(of_six_motors_gives_the_temperature_of_the_hottest) {
   tell({.temperature = 0.5, .output_degrees = 6});
-  Phantom device("", kPatient);
+  Phantom device = opened(kPatient);
   ASSERT_FALSE(device.start(1000));
   ASSERT_TRUE(std::holds_alternative<Reading>(device.read()));
   EXPECT_EQ(device.state().temperature, 0.5F);
 }
 
 // A Premium: each process has to calibrate it anew, in a pose that only the user can see.
-TEST_F(phantom, that_calibrates_in_its_reset_pose_starts_once_the_user_holds_it_there) {
+IN_WORLD(that_calibrates_in_its_reset_pose_starts_once_the_user_holds_it_there) {
   tell({.calibration = std::nullopt, .styles = hdapi::kCalibratesAtResetPose});
   for (int program = 0; program < 2; ++program) {
-    Listener listener;
+    Attends listener;
     listener.does = true;
-    Phantom device("", kPatient, listener);
+    Phantom device = opened(kPatient, listener);
     ASSERT_FALSE(device.start(1000));
     EXPECT_EQ(listener.asked, std::vector<std::string>{hdapi::kHoldInResetPose});
     EXPECT_EQ(seen().updates, program + 1);
@@ -219,10 +213,10 @@ TEST_F(phantom, that_calibrates_in_its_reset_pose_starts_once_the_user_holds_it_
   }
 }
 
-TEST_F(phantom, that_nobody_holds_in_its_reset_pose_is_not_started_and_runs_no_frame) {
+IN_WORLD(that_nobody_holds_in_its_reset_pose_is_not_started_and_runs_no_frame) {
   tell({.calibration = std::nullopt, .styles = hdapi::kCalibratesAtResetPose});
-  Listener listener;
-  Phantom device("", kPatient, listener);
+  Attends listener;
+  Phantom device = opened(kPatient, listener);
   const auto fault = device.start(1000);
   ASSERT_TRUE(fault);
   expect_words(fault->words, {"not calibrated", "reset pose"});
@@ -231,11 +225,11 @@ TEST_F(phantom, that_nobody_holds_in_its_reset_pose_is_not_started_and_runs_no_f
   EXPECT_TRUE(seen().frames.empty());
 }
 
-TEST_F(phantom, whose_arm_is_elsewhere_than_the_user_says_is_not_started) {
+IN_WORLD(whose_arm_is_elsewhere_than_the_user_says_is_not_started) {
   tell({.calibration = std::nullopt, .styles = hdapi::kCalibratesAtResetPose, .in_reset_pose = false});
-  Listener listener;
+  Attends listener;
   listener.does = true;
-  Phantom device("", kPatient, listener);
+  Phantom device = opened(kPatient, listener);
   const auto fault = device.start(1000);
   ASSERT_TRUE(fault);
   expect_words(fault->words, {"not calibrated"});
@@ -244,8 +238,19 @@ TEST_F(phantom, whose_arm_is_elsewhere_than_the_user_says_is_not_started) {
   EXPECT_TRUE(seen().frames.empty());
 }
 
+IN_WORLD(with_slow_frames_or_frames_far_from_the_rate_is_not_started_and_says_what_was_measured) {
+  expect_words(why_not_started({.frame_time = 10ms}, {.start = 100ms}), {"runs its frames too slowly"});
+  expect_words(why_not_started({.instantaneous_rate = 1000, .frame_hz = 800}, {.watchdog_timeout = 2s, .start = 1500ms}),
+               {"too irregular", "expected 1000 frames a second", "late, longest gap"});
+}
+
+IN_WORLD(that_does_not_answer_its_driver_is_not_started_though_no_error_is_reported) {
+  expect_words(why_not_started({.instantaneous_rate = 0}, {.watchdog_timeout = 2s, .start = 1200ms, .rate_tolerance = 1}),
+               {"no longer answers", "check cable and power"});
+}
+
 // While frames run, without force, until the user has done what is said.
-TEST_F(phantom, waits_with_words_for_a_calibration_in_the_inkwell_and_for_one_by_itself) {
+IN_WORLD(waits_with_words_for_a_calibration_in_the_inkwell_and_for_one_by_itself) {
   struct Case {
     int styles;
     const char* words;
@@ -259,13 +264,13 @@ TEST_F(phantom, waits_with_words_for_a_calibration_in_the_inkwell_and_for_one_by
              hdapi::kMoveItAbout,
              {.calibration = std::nullopt, .styles = hdapi::kCalibratesItself}}}) {
     tell({.calibration = std::nullopt, .styles = styles, .update_helps = false});
-    Listener listener;
+    Attends listener;
     listener.on_words = [&, orders = then](const std::string& heard) {
       if (heard.find("waiting for") == std::string::npos) return;
       EXPECT_FALSE(seen().output);
       tell(orders);
     };
-    Phantom device("", kPatient, listener);
+    Phantom device = opened(kPatient, listener);
     ASSERT_FALSE(device.start(1000));
     expect_words(listener.heard, {std::string("waiting for the PHANToM's calibration: ") + words});
     EXPECT_TRUE(listener.asked.empty());
@@ -273,22 +278,22 @@ TEST_F(phantom, waits_with_words_for_a_calibration_in_the_inkwell_and_for_one_by
   }
 }
 
-TEST_F(phantom, is_waited_for_no_longer_than_promised_while_it_is_not_calibrated) {
+IN_WORLD(is_waited_for_no_longer_than_promised_while_it_is_not_calibrated) {
   Phantom::Options hasty = kPatient;
   hasty.calibration = 200ms;
   expect_words(why_not_started({.calibration = hdapi::kCalibrationNeedsHand}, hasty), {"not calibrated", "inkwell"});
   EXPECT_EQ(seen().updates, 0);
 }
 
-TEST_F(phantom, is_not_waited_for_by_a_user_who_has_left) {
+IN_WORLD(is_not_waited_for_by_a_user_who_has_left) {
   tell({.calibration = hdapi::kCalibrationNeedsHand});
-  Listener listener;
+  Attends listener;
   listener.on_words = [&](const std::string&) { listener.leaves = true; };
-  Phantom device("", kPatient, listener);
+  Phantom device = opened(kPatient, listener);
   const auto fault = device.start(1000);
   ASSERT_TRUE(fault);
   expect_words(fault->words, {"stopped before the PHANToM was ready"});
 }
 
 }  // namespace
-}  // namespace forceshade::device
+}  // namespace forceshade::world
