@@ -4,6 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "system/system.h"
+
 namespace forceshade::device {
 namespace {
 
@@ -39,12 +41,15 @@ Stage::~Stage() {
 }
 
 void Stage::offer(std::unique_ptr<Stimulus> next) {
+  system::step();
   delete offered_.exchange(next.release(), std::memory_order_acq_rel);
   collect();
 }
 
 void Stage::collect() {
+  system::step();
   delete retired_.exchange(nullptr, std::memory_order_acq_rel);
+  system::step();
   delete withdrawn_.exchange(nullptr, std::memory_order_acq_rel);
 }
 
@@ -52,10 +57,13 @@ fast::Evaluation Stage::step(const Eigen::Vector3f& position) noexcept {
   // A place for each that goes: where it is not empty, the loop goes on with what it has.
   const auto left = [](std::unique_ptr<Stimulus>& old, std::atomic<Stimulus*>& place) {
     if (!old) return true;
+    system::step();
     if (place.load(std::memory_order_acquire) != nullptr) return false;
+    system::step();
     place.store(old.release(), std::memory_order_release);
     return true;
   };
+  system::step();
   if (offered_.load(std::memory_order_relaxed) != nullptr && left(pending_, withdrawn_))
     pending_.reset(offered_.exchange(nullptr, std::memory_order_acq_rel));
 

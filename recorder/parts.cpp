@@ -30,6 +30,7 @@ void Parts::begin(const std::string& path, Metadata metadata) {
   auto next = std::make_unique<Part>(path, std::move(metadata), options_);
   ++number_;
   // A hazard pointer: the loop says what it uses before it looks again whether that is still current.
+  system::step();
   current_ = next.get();
   if (std::unique_ptr<Part> before = std::exchange(part_, std::move(next))) {
     while (in_use_ == before.get()) system::sleep_for(std::chrono::microseconds(50));
@@ -38,6 +39,7 @@ void Parts::begin(const std::string& path, Metadata metadata) {
 }
 
 void Parts::end(const std::string& end_reason) {
+  system::step();
   current_ = nullptr;
   std::unique_ptr<Part> last = std::move(part_);
   try {
@@ -57,14 +59,18 @@ bool Parts::failing() const noexcept {
 void Parts::push(const device::Sample& sample) noexcept {
   Part* part = nullptr;
   do {
+    system::step();
     part = current_;
+    system::step();
     in_use_ = part;
+    system::step();
   } while (part != current_);
   if (part != nullptr) {
     device::Sample own = sample;
     own.tick = part->ticks++;
     part->recorder.push(own);
   }
+  system::step();
   in_use_ = nullptr;
 }
 

@@ -19,10 +19,8 @@
 namespace forceshade::recorder {
 namespace {
 
-void make_new_file(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw RecordingError(path + ": cannot make the recording: " + std::generic_category().message(errno));
-  ::close(descriptor);
+RecordingError cannot_make(const std::string& path) {
+  return RecordingError(path + ": cannot make the recording: " + std::generic_category().message(errno));
 }
 
 // The new metadata, and the digest of these and those before, at once.
@@ -34,30 +32,51 @@ void insert(Database& database, Metadata& metadata, const Metadata& more) {
   replace.bind(0, kDigestKey).bind(1, digest_of(metadata, kDigestKey)).run();
 }
 
+void remove_all(const std::string& path) noexcept {
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) ::unlink((path + suffix).c_str());
+}
+
+// A whole recording without samples, or none: it is made under another name, so that a death leaves no file that looks like a
+// recording and is none.
+void make_file(const std::string& path, Metadata& metadata) {
+  const std::string made = path + "-new-" + std::to_string(::getpid());
+  const int descriptor = ::open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw cannot_make(path);
+  ::close(descriptor);
+  try {
+    {
+      Database database(path, Database::Access::write, made);
+      if (database.text("PRAGMA journal_mode = WAL") != "wal")
+        throw RecordingError(path + ": cannot make the recording: SQLite has no write-ahead log on this file system");
+      database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kApplicationId) +
+                       "; PRAGMA user_version = " + std::to_string(kFormatVersion));
+      for (const std::string_view table : kTables) database.execute(std::string(table));
+      insert(database, metadata, std::exchange(metadata, {}));
+      database.execute("COMMIT; PRAGMA wal_checkpoint(TRUNCATE)");
+    }
+    if (::renameat2(AT_FDCWD, made.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) != 0) throw cannot_make(path);
+  } catch (...) {
+    remove_all(made);
+    throw;
+  }
+}
+
 // Adds what it writes to the metadata.
 Database make_database(const std::string& path, Metadata& metadata) {
-  Metadata given = std::exchange(metadata, {});
-  given["layout"] = layout();
-  make_new_file(path);
+  metadata["layout"] = layout();
+  make_file(path, metadata);
   try {
     Database database(path, Database::Access::write);
-    if (database.text("PRAGMA journal_mode = WAL") != "wal")
-      throw RecordingError(path + ": cannot make the recording: SQLite has no write-ahead log on this file system");
     // Nothing waits for the disk while the loop runs: a commit is a write into the kernel's cache, which outlives the process,
-    // and the log is moved into the file, which needs two fsyncs, only now, for the metadata, and by close().
+    // and the log is moved into the file, which needs two fsyncs, only by close().
     database.execute("PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 0");
-    database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kApplicationId) +
-                     "; PRAGMA user_version = " + std::to_string(kFormatVersion));
-    for (const std::string_view table : kTables) database.execute(std::string(table));
-    insert(database, metadata, given);
-    database.execute("COMMIT; PRAGMA wal_checkpoint(TRUNCATE)");
     // The first commit to an empty log waits for the disk: here, not with samples behind it.
     database.execute("BEGIN");
     insert(database, metadata, {{"started", system::date()}});
     database.execute("COMMIT");
     return database;
   } catch (...) {
-    for (const char* suffix : {"", "-wal", "-shm"}) ::unlink((path + suffix).c_str());
+    remove_all(path);
     throw;
   }
 }
@@ -85,6 +104,7 @@ class Recorder::Writer {
   ~Writer() { stop(); }
 
   void push(const device::Sample& sample) noexcept {
+    system::step();
     bool taken = ring_.push(sample);
     while (!taken && waits_ && !failing_) {
       system::sleep_for(interval_ / 10);
@@ -117,7 +137,9 @@ class Recorder::Writer {
       return result;
     }
     try {
-      database_.execute("PRAGMA journal_mode = DELETE");
+      // Without a journal on the disk: one that a death leaves there must be rolled back by whoever reads next, and a reader
+      // only reads. Nothing but the first 100 bytes of the file changes, in one sector.
+      database_.execute("PRAGMA journal_mode = MEMORY");
     } catch (const RecordingError&) {
       // Someone is reading, or there is no room for a copy: all is there, in two files instead of one.
     }
@@ -144,6 +166,7 @@ class Recorder::Writer {
   // Into the file, chunk by chunk, each a transaction. What the disk refuses stays in chunk_ until the next time.
   void empty_ring() {
     for (;;) {
+      system::step();
       if (chunk_.empty()) {
         chunk_.resize(kLongestChunk);
         chunk_.resize(ring_.pop(chunk_.data(), kLongestChunk));

@@ -37,10 +37,10 @@ void Database::Close::operator()(sqlite3* handle) const noexcept {
   sqlite3_close(handle);
 }
 
-Database::Database(std::string path, Access access) : path_(std::move(path)) {
+Database::Database(std::string path, Access access, const std::string& made_as) : path_(std::move(path)) {
   const int flags = access == Access::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(path_.c_str(), &handle, flags, nullptr);
+  const int code = sqlite3_open_v2((made_as.empty() ? path_ : made_as).c_str(), &handle, flags, nullptr);
   handle_.reset(handle);
   if (code != SQLITE_OK) throw error();
   sqlite3_busy_timeout(handle, kBusyTimeoutMs);

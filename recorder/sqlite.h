@@ -24,7 +24,8 @@ class Database {
 
   // Opens a file. For reading, nothing in it is trusted: no view, no trigger and no function of its schema is run, nothing
   // longer than a chunk is taken into memory, and a statement that takes more steps than a file of its size needs is stopped.
-  Database(std::string path, Access access);
+  // made_as: the file's name until it gets its own, which messages have in any case.
+  Database(std::string path, Access access, const std::string& made_as = {});
 
   // Throws RecordingError with SQLite's words, as all below.
   void execute(const std::string& sql);

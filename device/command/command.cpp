@@ -11,26 +11,15 @@
 namespace forceshade::device {
 namespace {
 
-using files::ChildProcess;
+using files::LineProgram;
 using files::ProcessFailed;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kToEnd{1000};  // for the program to end by itself, before it is ended
 
-// It drives hardware for as long as a run lasts, so that only what nobody needs is limited.
-files::ProcessLimits limits_of(const FramedOptions& options) {
-  constexpr auto kAny = std::numeric_limits<std::uint32_t>::max();
-  return {.answer = options.open,
-          .longest_line = std::size_t{1} << 16U,
-          .memory = std::numeric_limits<std::size_t>::max(),
-          .processor_seconds = kAny,
-          .file_megabytes = kAny,
-          .grace = kToEnd};
-}
-
 class CommandLink final : public FrameLink {
  public:
-  CommandLink(std::unique_ptr<ChildProcess> program, int buttons, const FramedOptions& options)
+  CommandLink(std::unique_ptr<LineProgram> program, int buttons, const FramedOptions& options)
       : program_(std::move(program)), answers_(buttons), may_force_(options.force) {
     program_->set_answer_time(options.answer);
   }
@@ -53,7 +42,7 @@ class CommandLink final : public FrameLink {
   std::string remark() const override { return end_ == "ended" ? "" : "it " + end_; }
 
  private:
-  std::unique_ptr<ChildProcess> program_;
+  std::unique_ptr<LineProgram> program_;
   command::Answers answers_;
   bool may_force_;
   std::string end_;  // how the program ended
@@ -61,14 +50,29 @@ class CommandLink final : public FrameLink {
 
 }  // namespace
 
-std::unique_ptr<Device> open_command(const std::string& command, const FramedOptions& options, Attendant& attendant) try {
-  auto program = std::make_unique<ChildProcess>(command, limits_of(options), command::kWhose);
-  const command::Hello hello = command::hello_of(program->hear());
+files::ProcessLimits command::limits_of(const FramedOptions& options) {
+  constexpr auto kAny = std::numeric_limits<std::uint32_t>::max();
+  return {.answer = options.open,
+          .longest_line = std::size_t{1} << 16U,
+          .memory = std::numeric_limits<std::size_t>::max(),
+          .processor_seconds = kAny,
+          .file_megabytes = kAny,
+          .grace = kToEnd};
+}
+
+std::unique_ptr<Device> command::open(std::unique_ptr<LineProgram> program, const FramedOptions& options,
+                                      Attendant& attendant) {
+  const Hello hello = hello_of(program->hear());
   FramedOptions its = options;
   its.device_paces = hello.paces;
   const int buttons = hello.description.capabilities.buttons;
   return std::make_unique<FramedDevice>(std::make_unique<CommandLink>(std::move(program), buttons, options), hello.description,
                                         its, attendant);
+}
+
+std::unique_ptr<Device> open_command(const std::string& command, const FramedOptions& options, Attendant& attendant) try {
+  return command::open(std::make_unique<files::ChildProcess>(command, command::limits_of(options), command::kWhose), options,
+                       attendant);
 } catch (const ProcessFailed& failure) {
   throw DeviceError(failure.what());
 } catch (const std::system_error& error) {

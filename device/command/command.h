@@ -9,6 +9,21 @@
 #include "device/frames/link.h"
 #include "forceshade/device.h"
 
+namespace forceshade::files {
+class LineProgram;
+struct ProcessLimits;
+}  // namespace forceshade::files
+
+namespace forceshade::device::command {
+
+// It drives hardware for as long as a run lasts, so that only what nobody needs is limited.
+files::ProcessLimits limits_of(const FramedOptions& options);
+
+// open_command() with a program that was started. Throws files::ProcessFailed.
+std::unique_ptr<Device> open(std::unique_ptr<files::LineProgram> program, const FramedOptions& options, Attendant& attendant);
+
+}  // namespace forceshade::device::command
+
 namespace forceshade::device {
 
 // The program has to answer each force within 10 ms.

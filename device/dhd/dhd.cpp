@@ -69,16 +69,21 @@ Check check_devices(const Functions& functions) {
 }
 
 }  // namespace
+
+std::unique_ptr<Device> open(const Functions& functions, const std::string& name, const FramedOptions& options,
+                             Attendant& attendant) {
+  auto link = std::make_unique<Link>(functions, name, options);
+  report(link->identity(), options.force, attendant);
+  const FramedDescription description = description_of(link->identity(), functions);
+  return std::make_unique<FramedDevice>(std::move(link), description, options, attendant);
+}
+
 }  // namespace forceshade::device::dhd
 
 namespace forceshade::device {
 
 std::unique_ptr<Device> open_dhd(const std::string& name, const FramedOptions& options, Attendant& attendant) try {
-  const dhd::Functions functions = dhd::load(dhd::names_to_try());
-  auto link = std::make_unique<dhd::Link>(functions, name, options);
-  dhd::report(link->identity(), options.force, attendant);
-  const FramedDescription description = dhd::description_of(link->identity(), functions);
-  return std::make_unique<FramedDevice>(std::move(link), description, options, attendant);
+  return dhd::open(dhd::load(dhd::names_to_try()), name, options, attendant);
 } catch (const dhd::Refused& error) {
   throw DeviceError(error.what());
 }

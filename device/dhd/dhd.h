@@ -12,6 +12,16 @@
 #include "device/frames/link.h"
 #include "forceshade/device.h"
 
+namespace forceshade::device::dhd {
+
+struct Functions;
+
+// open_dhd() with these functions. Throws Refused.
+std::unique_ptr<Device> open(const Functions& functions, const std::string& name, const FramedOptions& options,
+                             Attendant& attendant);
+
+}  // namespace forceshade::device::dhd
+
 namespace forceshade::device {
 
 // `name`: a serial number; "#" and an index from 0; empty: the only device. Opens it and reads what it is; its forces are

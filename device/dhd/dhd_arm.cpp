@@ -8,7 +8,6 @@
 #include "device/dhd/dhd_words.h"
 #include "files/csv.h"
 #include "files/printable.h"
-#include "system/system.h"
 
 namespace forceshade::device::dhd {
 namespace {
@@ -114,7 +113,7 @@ void Arm::send(const Eigen::Vector3d& force, bool matters) {
   throw why;
 }
 
-FrameState Arm::exchange(const Eigen::Vector3d& force) {
+FrameState Arm::exchange(const Eigen::Vector3d& force, std::int64_t until) {
   std::array<int, kStatusRoom> status{};
   expect(dhd_.dhdGetStatus(status.data(), *id_), "reading the status");
   if (status[kConnected] == 0) throw Refused("the device is no longer connected: check its cable and power");
@@ -131,10 +130,11 @@ FrameState Arm::exchange(const Eigen::Vector3d& force) {
   if (output_ == Output::off && may_force_ && is_calibrated) switch_on();
   const bool obeys = output_ == Output::on && is_calibrated;
   // Zero, too: without a force command gravity is not compensated, and the watchdog's time goes by.
-  if (output_ != Output::off) send(obeys ? force : Eigen::Vector3d(0, 0, 0), obeys);
+  if (output_ != Output::off) send(obeys && system::now() < until ? force : Eigen::Vector3d(0, 0, 0), obeys);
   FrameState state = state_at_position();
   state.calibrated = is_calibrated;
   state.forces_on = obeys;
+  state.withheld = !obeys;
   return state;
 }
 

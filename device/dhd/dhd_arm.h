@@ -12,6 +12,7 @@
 #include "device/dhd/dhd_library.h"
 #include "device/dhd/dhd_models.h"
 #include "device/frames/link.h"
+#include "system/system.h"
 
 namespace forceshade::device::dhd {
 
@@ -41,8 +42,9 @@ class Arm {
   Identity open(const std::string& which);
 
   // Sends this force, in N and the axes of the laws, and brings the state. Forces are switched on by the first exchange of a
-  // calibrated device, and sent once its status says that they are on. Throws Refused.
-  FrameState exchange(const Eigen::Vector3d& force);
+  // calibrated device, and sent once its status says that they are on. After `until` (system::now()) nobody waits for it any
+  // more, and zero is sent instead: its force is old. Throws Refused.
+  FrameState exchange(const Eigen::Vector3d& force, std::int64_t until = system::kForever);
 
   // Zero force, dhdStop, a tenth of a second, dhdClose.
   void close() noexcept;

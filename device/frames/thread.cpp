@@ -58,16 +58,17 @@ void FrameThread::frame() {
 }
 
 void FrameThread::take(const FrameState& state, const Eigen::Vector3d& force) {
+  const Eigen::Vector3d acting = state.withheld ? Eigen::Vector3d(0, 0, 0) : force;
   const auto window = times_.add(sample_.time);
   if (window) sample_.times = window;
   sample_.state = state;
   sent_.arrived(state.position);
-  sent_.acts(force);
+  sent_.acts(acting);
   sample_.sent = sent_.report();
   if (state.applied) {
     count_.says_force = true;
     const double difference =
-        std::min((*state.applied - force).norm(), (*state.applied - sample_.sent.acted.cast<double>()).norm());
+        std::min((*state.applied - acting).norm(), (*state.applied - sample_.sent.acted.cast<double>()).norm());
     count_.largest_difference = std::max(count_.largest_difference, difference);
   }
   if (!state.calibrated) times_.restart();
@@ -83,6 +84,7 @@ bool FrameThread::is_good() const noexcept {
 void FrameThread::note(const std::string& words) noexcept {
   std::snprintf(trouble_.data(), trouble_.size(), "%s", words.c_str());
   sample_.troubled = true;
+  sample_.time = system::now();  // another one, so that the loop does not wait for a frame that will not come
 }
 
 }  // namespace forceshade::device

@@ -8,6 +8,7 @@
 
 #include "device/frames/framed_device.h"
 #include "device/haply/haply_link.h"
+#include "device/haply/haply_socket.h"
 #include "files/csv.h"
 #include "files/printable.h"
 #include "system/system.h"
@@ -85,18 +86,18 @@ FramedDescription description_of(const Inverse3& arm, const haply::Version& vers
                            .buttons = has_grip ? 3 : 0}};
 }
 
-haply::Message first_message(haply::Socket& socket, const FramedOptions& options) {
-  const Answer answer = socket.receive(options.open);
+haply::Message first_message(haply::Conversation& service, const FramedOptions& options) {
+  const Answer answer = service.receive(options.open);
   if (answer.kind == Answer::Kind::late) throw DeviceError("the Inverse Service accepted the connection and said nothing");
   if (answer.kind == Answer::Kind::closed)
-    throw DeviceError("the Inverse Service closed the connection (" + socket.why() + ")");
+    throw DeviceError("the Inverse Service closed the connection (" + service.why() + ")");
   return haply::message_of(answer.text);
 }
 
 // Begins the session. The service's list of devices, with the one of this name, which no other program uses.
-haply::Message begun(haply::Socket& socket, const haply::Version& version, const std::string& name,
+haply::Message begun(haply::Conversation& service, const haply::Version& version, const std::string& name,
                      const FramedOptions& options, const Attendant& attendant) {
-  haply::Message message = first_message(socket, options);
+  haply::Message message = first_message(service, options);
   const std::string configuration = haply::configuration(version);
   const std::int64_t deadline = system::now() + system::in_ns(options.open);
   bool is_first = true;
@@ -108,7 +109,7 @@ haply::Message begun(haply::Socket& socket, const haply::Version& version, const
     if (!message.arms.empty() && haply::chosen(message, name).in_use)
       throw DeviceError("another program uses the Inverse3 " + haply::chosen(message, name).id +
                         ": forces of several programs add up, so end the other one");
-    const Answer answer = socket.ask(is_first ? configuration : haply::full_state(), options.open);
+    const Answer answer = service.ask(is_first ? configuration : haply::full_state(), options.open);
     if (answer.kind != Answer::Kind::message)
       throw DeviceError("the Inverse Service did not answer the session's first message");
     message = haply::message_of(answer.text);
@@ -117,11 +118,14 @@ haply::Message begun(haply::Socket& socket, const haply::Version& version, const
   return message;
 }
 
-void report(const Inverse3& arm, const haply::Address& address, Attendant& attendant) {
+void report(const Inverse3& arm, Attendant& attendant) {
   const auto enabled = [](const std::optional<bool>& on) { return !on ? "not said" : *on ? "on" : "off"; };
   attendant.report("Inverse3 " + files::printable(arm.id) + ": handedness " + files::printable(or_unknown(arm.handedness)) +
                    ", basis " + or_unknown(arm.basis) + ", gravity compensation " + enabled(arm.gravity_compensation) + ", " +
                    filters_of(arm));
+}
+
+void report_other_sessions(const haply::Address& address, Attendant& attendant) {
   try {
     const auto sessions = haply::sessions_in(haply::http_get(address, "/sessions", kHttp));
     if (sessions && *sessions > 1)
@@ -133,17 +137,23 @@ void report(const Inverse3& arm, const haply::Address& address, Attendant& atten
 
 }  // namespace
 
+std::unique_ptr<Device> haply::open(std::unique_ptr<Conversation> service, const Version& version, const std::string& name,
+                                    const FramedOptions& options, Attendant& attendant) {
+  const Message message = begun(*service, version, name, options, attendant);
+  const Inverse3& arm = chosen(message, name);
+  if (!arm.basis.empty() && arm.basis != "XYZ")
+    throw DeviceError("the Inverse Service's basis: expected XYZ, got " + arm.basis + ": set it so in the service's settings");
+  report(arm, attendant);
+  return std::make_unique<FramedDevice>(std::make_unique<Link>(std::move(service), version, arm.id, options),
+                                        description_of(arm, version, message.has_grip), options, attendant);
+}
+
 std::unique_ptr<Device> open_haply(const std::string& name, const FramedOptions& options, Attendant& attendant) try {
   const haply::Address address = service();
   const haply::Version version = version_of_service(address);
-  auto socket = std::make_unique<haply::Socket>(address, options.open);
-  const haply::Message message = begun(*socket, version, name, options, attendant);
-  const Inverse3& arm = haply::chosen(message, name);
-  if (!arm.basis.empty() && arm.basis != "XYZ")
-    throw DeviceError("the Inverse Service's basis: expected XYZ, got " + arm.basis + ": set it so in the service's settings");
-  report(arm, address, attendant);
-  return std::make_unique<FramedDevice>(std::make_unique<haply::Link>(std::move(socket), version, arm.id, options),
-                                        description_of(arm, version, message.has_grip), options, attendant);
+  auto device = haply::open(std::make_unique<haply::Socket>(address, options.open), version, name, options, attendant);
+  report_other_sessions(address, attendant);
+  return device;
 } catch (const DeviceError&) {
   throw;
 } catch (const std::runtime_error& error) {

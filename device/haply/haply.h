@@ -11,6 +11,17 @@
 #include "device/frames/link.h"
 #include "forceshade/device.h"
 
+namespace forceshade::device::haply {
+
+class Conversation;
+struct Version;
+
+// open_haply() over a connection that is open, to a service of this version. Throws DeviceError and std::runtime_error.
+std::unique_ptr<Device> open(std::unique_ptr<Conversation> service, const Version& version, const std::string& name,
+                             const FramedOptions& options, Attendant& attendant);
+
+}  // namespace forceshade::device::haply
+
 namespace forceshade::device {
 
 // `name`: an id or a serial number that the service lists; empty: the only one. Connects and reads what the device is; commands

@@ -14,13 +14,13 @@ const Eigen::Vector3d kMiddle{0, -150, 200};  // mm, in the service's frame
 }  // namespace
 
 FrameState Link::exchange(const Eigen::Vector3d& force) {
-  const Answer answer = socket_->ask(may_force_ ? messages_.with_force(force) : messages_.without_force(), answer_);
+  const Answer answer = service_->ask(may_force_ ? messages_.with_force(force) : messages_.without_force(), answer_);
   if (answer.kind == Answer::Kind::late)
     throw Unexpected("the Inverse Service has not answered for " + std::to_string(answer_.count()) +
                      " ms; if the device still pushes, switch it off");
   is_closed_ = answer.kind == Answer::Kind::closed;
   if (is_closed_)
-    throw Unexpected("the Inverse Service has closed the connection (" + socket_->why() +
+    throw Unexpected("the Inverse Service has closed the connection (" + service_->why() +
                      "); if the device still pushes, switch it off");
   const Message message = message_of(answer.text);
   const auto arm = std::find_if(message.arms.begin(), message.arms.end(), [&](const Inverse3& a) { return a.id == id_; });
@@ -35,14 +35,14 @@ FrameState Link::exchange(const Eigen::Vector3d& force) {
 
 void Link::close() noexcept {
   try {
-    if (may_force_ && !is_closed_) socket_->ask(messages_.with_force(Eigen::Vector3d::Zero()), kToEnd);
+    if (may_force_ && !is_closed_) service_->ask(messages_.with_force(Eigen::Vector3d::Zero()), kToEnd);
   } catch (const std::exception&) {
   }
-  socket_->close(kToEnd);
+  service_->close(kToEnd);
 }
 
 std::string Link::remark() const {
-  return socket_->unasked() > 0 ? std::to_string(socket_->unasked()) + " messages came unasked" : "";
+  return service_->unasked() > 0 ? std::to_string(service_->unasked()) + " messages came unasked" : "";
 }
 
 }  // namespace forceshade::device::haply

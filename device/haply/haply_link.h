@@ -7,23 +7,23 @@
 #include <string>
 
 #include "device/frames/link.h"
+#include "device/haply/conversation.h"
 #include "device/haply/haply_messages.h"
-#include "device/haply/haply_socket.h"
 
 namespace forceshade::device::haply {
 
 class Link final : public FrameLink {
  public:
   // id: of the arm. The session has begun.
-  Link(std::unique_ptr<Socket> socket, const Version& version, const std::string& id, const FramedOptions& options)
-      : socket_(std::move(socket)), id_(id), messages_(version, id), answer_(options.answer), may_force_(options.force) {}
+  Link(std::unique_ptr<Conversation> service, const Version& version, const std::string& id, const FramedOptions& options)
+      : service_(std::move(service)), id_(id), messages_(version, id), answer_(options.answer), may_force_(options.force) {}
 
   FrameState exchange(const Eigen::Vector3d& force) override;
   void close() noexcept override;
   std::string remark() const override;
 
  private:
-  std::unique_ptr<Socket> socket_;
+  std::unique_ptr<Conversation> service_;
   std::string id_;
   Frames messages_;
   std::chrono::milliseconds answer_;  // it may take so long

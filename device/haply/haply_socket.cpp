@@ -22,7 +22,6 @@ using Clock = std::chrono::steady_clock;
 using Done = std::optional<error_code>;
 
 constexpr std::size_t kLongestMessage = 1 << 20;
-constexpr int kMostUnasked = 100;  // in a row
 constexpr std::chrono::milliseconds kToEnd{100};
 
 void set(Done& done, const error_code& error) {
@@ -83,34 +82,13 @@ struct Socket::Implementation {
   asio::io_context io{1};
   beast::websocket::stream<tcp::socket> stream{io};
   beast::flat_buffer buffer;
-  Done read, written{error_code()}, ended;
-  bool is_reading = false, is_closing = false;
-  std::string sent, why;
-  std::size_t unasked = 0;
+  bool is_reading = false, is_closing = false, has_happened = false;
+  std::string sent;
+  Done ended;
 
-  void begin_reading() {
-    if (is_reading) return;
-    buffer.consume(buffer.size());
-    read.reset();
-    is_reading = true;
-    stream.async_read(buffer, [this](const error_code& error, std::size_t) { set(read, error); });
-  }
-
-  Answer closed(const error_code& error) {
-    if (why.empty()) {
-      why = error.message();
-      if (error == beast::websocket::error::closed && !stream.reason().reason.empty())
-        why += std::string(": ") + stream.reason().reason.c_str();
-    }
-    return {Answer::Kind::closed, {}};
-  }
-
-  Answer received(Clock::time_point deadline) {
-    begin_reading();
-    if (!run_until(io, read, deadline)) return {Answer::Kind::late, {}};
-    is_reading = false;
-    if (*read) return closed(*read);
-    return {Answer::Kind::message, {static_cast<const char*>(buffer.data().data()), buffer.size()}};
+  std::string words_of(const error_code& error) const {
+    const bool has_reason = error == beast::websocket::error::closed && !stream.reason().reason.empty();
+    return error.message() + (has_reason ? std::string(": ") + stream.reason().reason.c_str() : "");
   }
 };
 
@@ -132,7 +110,7 @@ Socket::Socket(const Address& address, Time timeout) : it_(std::make_unique<Impl
 }
 
 Socket::~Socket() {
-  close(kToEnd);
+  Socket::close(kToEnd);
   // What was begun ends here, so that nothing is written to what is gone.
   error_code ignored;
   it_->stream.next_layer().close(ignored);
@@ -140,28 +118,34 @@ Socket::~Socket() {
   it_->io.run_for(kToEnd);
 }
 
-Answer Socket::receive(Time timeout) {
-  return it_->received(Clock::now() + timeout);
+void Socket::send(std::string_view text) {
+  it_->sent = text;
+  it_->stream.async_write(asio::buffer(it_->sent), [this](const error_code& error, std::size_t) {
+    it_->has_happened = true;
+    error ? was_closed(it_->words_of(error)) : was_sent();
+  });
 }
 
-Answer Socket::ask(std::string_view text, Time timeout) {
-  const Clock::time_point now = Clock::now(), deadline = now + timeout;
-  for (int i = 0; i < kMostUnasked; ++i) {
-    it_->begin_reading();
-    it_->io.restart();
-    it_->io.poll();
-    if (!it_->read) break;
-    it_->is_reading = false;
-    if (*it_->read) return it_->closed(*it_->read);
-    ++it_->unasked;
+void Socket::wait(std::int64_t until) {
+  if (is_closed()) return;
+  if (!it_->is_reading && !keeps_message()) {
+    it_->is_reading = true;
+    it_->buffer.consume(it_->buffer.size());
+    it_->stream.async_read(it_->buffer, [this](const error_code& error, std::size_t) {
+      it_->has_happened = true;
+      it_->is_reading = false;
+      if (error) return was_closed(it_->words_of(error));
+      came({static_cast<const char*>(it_->buffer.data().data()), it_->buffer.size()});
+    });
   }
-  if (!it_->written) return {Answer::Kind::late, {}};  // nobody takes what was sent before
-  it_->sent = text;
-  it_->written.reset();
-  it_->stream.async_write(asio::buffer(it_->sent), [this](const error_code& error, std::size_t) { set(it_->written, error); });
-  if (!run_until(it_->io, it_->written, deadline)) return {Answer::Kind::late, {}};
-  if (*it_->written) return it_->closed(*it_->written);
-  return it_->received(deadline);
+  const Clock::time_point deadline{std::chrono::nanoseconds(until)};  // one clock: system::now() is steady_clock's
+  it_->has_happened = false;
+  it_->io.restart();
+  it_->io.poll();
+  while (!it_->has_happened && Clock::now() < deadline) {
+    if (it_->io.stopped()) it_->io.restart();
+    it_->io.run_one_until(deadline);
+  }
 }
 
 void Socket::close(Time timeout) noexcept {
@@ -173,14 +157,6 @@ void Socket::close(Time timeout) noexcept {
     run_until(it_->io, it_->ended, deadline);
   } catch (const std::exception&) {
   }
-}
-
-const std::string& Socket::why() const noexcept {
-  return it_->why;
-}
-
-std::size_t Socket::unasked() const noexcept {
-  return it_->unasked;
 }
 
 std::string http_get(const Address& address, const std::string& target, Socket::Time timeout) {

@@ -2,10 +2,11 @@
 #pragma once
 // A WebSocket, and HTTP beside it, where no call takes longer than it was given.
 
-#include <chrono>
 #include <memory>
 #include <string>
 #include <string_view>
+
+#include "device/haply/conversation.h"
 
 namespace forceshade::device::haply {
 
@@ -22,34 +23,20 @@ struct Address {
 // Throws std::invalid_argument.
 Address address_of(const std::string& text);
 
-struct Answer {
-  // Late: none came in time; the next call goes on waiting for it. Closed: none will come, and why().
-  enum class Kind { message, late, closed };
-  Kind kind;
-  std::string_view text;  // until the next call
-};
-
-class Socket {
+class Socket final : public Conversation {
  public:
-  using Time = std::chrono::nanoseconds;
-
   // Throws std::runtime_error where nobody listens, or what listens is no WebSocket.
   Socket(const Address& address, Time timeout);
-  ~Socket();
+  ~Socket() override;
   Socket(const Socket&) = delete;
   Socket& operator=(const Socket&) = delete;
 
-  // The next message.
-  Answer receive(Time timeout);
-  // Sends a message and waits for the next one. What came unasked before is counted and left out.
-  Answer ask(std::string_view text, Time timeout);
-  // The end that both sides know of.
-  void close(Time timeout) noexcept;
-
-  const std::string& why() const noexcept;
-  std::size_t unasked() const noexcept;
+  void close(Time timeout) noexcept override;
 
  private:
+  void send(std::string_view text) override;
+  void wait(std::int64_t until) override;
+
   struct Implementation;
   std::unique_ptr<Implementation> it_;
 };

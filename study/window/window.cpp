@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/window/window.h"
 
+#include <tuple>
 #include <utility>
 
 #include "study/window/view.h"
 
 namespace forceshade::window {
+namespace {
+
+// But for what was typed into it.
+bool is_one(const experiments::Screen& a, const experiments::Screen& b) {
+  const auto parts = [](const experiments::Screen& s) {
+    return std::tie(s.kind, s.title, s.text, s.block, s.trial, s.is_practice);
+  };
+  return parts(a) == parts(b);
+}
+
+}  // namespace
 
 bool Window::draw(const experiments::Screen& screen, const Scene& scene) {
-  const experiments::ScreenKind seen = screen_.kind;  // when the keys were typed that this frame takes
   const bool is_open = canvas_.draw(
       [=, look = look_](Size size, const Measure& measure) { return picture_of(screen, scene, look, size, measure); });
-  for (experiments::Press& press : presses_of(keys_, seen, canvas_.keys())) presses_.push_back(std::move(press));
+  // Typed at the screen of the frame before. Where the session has left it since, they do not count for one that nobody saw.
+  const std::vector<Key> typed = canvas_.keys();
+  if (is_one(screen_, screen))
+    for (experiments::Press& press : presses_of(keys_, screen.kind, typed)) presses_.push_back(std::move(press));
   if (!is_open) return false;
   screen_ = screen;
   scene_ = scene;

@@ -27,7 +27,7 @@ class Window {
   bool draw(const experiments::Screen& screen, const Scene& scene);
 
   // Since the last call, in their order: take them after every frame. What a key means follows from the screen that was last
-  // drawn before it was typed (keys.h).
+  // drawn before it was typed (keys.h); it means nothing where that is not the screen of this frame any more.
   std::vector<experiments::Press> presses();
 
   // Where the mouse points in the plane y = 0 of the scene that was last drawn, in mm; nothing while it is outside the window.

@@ -207,9 +207,8 @@ checks=$((checks + 1))
 
 # Ctrl-C: a drive ends with force zero and its record complete; certify and force leave nothing.
 { echo t_s,x_mm,y_mm,z_mm; for i in $(seq 0 20000); do echo "$i,3,0,-1"; done; } > long.csv
-mkdir temporary
-TMPDIR=temporary "$forceshade" drive --law wall --uncertified --device replay:long.csv --record stopped.csv > stopped.txt 2>&1 &
-until [ -n "$(find temporary -size +40k)" ]; do sleep 0.02; done
+"$forceshade" drive --law wall --uncertified --device replay:long.csv --record stopped.csv > stopped.txt 2>&1 &
+until [ -n "$(find stopped.csv.partial-* -size +40k 2> /dev/null)" ]; do sleep 0.02; done
 stopped INT; same 0 $?
 grep -q "(stopped)" stopped.txt || { echo "FAILED: not stopped: $(cat stopped.txt)"; exit 1; }
 same "0,0,0,end" "$(tail -1 stopped.csv | cut -d, -f7-10)"

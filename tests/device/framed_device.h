@@ -4,12 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <cstdio>
-#include <cstdlib>
-#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -83,65 +79,9 @@ inline void expect_highest_force(const nlohmann::json& verdict, double highest) 
   EXPECT_EQ(verdict["sessions"][0]["force_at_end_N"], 0);
 }
 
-// As many as the environment's variable says.
-inline int frames_named_by(const char* variable) {
-  const char* said = std::getenv(variable);
-  return said ? std::atoi(said) : 6000;
-}
-
-// What goes wrong in a session of the campaign below, as a stand-in's events: "late@5300".
-using Events = std::vector<std::string>;
-
-// How a session ended, the stand-in's verdict, and how many frames it answered.
-struct Session {
-  ServoResult run;
-  nlohmann::json verdict;
-  int frames;
-};
-
 // What goes wrong in contact, and the words that end the run for it.
 struct Wrong {
   const char *event, *words;
 };
-
-// Ten times as fast as real time. Lasts for so many frames at most.
-inline ServoOptions fast_loop(int frames) {
-  constexpr double kRate = 10'000;
-  return {.rate_hz = kRate, .max_seconds = frames / kRate, .watchdog_timeout = 10};
-}
-
-// A campaign over a stand-in, which finds no fault: so many frames in sessions, the first of which ends when its time is up,
-// and each other one by the next of `endings`. All endings where there are at least 6000 frames for each. What a session
-// survives, `passing`, happens over and over in each. `session` makes one of so many frames.
-inline void expect_no_blame(int frames, const Events& passing, const Events& endings,
-                            const std::function<Session(const Events&, int)>& session) {
-  constexpr int kToBeReady = 5000, kApart = 7000;  // frames: without force at the beginning, and between two events
-  const std::size_t count = 1 + std::min(endings.size(), static_cast<std::size_t>(frames / 6000));
-  const int each = frames / static_cast<int>(count);
-  std::size_t ticks = 0;
-  double peak = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    Events events;
-    for (std::size_t j = 0; j < 12 && static_cast<int>(j) * kApart < each; ++j)
-      events.push_back(passing[j % passing.size()] + '@' + std::to_string(kToBeReady + 300 + static_cast<int>(j) * kApart));
-    if (i > 0) events.push_back(endings[i - 1] + '@' + std::to_string(kToBeReady + each));
-    const auto& [run, verdict, answered] = session(events, i == 0 ? each : 2 * each);
-    std::printf("%s: %zu ticks, %s %s; peak %.3f N; %s\n", i == 0 ? "in order" : endings[i - 1].c_str(), run.ticks,
-                name_of(run.end_reason).data(), run.fault, run.peak_force_N, verdict["sessions"].dump().c_str());
-    EXPECT_EQ(verdict["faults"], nlohmann::json::object()) << events.back();
-    if (i == 0) {
-      EXPECT_EQ(run.end_reason, EndReason::time_up) << run.fault;
-    } else {
-      EXPECT_TRUE(run.end_reason == EndReason::device_fault || run.end_reason == EndReason::tripped) << events.back();
-      EXPECT_GE(answered, kToBeReady + each - 1) << "ended before " << events.back();
-    }
-    ticks += run.ticks;
-    peak = std::max(peak, run.peak_force_N);
-  }
-  std::printf("%zu ticks in %zu sessions, at most %.3f N\n", ticks, count, peak);
-  if (each > 12'000) {
-    EXPECT_GT(peak, 0.1);  // by then the hand is in contact
-  }
-}
 
 }  // namespace forceshade::device

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A session on a simulated device, called from a program: what the front is shown, what is kept, and how it ends.
+// A session on a simulated device, called from a program in a simulated world: what the front is shown, what is kept, and how
+// it ends.
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,7 @@
 #include "study/experiments/session_results.h"
 #include "tests/experiments/patient.h"
 #include "tests/experiments/protocol_folder.h"
+#include "tests/world/world.h"
 
 namespace forceshade::apparatus {
 namespace {
@@ -34,6 +36,7 @@ using tests::ProtocolFolder;
 class Patient : public Front {
  public:
   bool show(const Screen& screen, const std::optional<device::Sample>& latest, const Scene& felt) override {
+    system::sleep_for(std::chrono::milliseconds(16));
     screen_ = screen;
     is_ready_ = latest && (screen.trial == 0 || felt.left);
     if (screen.trial > 0 && felt.left) {
@@ -66,16 +69,26 @@ class SessionRun : public testing::Test {
             .protocol = folder.file(protocol),
             .participant = "P-1",
             .seed = 5,
-            .device = kDevice,
-            .servo = {.paced = false}};
+            .device = kDevice};
   }
-  // One tap, and then the hand stays in the air, where every exchange of bumps is possible (device/stage.h): the front may be
-  // as slow as it is, while the loop, which is not paced, runs ahead.
+  // One tap, and then the hand stays in the air, where every exchange of bumps is possible (device/stage.h).
   Outcome run(const SessionPlan& its, Front& front) const {
     const device::Intention tap({{0, {20, 0, 10}}, {0.5, {20, 0, -1}}, {1, {20, 0, 10}}},
                                 device::Intention::Between::minimum_jerk);
     device::Simulated device(device::premium_1_5(), device::Operator{device::Grip{}, tap, device::Tremor(1, 0.03), false});
-    return run_session(its, device, front, stop);
+    world::World world;
+    Outcome outcome;
+    std::exception_ptr thrown;
+    const auto in_the_world = [&] {
+      try {
+        outcome = run_session(its, device, front, stop);
+      } catch (...) {
+        thrown = std::current_exception();
+      }
+    };
+    EXPECT_EQ(world.run(in_the_world, 60 * system::kSecond), world::World::End::over);
+    if (thrown) std::rethrow_exception(thrown);
+    return outcome;
   }
 
   static constexpr const char* kDevice = "simulated:premium-1.5";

@@ -8,26 +8,26 @@
 #include <chrono>
 #include <map>
 #include <stdexcept>
-#include <thread>
+
+#include "system/system.h"
 
 namespace forceshade::tests {
 
 class FaultyDisk {
  public:
   static inline std::atomic<int> write_ms = 0, sync_ms = 0;  // how long each call takes
-  static inline std::atomic<bool> stands_still = false;      // each write waits until it is no more
-  static inline std::atomic<int> waiting = 0;                // writes that have had to
   static inline std::atomic<bool> full = false;              // each write fails as on a full disk
   static inline std::atomic<bool> unplugged = false;         // each write and sync fails as on a disk that is gone
-  static inline std::atomic<int> refused_writes = 0, syncs = 0;
+  static inline std::atomic<int> writes = 0, refused_writes = 0, syncs = 0;  // a write has two halves
 
   FaultyDisk() {
-    write_ms = sync_ms = refused_writes = syncs = waiting = 0;
-    full = unplugged = stands_still = false;
+    write_ms = sync_ms = writes = refused_writes = syncs = 0;
+    full = unplugged = false;
     static sqlite3_vfs faulty = [] {
       sqlite3_vfs vfs = *real();
       vfs.zName = "faulty";
       vfs.xOpen = open;
+      vfs.xDelete = [](sqlite3_vfs*, const char* name, int) { return real()->xDelete(real(), name, 0); };
       return vfs;
     }();
     real();
@@ -48,21 +48,24 @@ class FaultyDisk {
     if (code != SQLITE_OK) return code;
     static std::map<const sqlite3_io_methods*, sqlite3_io_methods> kinds;
     static const auto real_write = file->pMethods->xWrite;
-    static const auto real_sync = file->pMethods->xSync;
     sqlite3_io_methods& methods = kinds.try_emplace(file->pMethods, *file->pMethods).first->second;
     methods.xWrite = [](sqlite3_file* self, const void* bytes, int count, sqlite3_int64 offset) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(write_ms));
-      if (stands_still) ++waiting;
-      while (stands_still) std::this_thread::yield();
+      system::sleep_for(std::chrono::milliseconds(write_ms));
       if (full) return ++refused_writes, SQLITE_FULL;
       if (unplugged) return ++refused_writes, SQLITE_IOERR_WRITE;
-      return real_write(self, bytes, count, offset);
+      // A process can die between two pages of a write.
+      const int half = count / 2;
+      ++writes;
+      if (const int code = real_write(self, bytes, half, offset); code != SQLITE_OK) return code;
+      system::step();
+      ++writes;
+      return real_write(self, static_cast<const char*>(bytes) + half, count - half, offset + half);
     };
-    methods.xSync = [](sqlite3_file* self, int how) {
+    // No machine loses its power here, so that nothing has to reach the real disk.
+    methods.xSync = [](sqlite3_file*, int) {
       ++syncs;
-      std::this_thread::sleep_for(std::chrono::milliseconds(sync_ms));
-      if (unplugged) return SQLITE_IOERR_FSYNC;
-      return real_sync(self, how);
+      system::sleep_for(std::chrono::milliseconds(sync_ms));
+      return unplugged ? SQLITE_IOERR_FSYNC : SQLITE_OK;
     };
     file->pMethods = &methods;
     return SQLITE_OK;

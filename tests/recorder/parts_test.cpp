@@ -3,66 +3,23 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <thread>
 
 #include "forceshade/recording.h"
 #include "recorder/layout.h"
 #include "recorder/settings.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/world/in_the_world.h"
 
 namespace forceshade::recorder {
 namespace {
 
 using tests::TemporaryDirectory;
 
-TEST(parts, have_every_tick_once_and_in_order_whenever_the_next_one_begins) {
-  const TemporaryDirectory directory;
-  constexpr int kParts = 5;
-  const auto path = [&](int part) { return directory.file("part-" + std::to_string(part) + ".fsr"); };
-  Parts parts({.ring = 1 << 14, .waits = true});
-  std::atomic<std::uint64_t> pushed = 0;
-  std::atomic<bool> stop = false;
-  parts.begin(path(1), {{"trial", "1"}});
-  std::thread loop([&] {
-    while (!stop) {
-      // The tick's number, where a part does not count it anew.
-      parts.push({.tick = pushed, .wall_ns = static_cast<std::int64_t>(pushed.load())});
-      ++pushed;
-    }
-  });
-  for (int part = 2; part <= kParts; ++part) {
-    const std::uint64_t before = pushed;
-    while (pushed < before + 1000) std::this_thread::yield();
-    parts.begin(path(part), {});
-  }
-  stop = true;
-  loop.join();
-  parts.end("stopped");
-
-  std::int64_t next = 0;
-  for (int part = 1; part <= kParts; ++part) {
-    Recording recording(path(part));
-    EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
-    EXPECT_EQ(recording.metadata().at("part"), std::to_string(part));
-    EXPECT_EQ(recording.metadata().at("end_reason"), part == kParts ? "stopped" : "the next part began");
-    std::uint64_t tick = 0;
-    recording.for_each_chunk([&](std::span<const Sample> chunk) {
-      for (const Sample& sample : chunk) {
-        ASSERT_EQ(sample.tick, tick++);
-        ASSERT_EQ(sample.wall_ns, next++);
-      }
-    });
-    EXPECT_GE(tick, part == kParts ? 0U : 1000U);
-  }
-  EXPECT_EQ(next, static_cast<std::int64_t>(pushed.load()));
-}
-
-TEST(parts, that_cannot_be_made_leave_the_one_before_as_it_is) {
+TEST_IN_THE_WORLD(parts, that_cannot_be_made_leave_the_one_before_as_it_is) {
   const TemporaryDirectory directory;
   Parts parts(Recorder::Options{});
   parts.push({.tick = 0});  // goes nowhere
@@ -76,7 +33,7 @@ TEST(parts, that_cannot_be_made_leave_the_one_before_as_it_is) {
   EXPECT_EQ(recording.extent().samples, 2U);
 }
 
-TEST(parts, without_an_end_are_marked_as_cut_off) {
+TEST_IN_THE_WORLD(parts, without_an_end_are_marked_as_cut_off) {
   const TemporaryDirectory directory;
   {
     Parts parts(Recorder::Options{});
@@ -89,7 +46,7 @@ TEST(parts, without_an_end_are_marked_as_cut_off) {
 }
 
 // A ring that is full while the disk is in order: nothing failed, and still samples are missing.
-TEST(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_others) {
+TEST_IN_THE_WORLD(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_others) {
   const TemporaryDirectory directory;
   for (const bool has_next : {false, true}) {
     Parts parts({.ring = 4, .interval = std::chrono::seconds(10)});
@@ -113,7 +70,7 @@ TEST(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_others) {
 }
 
 // What was lost belongs to the part before, and is said by end(): the last part is whole.
-TEST(parts, after_one_that_lost_ticks_have_their_own_end) {
+TEST_IN_THE_WORLD(parts, after_one_that_lost_ticks_have_their_own_end) {
   const TemporaryDirectory directory;
   Parts parts({.ring = 4, .interval = std::chrono::seconds(10)});
   parts.begin(directory.file("a.fsr"), {});

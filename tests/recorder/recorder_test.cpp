@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <cstring>
 #include <filesystem>
-#include <thread>
 
 #include "forceshade/recording.h"
 #include "recorder/layout.h"
@@ -14,7 +10,7 @@
 #include "tests/recorder/numbered_samples.h"
 #include "tests/support/allocations.h"
 #include "tests/support/temporary_directory.h"
-#include "tests/support/wait_until.h"
+#include "tests/world/in_the_world.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -22,9 +18,9 @@ namespace {
 using namespace std::chrono_literals;
 using tests::FaultyDisk;
 using tests::TemporaryDirectory;
-using tests::wait_until;  // the writer's thread has come so far
 
-TEST(recorder, gives_back_every_sample_to_the_bit) {
+// In a world, what sleeps 100 ms finds a writer that has come so far: it looks every 25.
+TEST_IN_THE_WORLD(recorder, gives_back_every_sample_to_the_bit) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
   {
@@ -49,7 +45,7 @@ TEST(recorder, gives_back_every_sample_to_the_bit) {
   EXPECT_EQ(metadata.at("started").size(), std::strlen("2026-01-31T12:00:00Z"));
 }
 
-TEST(recorder, allocates_nothing_in_push) {
+TEST_IN_THE_WORLD(recorder, allocates_nothing_in_push) {
   const TemporaryDirectory directory;
   Recorder recorder(directory.file("run.fsr"), {}, {.ring = 100});
   const std::size_t before = tests::allocations();
@@ -59,32 +55,28 @@ TEST(recorder, allocates_nothing_in_push) {
   EXPECT_GT(tests::allocations(), before) << "the trap does not see allocations";
 }
 
-// The disk stands still with the first in its hand: a hundred more are kept, the rest is a gap that the file reports.
-TEST(recorder, counts_what_a_full_ring_refuses_and_shows_the_gap) {
+// Nothing is written before the ring is full: the first hundred are kept, the rest is a gap that the file reports.
+TEST_IN_THE_WORLD(recorder, counts_what_a_full_ring_refuses_and_shows_the_gap) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
-  const FaultyDisk disk;
   {
-    Recorder recorder(path, {}, {.ring = 100});
-    FaultyDisk::stands_still = true;
-    recorder.push(sample(0));
-    wait_until([] { return FaultyDisk::waiting > 0; });
-    for (std::uint64_t tick = 1; tick <= 150; ++tick) recorder.push(sample(tick));
-    FaultyDisk::stands_still = false;
-    wait_until([&] { return Recording(path).extent().samples == 101; });
-    for (std::uint64_t tick = 151; tick <= 160; ++tick) recorder.push(sample(tick));
+    Recorder recorder(path, {}, {.ring = 100, .interval = 1s});
+    for (std::uint64_t tick = 0; tick < 150; ++tick) recorder.push(sample(tick));
+    system::sleep_for(2s);
+    EXPECT_EQ(Recording(path).extent().samples, 100U);
+    for (std::uint64_t tick = 150; tick < 160; ++tick) recorder.push(sample(tick));
     const auto [written, lost, error] = recorder.close("time up");
-    EXPECT_EQ(written, 111U);
+    EXPECT_EQ(written, 110U);
     EXPECT_EQ(lost, 50U);
     EXPECT_EQ(error, "");
   }
   Recording recording(path);
   EXPECT_EQ(recording.extent().missing, 50U);
   EXPECT_EQ(problems_of(recording),
-            (std::vector<std::string>{path + ": missing: ticks 101 to 150", path + ": 50 samples were lost while recording"}));
+            (std::vector<std::string>{path + ": missing: ticks 100 to 149", path + ": 50 samples were lost while recording"}));
 }
 
-TEST(recorder, waits_for_the_disk_if_it_may) {
+TEST_IN_THE_WORLD(recorder, waits_for_the_disk_if_it_may) {
   const TemporaryDirectory directory;
   Recorder recorder(directory.file("run.fsr"), {}, {.ring = 100, .interval = 10ms, .waits = true});
   for (std::uint64_t tick = 0; tick < 1000; ++tick) recorder.push(sample(tick));
@@ -94,13 +86,14 @@ TEST(recorder, waits_for_the_disk_if_it_may) {
   expect_ticks(samples_of(directory.file("run.fsr")));
 }
 
-TEST(recorder, that_may_wait_does_not_wait_for_a_disk_that_takes_nothing) {
+TEST_IN_THE_WORLD(recorder, that_may_wait_does_not_wait_for_a_disk_that_takes_nothing) {
   const TemporaryDirectory directory;
   const FaultyDisk disk;
   Recorder recorder(directory.file("run.fsr"), {}, {.ring = 100, .interval = 10ms, .waits = true});
   FaultyDisk::full = true;
   recorder.push(sample(0));
-  wait_until([&] { return recorder.failing(); });
+  system::sleep_for(100ms);
+  ASSERT_TRUE(recorder.failing());
   for (std::uint64_t tick = 1; tick < 1000; ++tick) recorder.push(sample(tick));
   FaultyDisk::full = false;
   const auto [written, lost, error] = recorder.close("time up");
@@ -108,16 +101,20 @@ TEST(recorder, that_may_wait_does_not_wait_for_a_disk_that_takes_nothing) {
   EXPECT_EQ(lost, 899U);
 }
 
-// The disk takes nothing until every sample has been pushed.
-TEST(recorder, loses_nothing_to_a_slow_disk_and_never_waits_for_it) {
+// All pushes together take less than one write of this disk, of which every chunk needs several.
+TEST_IN_THE_WORLD(recorder, loses_nothing_to_a_slow_disk_and_never_waits_for_it) {
   const TemporaryDirectory directory;
   const FaultyDisk disk;
   Recorder recorder(directory.file("run.fsr"), {});
-  FaultyDisk::stands_still = true;
-  recorder.push(sample(0));
-  wait_until([] { return FaultyDisk::waiting > 0; });
-  for (std::uint64_t tick = 1; tick < 500; ++tick) recorder.push(sample(tick));
-  FaultyDisk::stands_still = false;
+  FaultyDisk::write_ms = FaultyDisk::sync_ms = 40;
+  std::int64_t pushing = 0;
+  for (std::uint64_t tick = 0; tick < 500; ++tick) {
+    const std::int64_t before = system::now();
+    recorder.push(sample(tick));
+    pushing += system::now() - before;
+    system::sleep_for(1ms);
+  }
+  EXPECT_LT(pushing, system::in_ns(1ms));
   const auto [written, lost, error] = recorder.close("time up");
   EXPECT_EQ(written, 500U);
   EXPECT_EQ(lost, 0U);
@@ -126,18 +123,20 @@ TEST(recorder, loses_nothing_to_a_slow_disk_and_never_waits_for_it) {
   expect_ticks(samples);
 }
 
-TEST(recorder, says_that_the_disk_is_full_and_keeps_what_it_took) {
+TEST_IN_THE_WORLD(recorder, says_that_the_disk_is_full_and_keeps_what_it_took) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
   const FaultyDisk disk;
   {
     Recorder recorder(path, {});
     for (std::uint64_t tick = 0; tick < 500; ++tick) recorder.push(sample(tick));
-    wait_until([&] { return Recording(path).extent().samples == 500; });
+    system::sleep_for(100ms);
+    ASSERT_TRUE(Recording(path).extent().samples == 500);
     EXPECT_FALSE(recorder.failing());
     FaultyDisk::full = true;
     for (std::uint64_t tick = 500; tick < 700; ++tick) recorder.push(sample(tick));
-    wait_until([&] { return recorder.failing(); });
+    system::sleep_for(100ms);
+    ASSERT_TRUE(recorder.failing());
     const auto [written, lost, error] = recorder.close("time up");
     EXPECT_EQ(written, 500U);
     EXPECT_EQ(lost, 200U);
@@ -154,7 +153,7 @@ TEST(recorder, says_that_the_disk_is_full_and_keeps_what_it_took) {
 
 // A chunk that the disk refused waits in the writer, further ones behind it in the ring: each sample is lost once, or, where
 // there is room again, none is.
-TEST(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
+TEST_IN_THE_WORLD(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
   constexpr std::uint64_t kWritten = 300, kWaiting = 3 * kLongestChunk + 7;
   for (const bool gets_room : {false, true}) {
     const TemporaryDirectory directory;
@@ -162,13 +161,16 @@ TEST(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
     const FaultyDisk disk;
     Recorder recorder(path, {});
     for (std::uint64_t tick = 0; tick < kWritten; ++tick) recorder.push(sample(tick));
-    wait_until([&] { return Recording(path).extent().samples == kWritten; });
+    system::sleep_for(100ms);
+    ASSERT_TRUE(Recording(path).extent().samples == kWritten);
     FaultyDisk::full = true;
     for (std::uint64_t tick = kWritten; tick < kWritten + kWaiting; ++tick) recorder.push(sample(tick));
-    wait_until([&] { return recorder.failing(); });
+    system::sleep_for(100ms);
+    ASSERT_TRUE(recorder.failing());
     if (gets_room) {
       FaultyDisk::full = false;
-      wait_until([&] { return !recorder.failing(); });
+      system::sleep_for(100ms);
+      ASSERT_TRUE(!recorder.failing());
     }
     const auto [written, lost, error] = recorder.close("time up");
     EXPECT_EQ(written, gets_room ? kWritten + kWaiting : kWritten);
@@ -180,16 +182,18 @@ TEST(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
   }
 }
 
-TEST(recorder, loses_nothing_when_a_full_disk_gets_room_again) {
+TEST_IN_THE_WORLD(recorder, loses_nothing_when_a_full_disk_gets_room_again) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
   const FaultyDisk disk;
   Recorder recorder(path, {});
   FaultyDisk::full = true;
   for (std::uint64_t tick = 0; tick < 700; ++tick) recorder.push(sample(tick));
-  wait_until([&] { return recorder.failing(); });
+  system::sleep_for(100ms);
+  ASSERT_TRUE(recorder.failing());
   FaultyDisk::full = false;
-  wait_until([&] { return !recorder.failing(); });
+  system::sleep_for(100ms);
+  ASSERT_TRUE(!recorder.failing());
   const auto [written, lost, error] = recorder.close("time up");
   EXPECT_EQ(written, 700U);
   EXPECT_EQ(lost, 0U);
@@ -199,7 +203,7 @@ TEST(recorder, loses_nothing_when_a_full_disk_gets_room_again) {
 }
 
 // Before the first tick the file reaches the disk, so that a loss of power leaves its metadata, and at the end all of it does.
-TEST(recorder, syncs_the_file_at_its_beginning_and_at_its_end) {
+TEST_IN_THE_WORLD(recorder, syncs_the_file_at_its_beginning_and_at_its_end) {
   const TemporaryDirectory directory;
   const FaultyDisk disk;
   Recorder recorder(directory.file("run.fsr"), {});
@@ -210,7 +214,7 @@ TEST(recorder, syncs_the_file_at_its_beginning_and_at_its_end) {
   EXPECT_GT(FaultyDisk::syncs, begun);
 }
 
-TEST(recorder, says_that_the_recording_was_deleted) {
+TEST_IN_THE_WORLD(recorder, says_that_the_recording_was_deleted) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
   Recorder recorder(path, {});
@@ -222,7 +226,7 @@ TEST(recorder, says_that_the_recording_was_deleted) {
   EXPECT_EQ(error, path + ": the recording was deleted while it was made");
 }
 
-TEST(recorder, never_overwrites_and_leaves_no_file_that_it_cannot_begin) {
+TEST_IN_THE_WORLD(recorder, never_overwrites_and_leaves_no_file_that_it_cannot_begin) {
   const TemporaryDirectory directory;
   const std::string old = directory.write("old.fsr", "precious");
   EXPECT_THROW(Recorder(old, {}), RecordingError);
@@ -234,7 +238,7 @@ TEST(recorder, never_overwrites_and_leaves_no_file_that_it_cannot_begin) {
   EXPECT_EQ(directory.entries(), 1);
 }
 
-TEST(recorder, without_a_close_is_marked_as_cut_off) {
+TEST_IN_THE_WORLD(recorder, without_a_close_is_marked_as_cut_off) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
   {
@@ -244,29 +248,6 @@ TEST(recorder, without_a_close_is_marked_as_cut_off) {
   Recording recording(path);
   EXPECT_FALSE(recording.ended());
   EXPECT_EQ(recording.extent().samples, 10U);
-}
-
-TEST(recorder, that_is_killed_leaves_what_it_has_written_and_no_end) {
-  const TemporaryDirectory directory;
-  const std::string path = directory.file("run.fsr");
-  const pid_t child = fork();
-  if (child == 0) {
-    Recorder recorder(path, {{"law", "wall"}});
-    for (std::uint64_t tick = 0;; ++tick) {
-      recorder.push(sample(tick));
-      std::this_thread::sleep_for(1ms);
-    }
-  }
-  wait_until([&] { return Recording(path).extent().samples > 100; });
-  kill(child, SIGKILL);
-  int status = 0;
-  EXPECT_EQ(waitpid(child, &status, 0), child);
-  const auto samples = samples_of(path);
-  EXPECT_GT(samples.size(), 100U);
-  expect_ticks(samples);
-  Recording recording(path);
-  EXPECT_EQ(problems_of(recording), std::vector<std::string>{path + ": no end: cut off, or still being made, after " +
-                                                             std::to_string(samples.size()) + " samples"});
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 
 namespace forceshade::tests {
 
-// A quarter of `all`, which is what a plain run draws; with FORCESHADE_DRAWS=N in the environment, N times all. `ctest -C full` also
-// runs each program whose CMakeLists.txt says DRAWS with N = 1. A larger N is for searches by hand.
+// A quarter of `all`, which is what a plain run draws; with FORCESHADE_DRAWS=N in the environment, N times all. `ctest -C full`
+// also runs each program whose CMakeLists.txt says DRAWS with N = 1. A larger N is for searches by hand.
 inline std::size_t drawn(std::size_t all) {
   const char* const times = std::getenv("FORCESHADE_DRAWS");
   return times == nullptr ? (all + 3) / 4 : all * std::strtoull(times, nullptr, 10);

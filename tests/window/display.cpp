@@ -42,11 +42,6 @@ int ignore_error(Display*, XErrorEvent*) {
 
 }  // namespace
 
-bool is_on_display() {
-  const Connection display = connection();
-  return display && participants_window(display.get()) != 0;
-}
-
 bool ask_to_close() {
   const Connection display = connection();
   const ::Window window = display ? participants_window(display.get()) : 0;
@@ -60,23 +55,6 @@ bool ask_to_close() {
   XSendEvent(display.get(), window, False, NoEventMask, &event);
   XSync(display.get(), False);
   return true;
-}
-
-Image display_image() {
-  const Connection display = connection();
-  if (!display) return {};
-  const int screen = DefaultScreen(display.get());
-  Image image{DisplayWidth(display.get(), screen), DisplayHeight(display.get(), screen), {}};
-  XImage* taken = XGetImage(display.get(), DefaultRootWindow(display.get()), 0, 0, static_cast<unsigned>(image.width),
-                            static_cast<unsigned>(image.height), AllPlanes, ZPixmap);
-  if (taken == nullptr) return {};
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const unsigned long pixel = XGetPixel(taken, x, y);
-      for (const int shift : {16, 8, 0}) image.bytes.push_back(static_cast<std::uint8_t>(pixel >> shift & 0xFF));
-    }
-  XDestroyImage(taken);
-  return image;
 }
 
 }  // namespace forceshade::window

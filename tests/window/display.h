@@ -3,17 +3,9 @@
 // What a test does to the display itself, by Xlib, whose macros stay in the source file. The display has no window manager, so
 // the participant's window stands right below its root.
 
-#include "study/window/window.h"
-
 namespace forceshade::window {
 
 // Sends the window the message of a window manager whose button to close it was clicked. Whether there is a window.
 bool ask_to_close();
-
-// Whether the window is on the display, of whichever process.
-bool is_on_display();
-
-// What the whole display shows; empty without a display.
-Image display_image();
 
 }  // namespace forceshade::window

@@ -91,6 +91,7 @@ struct HdFunctions {
     if (!hd().seen_.scheduler && !hd().callbacks_.empty()) breach("hdDisableDevice", "with a callback scheduled");
     if (!hd().seen_.scheduler && hd().seen_.output) breach("hdDisableDevice", "with the force output on");
     hd().seen_.initialised = hd().seen_.output = false;
+    if (!hd().arm_.felt().isZero(0)) hd().arm_.push({0, 0, 0});
     hd().arm_.close();
   }
   static void begin_frame(HHD) {
@@ -100,7 +101,8 @@ struct HdFunctions {
     d.in_frame_ = true;
     d.force_.setZero();
     const int number = d.arm_.frames();
-    d.state_ = d.arm_.look();
+    d.arm_.look();
+    d.state_ = d.arm_.state();
     d.state_.forces_on = d.state_.forces_on && d.seen_.output;
     if (d.orders_.output_goes_off) d.seen_.output = false;
     if (!std::exchange(d.has_position_, true) || !d.orders_.comm_lost)
@@ -122,7 +124,7 @@ struct HdFunctions {
     if (!d.seen_.output && !d.force_.isZero(0)) breach("hdEndFrame", "with a force while the output is off");
     const Eigen::Vector3d force = d.seen_.output ? d.force_ : Eigen::Vector3d(0, 0, 0);
     d.seen_.frames.push_back({d.position_, force});
-    d.arm_.send(device::turned_to_law(force), d.state_);
+    d.arm_.push(device::turned_to_law(force));
     for (const HDerror code : d.orders_.end) fail_in_frame("hdEndFrame", code);
     system::step();
     if (d.orders_.blocks == Blocks::end_frame) current()->be_stuck();
@@ -273,7 +275,9 @@ Hd::Hd(Arm& arm) : arm_(arm) {
   world::current()->on_process_end = [this](int process) {
     if (process == 0) return;
     seen_.initialised = seen_.scheduler = seen_.output = false;
-    arm_.lose();
+    if (arm_.is_closed()) return;
+    if (!arm_.felt().isZero(0) && !arm_.plan().may_be_lost) arm_.on_misuse("its process ends under force");
+    arm_.is_out_of_reach = true;
   };
 }
 

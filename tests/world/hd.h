@@ -82,12 +82,12 @@ struct Attends final : device::Attendant {
 
 // A device of a session: a Phantom over a driver and an attendant of its own, which the test may change before.
 struct OpenPhantom {
-  stand_in_hd::Orders orders = {.peak_force = Arm::kPeak};
+  stand_in_hd::Orders orders = {.peak_force = 3.0};
   device::PhantomOptions options = {};
   std::function<void(Attends&)> attended = nullptr;
 
   std::unique_ptr<device::Device> operator()(Arm& arm) const;
-  // Of the session that runs, or was the last.
+  // That of the session that runs, or was the last.
   static Attends& attends() noexcept;
 };
 

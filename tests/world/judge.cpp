@@ -37,7 +37,6 @@ Judge::Judge(World& world, Arm& arm) : world_(world), arm_(arm) {
   samples_.reserve(20'000);
   arm_.on_sent = [this](const Arm::Sent& it) { sent(it); };
   arm_.on_misuse = [this](const char* words) { violate(4, words); };
-  arm_.on_lost = [this] { violate(3, "the process that has the arm ends under force"); };
 }
 
 void Judge::violate(int rule, std::string words) {
@@ -48,14 +47,14 @@ void Judge::sent(const Arm::Sent& sent) {
   const Ns now = world_.now();
   const bool stood_still = world_.held_until() > sent_before_;
   const double size = sent.force.norm();
-  if (!(size <= Arm::kPeak * (1 + 1e-6))) violate(1, "a force of " + std::to_string(size) + " N was sent");
+  if (!(size <= arm_.peak * (1 + 1e-6))) violate(1, "a force of " + std::to_string(size) + " N was sent");
   if (size > 0) {
     if (!obeyed_) violate(1, "a force was sent to an arm that is not ready");
     const auto order =
         std::find_if(orders_.rbegin(), orders_.rend(), [&](const Order& it) { return covers(it.force, sent.force); });
     if (order == orders_.rend()) {
       violate(1, "a force that no order covers was sent");
-    } else if (now - order->time > kWatchdog) {
+    } else if (now - order->time > kWatchdog + kSend) {
       if (!stood_still || was_excused_) violate(2, "a force was sent that was ordered " + ms(now - order->time) + " ago");
       was_excused_ = true;
     } else {
@@ -68,19 +67,23 @@ void Judge::sent(const Arm::Sent& sent) {
 
 // The force that is felt depends on frames alone, so that it is enough to look while time goes on.
 void Judge::look() {
-  if (arm_.is_closed() || arm_.sent().empty() || arm_.felt().isZero(0)) return;
+  felt_until_ = std::max(felt_until_, arm_.felt_until());
+  if (arm_.felt().isZero(0)) return;
   const Ns now = world_.now(), ordered = orders_.empty() ? 0 : orders_.back().time;
-  const Ns over = now - ordered - arm_.plan().longest_force;
-  if (over <= 0) return;
-  // Where the frames' own thread stands still, nothing of this machine can end the force.
-  if (arm_.is_lost() || (world_.held_until() > ordered && now - world_.held_until() < 2 * kFrame))
-    without_watchdog_ = std::max(without_watchdog_, static_cast<double>(over) * 1e-6);
+  const double age = static_cast<double>(now - ordered) * 1e-6;
+  const Ns most = arm_.plan().longest_force + kSend;
+  if (now - ordered <= most) return;
+  // Where machine or frames stand still, or nothing reaches the arm, nothing of this machine can end the force.
+  const bool stood_still = now - ordered - (world_.stood_still() - stood_still_) <= most;
+  if (stood_still || !arm_.can_be_reached() || (world_.held_until() > ordered && now - world_.held_until() < 2 * kFrame))
+    without_watchdog_ = std::max(without_watchdog_, age);
   else
     violate(3, "a force is felt " + ms(now - ordered) + " after the last order");
 }
 
 void Judge::ordered(const Eigen::Vector3f& force) {
   orders_.push_back({world_.now(), force.cast<double>()});
+  stood_still_ = world_.stood_still();
   if (!held_button_ && !force.isZero(0)) violate(1, "a force was ordered while the dead-man button was let go");
 }
 
@@ -89,7 +92,7 @@ void Judge::read(const device::ReadResult& result) {
   if (reading == nullptr) return;
   if (reading->time < last_reading_) violate(5, "a reading is older than the one before");
   last_reading_ = reading->time;
-  read_ = reading->buttons >> 1U;
+  read_ = Arm::frame_of(reading->position.y());
   held_button_ = (reading->buttons & 1U) != 0;
 }
 
@@ -102,19 +105,20 @@ void Judge::woken(Ns frame) {
   if (world_.now() > free + kWake) violate(5, "the loop slept " + ms(world_.now() - free) + " beside a frame that was there");
 }
 
-void Judge::conclude(Outcome& outcome, const std::vector<std::string>& ends) {
+void Judge::conclude(Outcome& outcome) {
+  outcome.felt_until = felt_until_;
   outcome.without_watchdog = without_watchdog_;
+  outcome.stays = !arm_.felt().isZero(0);
   const auto& sent = arm_.sent();
-  if (!sent.empty() && !arm_.is_lost() && !arm_.felt().isZero(0)) violate(3, "a force is felt at the end");
+  if (outcome.stays && arm_.can_be_reached()) violate(3, "a force is felt at the end");
   if (outcome.end == World::End::dead && !world_.exit_code(0)) return;
-  if (!sent.empty() && !arm_.is_lost() && !arm_.is_closed()) violate(4, "the arm was not closed");
+  if (!sent.empty() && !arm_.is_closed() && arm_.can_be_reached()) violate(4, "the arm was not closed");
   if (outcome.end == World::End::never) violate(8, "the session does not end");
   for (int thread = 0; thread < world_.threads(); ++thread)
-    if (!world_.is_over(thread)) violate(8, "the thread \"" + world_.name(thread) + "\" is left");
-  if (outcome.end == World::End::dead) return;
-  const auto is_in_the_words = [&](const std::string& it) { return outcome.words().find(it) != std::string::npos; };
-  if (!ends.empty() && std::ranges::none_of(ends, is_in_the_words)) violate(8, "an end for another reason: " + outcome.words());
-  if (!outcome.refused.empty()) return;
+    if (!world_.is_over(thread) && world_.name(thread) != kPartner &&
+        !(!arm_.can_be_reached() && world_.name(thread) == "calls"))
+      violate(8, "the thread \"" + world_.name(thread) + "\" is left");
+  if (outcome.end == World::End::dead || !outcome.refused.empty()) return;
   const device::ServoResult& result = outcome.result;
   if (result.end_reason == device::EndReason::device_fault && *result.fault == '\0') violate(8, "an end without words");
   const device::PassivityAccount& account = result.account;
@@ -126,11 +130,11 @@ void Judge::conclude(Outcome& outcome, const std::vector<std::string>& ends) {
     if (sample.tick != k) violate(7, "the record lacks tick " + std::to_string(k));
     if (k >= orders_.size() || !is_same(sample.force, orders_[k].force))
       return violate(7, "the record of tick " + std::to_string(k) + " differs from its order");
-    const std::size_t frame = sample.buttons >> 1U;
+    const std::size_t frame = Arm::frame_of(static_cast<double>(sample.position[1]));
     if (frame >= sent.size() || !is_same(sample.sent_acting, sent[frame].force) ||
         (frame > 0 && !is_same(sample.sent_acted, sent[frame - 1].force)))
       return violate(7, "the record of tick " + std::to_string(k) + " differs from what was sent");
-    const std::size_t before = k > 0 ? samples_[k - 1].buttons >> 1U : frame - 1;
+    const std::size_t before = k > 0 ? Arm::frame_of(static_cast<double>(samples_[k - 1].position[1])) : frame - 1;
     outcome.repeated += frame == before ? 1 : 0;
     outcome.skipped += frame > before ? frame - before - 1 : 0;
     if (orders_[k].force.isZero(0)) continue;

@@ -14,6 +14,8 @@ namespace forceshade::world {
 
 // An order of the loop is obeyed for so long, and a frame takes so long.
 inline constexpr Ns kWatchdog = 25'000'000, kFrame = 1'000'000;
+// From a frame's look at its order to the moment at which its force is sent.
+inline constexpr Ns kSend = 50'000;
 
 class Judge final : public device::SampleSink {
  public:
@@ -22,7 +24,7 @@ class Judge final : public device::SampleSink {
   // At each step.
   void look();
   // When the session is over; adds what only its whole shows.
-  void conclude(Outcome& outcome, const std::vector<std::string>& ends);
+  void conclude(Outcome& outcome);
   const std::vector<Violation>& violations() const noexcept { return violations_; }
 
   // What the loop does with its device.
@@ -45,6 +47,7 @@ class Judge final : public device::SampleSink {
   std::vector<device::Sample> samples_;
   std::vector<Violation> violations_;
   Ns sent_before_ = 0;        // the frame before
+  Ns stood_still_ = 0;        // of the machine, up to the last order
   bool was_excused_ = false;  // its thread stood still between its look at the clock and its send
   bool obeyed_ = false;       // the state that the arm gave last
   double last_reading_ = -1;  // s
@@ -52,6 +55,7 @@ class Judge final : public device::SampleSink {
   Ns last_frame_ = 0;            // that the loop was woken for
   std::size_t read_ = 0;         // frames that it has read
   double without_watchdog_ = 0;  // ms
+  Ns felt_until_ = 0;
 };
 
 // Hands everything on, and tells the judge.

@@ -73,7 +73,6 @@ class phantom : public testing::Test {
     Arm arm(plan);
     arm.on_sent = [](const Arm::Sent&) {};
     arm.on_misuse = [](const char* words) { ADD_FAILURE() << words; };
-    arm.on_lost = [] { ADD_FAILURE() << "the driver's process ends under force"; };
     const Hd hd(arm);
     EXPECT_EQ(world.run(body, 200 * system::kSecond), World::End::over);
     EXPECT_FALSE(seen().initialised || seen().scheduler || seen().output);

@@ -136,7 +136,7 @@ TEST(hostile_phantom, whatever_its_driver_says_breaks_no_rule_and_ends_in_words)
     OpenPhantom open{.options = {.start = 1s}};
     if (i > 0) draws.draw(open.orders, kOfTheDevice, 4);
     if (i > 0) draws.draw(open.orders, kOfFrames, 3);
-    open.orders.peak_force = Arm::kPeak;  // else nothing more would be tried
+    open.orders.peak_force = 3.0;  // else nothing more would be tried
     SCOPED_TRACE(words_of(first, draws.drawn));
     const Outcome outcome = session(plan, open);
     for (const Violation& violation : outcome.violations) ADD_FAILURE() << "rule " << violation.rule << ": " << violation.words;

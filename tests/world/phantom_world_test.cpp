@@ -24,12 +24,14 @@ using std::chrono::milliseconds;
 constexpr Ns kMillisecond = 1'000'000;
 
 // The parts of a session, since its begin.
-struct Part {
+struct PartOfPhantom {
   const char* name;
   Ns from;
 };
-const std::vector<Part> kParts{
+const std::vector<PartOfPhantom> kParts{
     {"opening", 0}, {"ready", 498 * kMillisecond}, {"contact", 900 * kMillisecond}, {"end", 1100 * kMillisecond}};
+
+using Words = std::vector<std::string>;
 
 void expect_kept(const char* part, const Found& found) {
   std::printf("%s: %ld sessions, %ld broke a rule; only a device's own time-out could have ended a force within %.3f ms\n",
@@ -38,16 +40,21 @@ void expect_kept(const char* part, const Found& found) {
   EXPECT_EQ(found.broken, 0) << found.first;
 }
 
-// Four times as many steps where all cases are drawn.
-void expect_kept_everywhere(const std::vector<Fault>& faults, std::size_t steps, const Plan& plan = {},
+std::vector<Fault> with_words(std::vector<Fault> faults, const Words& words) {
+  for (Fault& fault : faults) fault.words = words;
+  return faults;
+}
+
+// The end has one of these words, if there are any. Four times as many steps where all cases are drawn.
+void expect_kept_everywhere(const std::vector<Fault>& faults, std::size_t steps, const Words& words = {}, const Plan& plan = {},
                             const OpenPhantom& open = {}) {
   const long tried = static_cast<long>(tests::drawn(4 * steps));
-  for (const auto& [name, from] : kParts) expect_kept(name, placed(faults, {from, tried}, plan, open));
+  for (const auto& [name, from] : kParts) expect_kept(name, placed(with_words(faults, words), {from, tried}, plan, open));
 }
 
 // What the driver does from this step on.
 Fault told(const char* name, const std::function<void(Orders&)>& change) {
-  return {name, [change](World&) {
+  return {name, [change](World&, Arm&) {
             Orders orders = Hd::current().orders();
             change(orders);
             Hd::current().tell(orders);
@@ -66,8 +73,8 @@ std::vector<Fault> blocking_calls() {
           told("no frame runs", [](Orders& orders) { orders.hung = true; })};
 }
 
-const Fault kLoopIsKilled{"the loop's process is killed", [](World& world) { world.kill_process(0); }};
-const Fault kLoopHangs{"the loop hangs", [](World& world) { world.kill(kLoop); }};
+const Fault kLoopIsKilled{"the loop's process is killed", [](World& world, Arm&) { world.kill_process(0); }};
+const Fault kLoopHangs{"the loop hangs", [](World& world, Arm&) { world.kill(kLoop); }};
 
 // Who waits for no call of the driver's for long.
 const OpenPhantom kImpatient{
@@ -91,7 +98,7 @@ TEST(phantom_world, a_session_in_order_touches_the_wall_and_ends_when_its_time_i
 TEST(phantom_world, frames_are_followed_one_tick_each_at_whatever_rate_they_come) {
   for (const double frame_hz : {977.0, 1000.0, 1013.0}) {
     SCOPED_TRACE(frame_hz);
-    const Outcome outcome = session({}, OpenPhantom{.orders = {.peak_force = Arm::kPeak, .frame_hz = frame_hz}});
+    const Outcome outcome = session({}, OpenPhantom{.orders = {.peak_force = 3.0, .frame_hz = frame_hz}});
     EXPECT_TRUE(outcome.violations.empty());
     EXPECT_TRUE(outcome.result.supervised);
     EXPECT_TRUE(outcome.result.followed_device);
@@ -106,7 +113,7 @@ TEST(phantom_world, frames_are_followed_one_tick_each_at_whatever_rate_they_come
 TEST(phantom_world, frames_that_are_slower_than_this_machines_clock_are_used_twice_where_the_loop_follows_that) {
   Plan plan;
   plan.follows_device = false;
-  const Outcome outcome = session(plan, OpenPhantom{.orders = {.peak_force = Arm::kPeak, .frame_hz = 977}});
+  const Outcome outcome = session(plan, OpenPhantom{.orders = {.peak_force = 3.0, .frame_hz = 977}});
   EXPECT_TRUE(outcome.violations.empty());
   EXPECT_FALSE(outcome.result.followed_device);
   EXPECT_NEAR(static_cast<double>(outcome.repeated), 0.6 * 23, 2);
@@ -118,19 +125,19 @@ TEST(phantom_world, an_event_in_contact_ends_the_run_for_its_own_reason) {
   using Kind = Event::Kind;
   struct Case {
     Event event;
-    std::vector<std::string> ends;
+    std::string ends;
   };
   for (const auto& [event, ends] :
-       {Case{{950, Kind::late, 20}, {"tripped: watchdog"}}, Case{{950, Kind::late, 60}, {hdapi::kSilent}},
-        Case{{950, Kind::garbage}, {hdapi::kNotFinite}}, Case{{950, Kind::jump}, {"tripped"}},
-        Case{{950, Kind::uncalibrated, 10}, {"tripped: uncalibrated"}}, Case{{950, Kind::forces_off, 60}, {"time up"}},
-        Case{{950, Kind::lets_go_of_button, 60}, {"time up"}}}) {
+       {Case{{950, Kind::late, 20}, "tripped: watchdog"}, Case{{950, Kind::late, 60}, hdapi::kSilent},
+        Case{{950, Kind::garbage}, hdapi::kNotFinite}, Case{{950, Kind::jump}, "tripped"},
+        Case{{950, Kind::uncalibrated, 10}, "tripped: uncalibrated"}, Case{{950, Kind::forces_off, 60}, "time up"},
+        Case{{950, Kind::lets_go_of_button, 60}, "time up"}}) {
     Plan plan;
     plan.events = {event};
-    plan.ends = ends;
     plan.has_dead_man_button = true;
     plan.longest_force += static_cast<Ns>(event.milliseconds * 1e6);
     const Outcome outcome = session(plan, OpenPhantom{});
+    EXPECT_NE(outcome.words().find(ends), std::string::npos) << outcome.words();
     for (const Violation& violation : outcome.violations) ADD_FAILURE() << "rule " << violation.rule << ": " << violation.words;
     EXPECT_GT(outcome.peak, 0.2);
   }
@@ -149,14 +156,15 @@ TEST(phantom_world, no_hold_breaks_a_rule) {
 }
 
 TEST(phantom_world, no_standstill_and_no_death_of_the_loop_breaks_a_rule) {
-  const auto all_of_the_driver = [](World& world) {
+  const auto all_of_the_driver = [](World& world, Arm&) {
     for (const int thread : {kHost, kWatch, kScheduler}) world.hold(thread, 60 * kMillisecond);
   };
   expect_kept_everywhere(
-      {{"the machine stands still for 60 ms", [](World& world) { world.stand_still(60 * kMillisecond); }},
-       {"the machine and its clock stand still for 60 ms", [](World& world) { world.stand_still(60 * kMillisecond, false); }},
-       {"the loop stands still for 60 ms", [](World& world) { world.hold(kLoop, 60 * kMillisecond); }},
-       {"the frames stand still for 60 ms", [](World& world) { world.hold(kScheduler, 60 * kMillisecond); }},
+      {{"the machine stands still for 60 ms", [](World& world, Arm&) { world.stand_still(60 * kMillisecond); }},
+       {"the machine and its clock stand still for 60 ms",
+        [](World& world, Arm&) { world.stand_still(60 * kMillisecond, false); }},
+       {"the loop stands still for 60 ms", [](World& world, Arm&) { world.hold(kLoop, 60 * kMillisecond); }},
+       {"the frames stand still for 60 ms", [](World& world, Arm&) { world.hold(kScheduler, 60 * kMillisecond); }},
        {"the driver's process stands still for 60 ms", all_of_the_driver},
        kLoopHangs,
        kLoopIsKilled},
@@ -165,51 +173,58 @@ TEST(phantom_world, no_standstill_and_no_death_of_the_loop_breaks_a_rule) {
 
 // Whichever of its threads makes the step: it ends the force first.
 TEST(phantom_world, no_crash_of_the_drivers_process_leaves_a_force) {
-  const auto crash = [](World& world) {
+  const auto crash = [](World& world, Arm&) {
     if (world.process() == kDriver) world.crash();
   };
-  Plan plan;
-  plan.ends = {"time up", hdapi::kDriverEnded, "the vendor's library failed in it"};
-  expect_kept_everywhere({{"a crash", crash}}, 150, plan);
+  expect_kept_everywhere({{"a crash", crash}}, 150, {"time up", hdapi::kDriverEnded, "the vendor's library failed in it"});
 }
 
 // Nothing on the machine can end its force; the loop sees it and says so, and no process is left.
 TEST(phantom_world, a_drivers_process_that_is_killed_or_stopped_or_that_no_signal_reaches_is_said_to_have_ended) {
-  const auto stop = [](World& world) {
+  const auto stop = [](World& world, Arm&) {
     for (const int thread : {kHost, kWatch, kScheduler}) world.hold(thread, 60 * system::kSecond);
   };
   Plan plan;
   plan.may_be_lost = true;
   plan.longest_force = 4 * system::kSecond;  // until the process is killed that does not end
-  plan.ends = {"time up",
-               hdapi::kDriverEnded,
-               hdapi::kSilent,
-               hdapi::kNoFrames,
-               "was ended by a signal (Killed)",
-               "runs its frames too slowly",
-               "has not answered for"};
-  expect_kept_everywhere({{"it is killed", [](World& world) { world.kill_process(kDriver); }},
+  const Words words{"time up",
+                    hdapi::kDriverEnded,
+                    hdapi::kSilent,
+                    hdapi::kNoFrames,
+                    "was ended by a signal (Killed)",
+                    "runs its frames too slowly",
+                    "has not answered for"};
+  expect_kept_everywhere({{"it is killed", [](World& world, Arm&) { world.kill_process(kDriver); }},
                           {"it is stopped", stop},
-                          {"its own thread goes no further", [](World& world) { world.kill(kScheduler); }}},
-                         50, plan, kImpatient);
+                          {"its own thread goes no further", [](World& world, Arm&) { world.kill(kScheduler); }}},
+                         50, words, plan, kImpatient);
 }
 
 TEST(phantom_world, a_signal_from_elsewhere_changes_nothing) {
-  const auto signal = [](World& world) {
+  const auto signal = [](World& world, Arm&) {
     if (world.threads() > kScheduler) system::interrupt(kScheduler);
   };
-  Plan plan;
-  plan.ends = {"time up"};
-  expect_kept_everywhere({{"a signal", signal}}, 40, plan);
+  expect_kept_everywhere({{"a signal", signal}}, 40, {"time up"});
 }
 
 // A frame that does not end has the driver's locks, and its force.
 TEST(phantom_world, a_call_of_the_drivers_that_never_returns_ends_in_words_and_without_force) {
   Plan plan;
   plan.longest_force = kFrameIsLeft;
-  plan.ends = {"time up",       hdapi::kSilent,         hdapi::kNoFrames,
-               hdapi::kNoStart, "has not answered for", "runs its frames too slowly"};
-  expect_kept_everywhere(blocking_calls(), 30, plan, kImpatient);
+  const Words words{"time up",       hdapi::kSilent,         hdapi::kNoFrames,
+                    hdapi::kNoStart, "has not answered for", "runs its frames too slowly"};
+  expect_kept_everywhere(blocking_calls(), 30, words, plan, kImpatient);
+}
+
+// The watch says it, since whoever calls the driver cannot.
+TEST(phantom_world, a_start_that_does_not_return_has_words_of_its_own) {
+  OpenPhantom open = kImpatient;
+  open.orders.blocks = Blocks::start_scheduler;
+  const Outcome outcome = session({}, open);
+  EXPECT_NE(outcome.words().find(hdapi::kNoStart), std::string::npos) << outcome.words();
+  EXPECT_EQ(outcome.driver_exit, device::kStuck);
+  EXPECT_NE(OpenPhantom::attends().heard.find(hdapi::kNoEnd), std::string::npos);
+  EXPECT_TRUE(outcome.violations.empty());
 }
 
 // Two faults: once its end of the packets is alone, the watch ends the force, whatever the driver is stuck in.
@@ -240,7 +255,7 @@ TEST(phantom_world, an_error_of_the_drivers_and_a_late_call_end_the_run_or_not_b
                           told("the output goes off", [](Orders& orders) { orders.output_goes_off = true; }),
                           told("frames take 10 ms", [](Orders& orders) { orders.frame_time = milliseconds(10); }),
                           told("frames take 60 ms", [](Orders& orders) { orders.frame_time = milliseconds(60); })},
-                         30, plan);
+                         30, {}, plan);
 }
 
 TEST(phantom_world, an_attendant_may_answer_or_leave_at_any_step) {
@@ -248,11 +263,11 @@ TEST(phantom_world, an_attendant_may_answer_or_leave_at_any_step) {
   open.orders.calibration = std::nullopt;
   open.orders.styles = hdapi::kCalibratesAtResetPose;
   open.attended = [](Attends& it) { it.patience = 200 * kMillisecond; };
-  Plan plan;
-  plan.ends = {"time up", hdapi::kNotCalibrated};
-  expect_kept("answers", placed({{"it is done", [](World&) { OpenPhantom::attends().does = true; }}}, {0, 100}, plan, open));
-  plan.ends = {"stopped before the PHANToM was ready", hdapi::kNotCalibrated};
-  expect_kept("leaves", placed({{"leaves", [](World&) { OpenPhantom::attends().leaves = true; }}}, {0, 100}, plan, open));
+  const Words done{"time up", hdapi::kNotCalibrated}, left{"stopped before the PHANToM was ready", hdapi::kNotCalibrated};
+  expect_kept("answers",
+              placed({{"it is done", [](World&, Arm&) { OpenPhantom::attends().does = true; }, done}}, {0, 100}, {}, open));
+  expect_kept("leaves",
+              placed({{"leaves", [](World&, Arm&) { OpenPhantom::attends().leaves = true; }, left}}, {0, 100}, {}, open));
 }
 
 }  // namespace

@@ -23,12 +23,18 @@ std::string words_of(const Violation& violation) {
 // What the processes of a search have found, in memory that all of them map.
 struct Shared {
   long tried = 0, broken = 0;
-  double without_watchdog = 0;
+  double longest = 0, without_watchdog = 0;
+  long go_on = 0, stay = 0;
   std::array<char, 1024> first{};
 
-  void add(const std::string& name, const Outcome& outcome) {
+  // when: by the arm's clock, when the last fault was placed.
+  void add(const std::string& name, const Outcome& outcome, Ns when) {
     ++tried;
+    const bool goes_on = outcome.end == World::End::over && outcome.result.end_reason == device::EndReason::time_up;
+    go_on += goes_on ? 1 : 0;
+    if (!goes_on) longest = std::max(longest, static_cast<double>(outcome.felt_until - when) * 1e-6);
     without_watchdog = std::max(without_watchdog, outcome.without_watchdog);
+    stay += outcome.stays ? 1 : 0;
     if (outcome.violations.empty() || ++broken > 1) return;
     std::snprintf(first.data(), first.size(), "%s: %s; %s", name.c_str(), words_of(outcome.violations.front()).c_str(),
                   outcome.words().c_str());
@@ -63,24 +69,34 @@ class Placing {
   Placing(std::vector<Stage> stages, Shared& shared) : stages_(std::move(stages)), shared_(shared) {}
 
   Found found(Plan plan, const Open& open) {
-    plan.at_step = [this](long) { at_step(); };
-    const Outcome outcome = session(plan, open);
+    plan.at_step = [this](Arm& arm) { at_step(arm); };
+    Outcome outcome = session(plan, open);
     if (depth_ > 0) {
-      if (depth_ == stages_.size()) shared_.add(name_, outcome);
+      if (stages_.size() == 1 && !has_right_words(outcome))
+        outcome.violations.push_back({8, "the words of the end are not those of the fault"});
+      if (depth_ == stages_.size()) shared_.add(name_, outcome, when_);
       std::fflush(stdout);
       ::_exit(0);
     }
     Found found;
     found.tried = shared_.tried;
     found.broken = shared_.broken + (outcome.violations.empty() ? 0 : 1);
+    found.longest = shared_.longest;
     found.without_watchdog = shared_.without_watchdog;
+    found.go_on = shared_.go_on;
+    found.stay = shared_.stay;
     found.first = shared_.first.data();
     if (!outcome.violations.empty()) found.first = "without a fault: " + words_of(outcome.violations.front());
     return found;
   }
 
  private:
-  void at_step() {
+  bool has_right_words(const Outcome& outcome) const {
+    const std::string words = outcome.words();
+    return words_.empty() || std::ranges::any_of(words_, [&](const std::string& its) { return words.find(its) != words.npos; });
+  }
+
+  void at_step(Arm& arm) {
     if (depth_ == stages_.size()) return;
     World& world = *current();
     const auto& [faults, window] = stages_[depth_];
@@ -97,7 +113,9 @@ class Placing {
         begin_ = -1;
         step_ = 0;
         name_ += (name_.empty() ? "" : ", then ") + fault.name + " at step " + std::to_string(world.steps());
-        return fault.happens(world);
+        words_ = fault.words;
+        when_ = world.outside_now();
+        return fault.happens(world, arm);
       }
       int status = 0;
       ::waitpid(process, &status, 0);
@@ -112,34 +130,37 @@ class Placing {
   std::vector<Stage> stages_;
   Shared& shared_;
   std::size_t depth_ = 0;
-  Ns begin_ = -1;
+  Ns begin_ = -1, when_ = 0;
   long step_ = 0;
   std::string name_;
+  std::vector<std::string> words_;
 };
 
 }  // namespace
 
-Found random_sessions(int count, const Plan& plan, const Open& open) {
+Found random_sessions(int count, const Plan& plan, const Session& its) {
   Found found;
   for (int seed = 1; seed <= count; ++seed) {
-    Plan its = plan;
-    its.schedule = {.seed = static_cast<std::uint64_t>(seed), .holds = plan.schedule.holds, .changes = plan.schedule.changes};
-    const Outcome outcome = session(its, open);
+    Plan seeded = plan;
+    seeded.schedule = {
+        .seed = static_cast<std::uint64_t>(seed), .holds = plan.schedule.holds, .changes = plan.schedule.changes};
+    const Outcome outcome = its(seeded);
     ++found.tried;
     found.seconds += static_cast<double>(outcome.lasted) * 1e-9;
     found.digest = found.digest * 31 + outcome.digest;
     found.without_watchdog = std::max(found.without_watchdog, outcome.without_watchdog);
+    found.stay += outcome.stays ? 1 : 0;
     if (outcome.violations.empty() || ++found.broken > 1) continue;
     found.first = "seed " + std::to_string(seed) + ": " + words_of(outcome.violations.front()) + "; " + outcome.words();
-    for (const Entry& entry : shrunk(its, open, outcome.decisions)) found.first += "\n  " + entry.words();
+    for (const Entry& entry : shrunk(seeded, its, outcome.decisions)) found.first += "\n  " + entry.words();
   }
   return found;
 }
 
-std::vector<Entry> shrunk(Plan plan, const Open& open, std::vector<Entry> decisions) {
+std::vector<Entry> shrunk(Plan plan, const Session& its, std::vector<Entry> decisions) {
   const auto breaks = [&](const std::vector<Entry>& list) {
     plan.schedule.list = list;
-    return !session(plan, open).violations.empty();
+    return !its(plan).violations.empty();
   };
   if (!breaks(decisions)) return decisions;
   for (std::size_t part = std::max<std::size_t>(1, decisions.size() / 2);;) {
@@ -172,6 +193,26 @@ Found placed(const std::vector<Fault>& faults, const Window& window, const Plan&
   return Placing({{&faults, window}}, *shared).found(plan, open);
 }
 
+Found placed_anew(const std::vector<Fault>& faults, const Window& window, const Plan& plan, const Session& its) {
+  Shared shared;
+  for (const Fault& fault : faults)
+    for (long place = 0; place < window.steps; ++place) {
+      Plan with = plan;
+      long steps = 0;
+      Ns begin = -1;
+      with.at_step = [&](Arm& arm) {
+        World& world = *current();
+        if (begin < 0) begin = world.now();
+        if (plan.at_step) plan.at_step(arm);
+        if (world.now() - begin >= window.from && steps++ == place * window.stride) fault.happens(world, arm);
+      };
+      const Outcome outcome = its(with);
+      if (place > 0 && steps <= place * window.stride) break;  // it was over before
+      shared.add(fault.name + " at step " + std::to_string(place * window.stride), outcome, 0);
+    }
+  return {.tried = shared.tried, .broken = shared.broken, .first = shared.first.data()};
+}
+
 Found placed_pairs(const std::vector<Fault>& firsts, const Window& window, const std::vector<Fault>& seconds,
                    const Window& second, const Plan& plan, const Open& open) {
   const SharedMemory shared;
@@ -182,7 +223,7 @@ std::vector<Fault> holds(long most) {
   std::vector<Fault> all;
   for (long steps = 1; steps <= most; ++steps)
     all.push_back({"whoever makes the step waits for " + std::to_string(steps) + " steps of the others",
-                   [steps](World& world) { world.hold_for_steps(world.running(), steps); }});
+                   [steps](World& world, Arm&) { world.hold_for_steps(world.running(), steps); }});
   return all;
 }
 

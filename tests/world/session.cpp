@@ -19,7 +19,8 @@ using device::FrameState;
 
 constexpr Ns kMillisecond = 1'000'000;
 constexpr Ns kAnswer = kMillisecond / 20, kLongestAnswer = 25 * kMillisecond;
-constexpr Ns kLongest = 20 * system::kSecond;  // of a session in the world
+constexpr Ns kLongest = 40 * system::kSecond;  // of a session in the world
+constexpr int kUntilItStays = 3000;            // ms, after which a force is taken to stay
 
 // The hand's height above the wall: down to 1 mm inside it, every second.
 double height_at(Ns time) {
@@ -48,66 +49,77 @@ const Event* Arm::event_at(int frame, Event::Kind kind) const noexcept {
   return found == plan_.events.end() ? nullptr : &*found;
 }
 
-FrameState Arm::look() {
-  const int number = frames();
-  if (closed_at_) on_misuse("a frame follows the end");
-  if (event_at(number, Event::Kind::jump)) offset_ += 10;
-  const Ns time = current()->outside_now();
-  const double seconds = static_cast<double>(time) * 1e-9;
-  const Eigen::Vector3d position{0.3 * std::sin(40 * seconds) + offset_, 0, height_at(time)};
-  if (!sent_.empty()) work_ += felt().dot(position - sent_.back().position);
-  most_work_ = std::max(most_work_, work_);
-  FrameState state{.position = position,
-                   .buttons = static_cast<std::uint16_t>(static_cast<unsigned>(number) << 1U),
-                   .calibrated = event_at(number, Event::Kind::uncalibrated) == nullptr,
-                   .forces_on = event_at(number, Event::Kind::forces_off) == nullptr};
-  if (event_at(number, Event::Kind::lets_go_of_button) == nullptr) state.buttons |= 1U;
-  return state;
-}
-
-void Arm::send(const Eigen::Vector3d& force, const FrameState& state) {
-  sent_.push_back({current()->outside_now(), force, state.position, state.calibrated && state.forces_on});
-  on_sent(sent_.back());
-}
-
-void Arm::answered() noexcept {
-  sent_.back().answered = current()->now();
-}
-
 FrameState Arm::frame(const Eigen::Vector3d& force) {
-  const int number = frames();
-  const FrameState state = look();
-  send(force, state);
+  push(force);
+  const int number = static_cast<int>(sent_.size()) - 1;
+  const FrameState its = state();
   if (event_at(number, Event::Kind::garbage)) throw std::runtime_error("the arm sent garbage");
   const Event* late = event_at(number, Event::Kind::late);
   const Ns answer = kAnswer + (late ? static_cast<Ns>(late->milliseconds * 1e6) : 0);
   system::sleep_until(system::now() + std::min(answer, kLongestAnswer));
   answered();
   if (answer > kLongestAnswer) throw std::runtime_error("the arm has not answered in time");
-  return state;
+  return its;
+}
+
+void Arm::look() {
+  const int number = frames();
+  if (closed_at_) on_misuse("a frame follows the end");
+  if (event_at(number, Event::Kind::jump)) jump();
+  const Ns time = current()->outside_now();
+  const double seconds = static_cast<double>(time) * 1e-9;
+  const Eigen::Vector3d position{0.3 * std::sin(40 * seconds) + offset_, number / kFramesInMillimetre, height_at(time)};
+  if (!sent_.empty()) work_ += felt().dot(position - sent_.back().position);
+  most_work_ = std::max(most_work_, work_);
+  const bool obeys = is_calibrated && has_forces_on && event_at(number, Event::Kind::uncalibrated) == nullptr &&
+                     event_at(number, Event::Kind::forces_off) == nullptr;
+  next_ = Sent{time, Eigen::Vector3d::Zero(), position, obeys};
+}
+
+void Arm::push(const Eigen::Vector3d& force) {
+  if (!next_) look();
+  next_->time = current()->outside_now();
+  next_->force = force;
+  sent_.push_back(*next_);
+  next_.reset();
+  on_sent(sent_.back());
+}
+
+FrameState Arm::state() const {
+  const int number = next_ ? frames() : frames() - 1;
+  return {.position = (next_ ? *next_ : sent_.back()).position,
+          .buttons = static_cast<std::uint16_t>(event_at(number, Event::Kind::lets_go_of_button) ? 0 : 1),
+          .calibrated = is_calibrated && event_at(number, Event::Kind::uncalibrated) == nullptr,
+          .forces_on = has_forces_on && event_at(number, Event::Kind::forces_off) == nullptr};
+}
+
+void Arm::lose_client() {
+  lost_at_ = current()->outside_now();
+  if (on_lost) on_lost();
 }
 
 void Arm::close() {
   system::step();
   if (closed_at_) on_misuse("closed twice");
+  if (has_forces_on && !sent_.empty() && !sent_.back().force.isZero(0)) on_misuse("closed under a force");
   closed_at_ = current()->outside_now();
 }
 
 void Arm::open() noexcept {
   closed_at_.reset();
-  is_lost_ = false;
+  is_out_of_reach = false;
 }
 
-void Arm::lose() {
-  if (closed_at_) return;
-  if (!felt().isZero(0) && !plan_.may_be_lost) on_lost();
-  is_lost_ = true;
+Ns Arm::felt_until() const noexcept {
+  if (sent_.empty() || closed_at_ || !has_forces_on || sent_.back().force.isZero(0)) return 0;
+  Ns until = current()->outside_now();
+  if (plan_.own_watchdog) until = std::min(until, sent_.back().time + *plan_.own_watchdog);
+  if (lost_at_ && sees_end_after) until = std::min(until, *lost_at_ + *sees_end_after);
+  return until;
 }
 
 Eigen::Vector3d Arm::felt() const noexcept {
-  const Ns now = current()->outside_now();
-  const bool is_over = plan_.own_watchdog && !sent_.empty() && now - sent_.back().time > *plan_.own_watchdog;
-  if (sent_.empty() || closed_at_ || is_over) return Eigen::Vector3d::Zero();
+  if (felt_until() < current()->outside_now()) return Eigen::Vector3d::Zero();
   return sent_.back().force;
 }
 
@@ -126,8 +138,8 @@ Outcome session(const Plan& plan, const Open& open) {
   Arm arm(plan);
   Judge judge(world, arm);
   const Ns begin = world.now();
-  world.at_step = [&](long step) {
-    if (plan.at_step) plan.at_step(step);
+  world.at_step = [&](long) {
+    if (plan.at_step) plan.at_step(arm);
     judge.look();
   };
   Outcome outcome;
@@ -149,12 +161,17 @@ Outcome session(const Plan& plan, const Open& open) {
         }
       },
       kLongest);
-  // The frames of a loop that is dead go on alone, and so does their process.
-  if (outcome.end == World::End::dead && world.threads() > kFrames) {
-    world.run_until_over(kFrames, world.exit_code(0) ? kLongest : 200 * kMillisecond);
+  // What else there is goes on without a loop that is dead, a call of a library that is left alone in any case, and the arm
+  // whatever is dead. Another process goes on for ever where that of the loop is not dead.
+  const Ns rest = world.processes() > 1 && !world.exit_code(0) ? 200 * kMillisecond : 2 * system::kSecond;
+  for (int thread = 0; thread < world.threads(); ++thread)
+    if (!world.is_over(thread) && (outcome.end == World::End::dead || world.name(thread) == "calls"))
+      world.run_until_over(thread, rest);
+  for (int i = 0; i < kUntilItStays && !arm.felt().isZero(0); ++i) {
+    world.pass(1);
     judge.look();
   }
-  judge.conclude(outcome, plan.ends);
+  judge.conclude(outcome);
   outcome.driver_exit = world.exit_code(kDriver);
   outcome.violations = judge.violations();
   outcome.decisions = world.decisions();

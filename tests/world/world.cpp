@@ -43,8 +43,12 @@ World::World(Schedule schedule)
   processes_.push_back(std::make_unique<Process>());
 }
 
+// What a thread holds that is not over is never given back, as where a process ends.
 World::~World() {
   the_world = nullptr;
+  static auto& left = *new std::vector<std::unique_ptr<Thread>>;
+  for (auto& it : threads_)
+    if (it->state != Thread::State::over) left.push_back(std::move(it));
 }
 
 std::uint64_t World::random() noexcept {  // splitmix64
@@ -66,8 +70,9 @@ const Entry* World::listed(Entry::Kind kind) const noexcept {
 
 int World::begin(const char* name, std::function<void()> body) {
   const int number = threads();
-  threads_.push_back(std::make_unique<Thread>(name, [this, number, its = std::move(body)] {
+  threads_.push_back(std::make_unique<Thread>(name, [this, number, its = std::move(body)]() mutable {
     its();
+    its = nullptr;  // a thread destroys what it has run
     Thread& self = *threads_[static_cast<std::size_t>(number)];
     self.state = Thread::State::over;
     self.fiber.release();
@@ -96,6 +101,11 @@ World::End World::run_until_over(int thread, Ns longest) {
 
 const std::string& World::name(int thread) const noexcept {
   return threads_[static_cast<std::size_t>(thread)]->name;
+}
+
+int World::thread(std::string_view name) const noexcept {
+  const auto found = std::ranges::find_if(threads_, [&](const auto& it) { return it->name == name; });
+  return found == threads_.end() ? -1 : static_cast<int>(found - threads_.begin());
 }
 
 bool World::is_over(int thread) const noexcept {
@@ -206,7 +216,7 @@ void World::make_step() noexcept {
     if (changes) decisions_.push_back({steps_, Entry::Kind::change, 0});
   }
   ++steps_;
-  if (changes || !can_go_on(it)) go(choose());
+  if (changes || !can_go_on(it) || now_ > limit_) go(choose());
 }
 
 void World::kill(int thread) noexcept {
@@ -232,6 +242,7 @@ Ns World::held_until() const noexcept {
 
 void World::stand_still(Ns time, bool clock_goes_on) noexcept {
   (clock_goes_on ? now_ : stopped_) += time;
+  if (clock_goes_on) stood_still_ += time;
   held_until_ = std::max(held_until_, now_);
 }
 

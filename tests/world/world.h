@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "system/system.h"
@@ -67,8 +68,13 @@ class World {
   int process() const noexcept;  // of the thread that runs
   bool is_over(int thread) const noexcept;
   const std::string& name(int thread) const noexcept;
+  // The first one of this name; -1: there is none.
+  int thread(std::string_view name) const noexcept;
+  int processes() const noexcept { return static_cast<int>(processes_.size()); }
   // When whatever a schedule or a fault has held up could go on again; now, where that is not known yet.
   Ns held_until() const noexcept;
+  // The time for which the whole machine has stood still while its clock went on.
+  Ns stood_still() const noexcept { return stood_still_; }
   const std::vector<Entry>& decisions() const noexcept { return decisions_; }
 
   // Called at each step of a thread, before it goes on: judges, places faults. The number is that of the step.
@@ -128,7 +134,7 @@ class World {
   std::vector<std::unique_ptr<std::uint64_t[]>> mapped_;  // by several processes
   Fiber outside_;
   int running_ = -1, target_ = -1;  // threads; the first is -1 outside
-  Ns now_ = system::kSecond, stopped_ = 0, limit_ = 0, held_until_ = 0, computed_ = system::kSecond;
+  Ns now_ = system::kSecond, stopped_ = 0, stood_still_ = 0, limit_ = 0, held_until_ = 0, computed_ = system::kSecond;
   bool is_late_ = false;
   long steps_ = 0;
   std::uint64_t state_ = 0;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""drive_test.py STAND-IN LIBRARY FORCESHADE recording|events|assumptions: the command over the stand-in, which finds no fault of it;
+"""drive_test.py STAND-IN LIBRARY FORCESHADE recording|assumptions: the command over the stand-in, which finds no fault of it;
 what it says of everything that goes wrong; and its exit codes."""
 
 import os
@@ -53,33 +53,6 @@ def recording():
         checks.expect(device["serial"] == "1234", f"summary: {device}")
 
 
-def events():
-    off = "the device has switched its forces off: "
-    in_contact = {
-        "unplug": "communication with the device failed (DHD error 2",
-        "garbage": "the device's position: expected numbers of at most 1 m",
-        "nan": "the device's position: expected numbers of at most 1 m",
-        "wrong-unit": "the device's position: expected numbers of at most 1 m",
-        "jump": "the supervisor stopped the run: jump",
-        "late": "the vendor's library has not answered for 25 ms",
-        "force-button": off + "its force button was pressed", "overspeed": off + "its arm was too fast",
-        "usb": off + "its USB connection is bad", "deadman": off + "its dead-man switch was released",
-        "read-error": "reading the position: communication", "force-error": "sending a force: communication",
-        "uncalibrated": "the supervisor stopped the run: uncalibrated",
-        "power-off": "the device has no power", "error": "the device reports an error",
-    }
-    runs = at_once(lambda event: Run(["--seconds", "4"], ["--event", event + "@contact"]), in_contact, 2)
-    for event, run in runs.items():
-        run.expect(event, 3, in_contact[event])
-    counted = Run(["--seconds", "1.5"], ["--event", "saturate@1400", "--event", "time-guard@900"])
-    counted.expect("saturate", 0, "1 frames had saturated motors", "1 frames had the position of the one before")
-    released = Run(["--seconds", "1.6", "--dead-man", "0"], assume("pressed=yes") + ["--event", "press@300"])
-    released.expect("a button that is not held down", 0)
-    checks.expect(released.session["largest_force_N"] == 0, f"press: {released.session}")
-    late = Run(["--seconds", "0.5"], assume("calibrated=no") + ["--event", "calibrated@700"])
-    late.expect("calibration", 0, "waiting for the calibration of the omega.3: put the calibration pole")
-
-
 def assumptions():
     helped = subprocess.run([sys.executable, program, "dhd", "--library", library, "--help"], text=True, capture_output=True).stdout
     known = {line.split("=")[0].strip() for line in helped[helped.index("assumptions ("):helped.index("events (")].splitlines()[1:]}
@@ -128,6 +101,6 @@ def assumptions():
 
 
 if __name__ == "__main__":
-    least = {"recording": (recording, 9), "events": (events, 55), "assumptions": (assumptions, 100)}
+    least = {"recording": (recording, 9), "assumptions": (assumptions, 100)}
     least[mode][0]()
     sys.exit(checks.exit_code(least[mode][1]))

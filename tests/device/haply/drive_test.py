@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""drive_test.py STAND-IN FORCESHADE recording|events|assumptions: the command over the stand-in, which finds no fault of it; what
+"""drive_test.py STAND-IN FORCESHADE recording|assumptions: the command over the stand-in, which finds no fault of it; what
 it says of everything that goes wrong; and its exit codes."""
 
 import os
@@ -56,30 +56,6 @@ def recording():
         checks.expect(device["serial"] == "stand-in-0001", f"summary: {device}")
 
 
-def events():
-    closed, silent = "the Inverse Service has closed the connection", "the Inverse Service has not answered for 25 ms"
-    in_contact = {
-        "unplug": "the Inverse3 is no longer connected",
-        "garbage": "the Inverse Service: expected JSON, got \"{",
-        "nan": "the Inverse Service: expected JSON",
-        "wrong-unit": "cursor_position: expected x, y and z of at most 2",
-        "no-position": "a state without a position",
-        "uncalibrated": "the supervisor stopped the run: uncalibrated",
-        "jump": "the supervisor stopped the run: jump",
-        "lose": silent, "late": silent, "freeze": silent, "close": closed, "reset": closed, "die": closed,
-    }
-    runs = at_once(lambda event: Run(["--seconds", "4"], ["--event", event + "@contact"]), in_contact, 3)
-    for event, run in runs.items():
-        run.expect(event, 3, in_contact[event])
-    Run(["--seconds", "1"], ["--event", "unasked@900"]).expect("unasked", 0, "1 messages came unasked")
-    off = Run(["--seconds", "1.6"], ["--event", "power-off@300"])
-    off.expect("power-off", 0)
-    checks.expect(off.session["largest_force_N"] == 0, f"power-off: {off.session}")
-    released = Run(["--seconds", "1.6", "--dead-man", "0"], ["--pressed", "--event", "press@300"])
-    released.expect("a button that is not held down", 0)
-    checks.expect(released.session["largest_force_N"] == 0, f"press: {released.session}")
-
-
 def assumptions():
     other = ["values-key=both", "http=before", "envelope=asked", "force-reported=no", "basis-reported=no", "control-mode=force",
              "grip=wireless", "ping=0.05", "clamp=0.1", "ration=0.3", "in-flight=drop", "unknown-command=close", "malformed=close",
@@ -102,6 +78,6 @@ def assumptions():
 
 
 if __name__ == "__main__":
-    least = {"recording": (recording, 7), "events": (events, 35), "assumptions": (assumptions, 10)}
+    least = {"recording": (recording, 7), "assumptions": (assumptions, 10)}
     least[mode][0]()
     sys.exit(checks.exit_code(least[mode][1]))
