@@ -89,7 +89,8 @@ void Fiber::go_to(Fiber& other, bool last) noexcept {
   static_cast<void>(last);
 #endif
 #if defined(WORLD_TELLS_TSAN)
-  __tsan_switch_to_fiber(other.tsan_, __tsan_switch_to_fiber_no_sync);
+  const bool orders = !body_ || !other.body_;  // the thread that made them all waits for them
+  __tsan_switch_to_fiber(other.tsan_, orders ? 0 : __tsan_switch_to_fiber_no_sync);
 #endif
   swapcontext(&context_, &other.context_);
   arrived();
