@@ -23,7 +23,7 @@ expect() {  # same | another, what, the build
 
 copy=$scratch/a/longer/path/to/the/sources
 mkdir -p "$copy"
-(cd "$source" && cp -RP CMakeLists.txt bindings cmake include rendering fast files device tests LICENSE "$copy")
+(cd "$source" && cp -RP CMakeLists.txt bindings cmake include rendering fast system files device tests LICENSE "$copy")
 build "$source" "$scratch/b" -O0
 first=$(digest "$scratch/b")
 build "$copy" "$copy/build" -O0
