@@ -25,7 +25,7 @@ compiles() {
 if [ "${FORCESHADE_HEADER:-}" ]; then compiles "$FORCESHADE_HEADER"; exit; fi
 
 cd "$source"
-all=$(find include rendering fast files device -name "*.h" | sort)
+all=$(find include rendering fast system files device -name "*.h" | sort)
 # Those of an instruction set are left out: another machine does not compile them.
 # shellcheck disable=SC2086
 first=$(for header in $(grep -v avx <<<"$all"); do
