@@ -27,7 +27,7 @@ namespace forceshade::system {
 namespace {
 
 constexpr int kInterrupt = SIGUSR1;
-constexpr std::int64_t kBetweenLooks = kSecond / 1000;
+constexpr std::chrono::milliseconds kBetweenLooks{1};
 
 std::atomic<LastAct*> last_act = nullptr;
 
@@ -76,7 +76,7 @@ int have_files_of_its_own(int socket) {
   return socket;
 }
 
-// Whether one of these events comes by then; a signal ends the wait.
+// True if one of these events comes by then; a signal ends the wait.
 bool comes(int socket, short events, short all, std::int64_t deadline) noexcept {
   const std::int64_t left = std::max<std::int64_t>(0, deadline - now());
   const timespec time{.tv_sec = left / kSecond, .tv_nsec = left % kSecond};
@@ -139,7 +139,7 @@ std::optional<Process::Ended> Process::ended(std::int64_t deadline) noexcept {
   int status = 0;
   while (::waitpid(id_, &status, WNOHANG) == 0) {
     if (now() > deadline) return std::nullopt;
-    sleep_until(now() + kBetweenLooks);
+    sleep_for(kBetweenLooks);
   }
   if (WIFSIGNALED(status)) return Ended{.signal = WTERMSIG(status)};
   return Ended{.code = WEXITSTATUS(status)};

@@ -21,12 +21,12 @@ struct TimedCalls::Shared {
       system::wait_for_change(asked, served, system::kForever);
       system::step();
       if (asked == served) continue;  // woken by something else
-      if (call) try {
-          call();
-          thrown = nullptr;
-        } catch (...) {
-          thrown = std::current_exception();
-        }
+      try {
+        if (call) call();
+        thrown = nullptr;
+      } catch (...) {
+        thrown = std::current_exception();
+      }
       call = nullptr;
       system::step();
       answered = ++served;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is asked and answered over a connection that carries whole messages. Whoever moves them (haply_socket.h; in tests, a
+// Questions and answers over a connection that carries whole messages. Whoever moves them (haply_socket.h; in tests, a
 // script) is a few lines; all that is decided is here, and no call takes longer than it was given.
 
 #include <chrono>
@@ -36,7 +36,7 @@ class Conversation {
   std::size_t unasked() const noexcept { return unasked_; }
 
  protected:
-  // What has happened. The text stays until no message is kept any more.
+  // Events, told by whoever moves messages. The text stays until no message is kept any more.
   void came(std::string_view message) noexcept { message_ = message; }
   bool keeps_message() const noexcept { return message_.has_value(); }
   void was_sent() noexcept { is_sending_ = false; }

@@ -24,7 +24,7 @@ class PhantomEnd final : public system::LastAct {
   void hold(PhantomFrames* frames) noexcept { frames_ = frames; }
   // Called in each frame by the driver's thread.
   void meet_driver() noexcept;
-  // Whether the force has ended; by any thread, and by a signal handler.
+  // True once the force has ended. Called by any thread, and by a signal handler.
   bool let_go() noexcept override;
   bool interrupted() noexcept override;
 

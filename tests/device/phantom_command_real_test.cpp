@@ -9,8 +9,7 @@
 #include <string>
 
 #include "device/phantom/hdapi_words.h"
-#include "tests/device/stand_in_hd/phantom_fixture.h"
-#include "tests/support/command_run.h"
+#include "tests/device/phantom_command.h"
 
 namespace forceshade::device {
 namespace {
@@ -18,15 +17,6 @@ namespace {
 using stand_in_hd::Crash;
 using stand_in_hd::Moment;
 using tests::CommandRun;
-
-// Far from the surface, so that no force has to be held.
-const Eigen::Vector3d kFree{0, 50, 0};
-
-CommandRun drive(const std::string& options) {
-  const tests::TemporaryDirectory here;
-  return tests::run_command(
-      here, tests::words_of("drive --law wall --uncertified --device phantom --watchdog-timeout 10 --seconds 0.2 " + options));
-}
 
 TEST_F(phantom, in_its_reset_pose_as_the_command_line_says_is_driven) {
   tell({.calibration = std::nullopt, .styles = hdapi::kCalibratesAtResetPose, .position = kFree});

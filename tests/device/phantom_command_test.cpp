@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A PHANToM through the command, as its users have it, where it does not come to a run: what is printed, and the exit code.
 
+#include "tests/device/phantom_command.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "device/phantom/hdapi_words.h"
-#include "tests/device/stand_in_hd/phantom_fixture.h"
-#include "tests/support/command_run.h"
 
 namespace forceshade::device {
 namespace {
@@ -15,15 +15,6 @@ namespace {
 using stand_in_hd::Crash;
 using stand_in_hd::Moment;
 using tests::CommandRun;
-
-// Far from the surface, so that no force has to be held.
-const Eigen::Vector3d kFree{0, 50, 0};
-
-CommandRun drive(const std::string& options) {
-  const tests::TemporaryDirectory here;
-  return tests::run_command(
-      here, tests::words_of("drive --law wall --uncertified --device phantom --watchdog-timeout 10 --seconds 0.2 " + options));
-}
 
 TEST_F(phantom, that_nobody_says_is_in_its_reset_pose_is_refused_where_there_is_no_terminal) {
   const Orders premium{.calibration = std::nullopt, .styles = hdapi::kCalibratesAtResetPose, .position = kFree};
