@@ -39,6 +39,12 @@ void print_safety(const ServoResult& run) {
     if (run.limited_ticks[rule] > 0)
       limited += (limited.empty() ? "limited by " : ", ") + std::string(words(static_cast<Rule>(rule))) + " in " +
                  std::to_string(run.limited_ticks[rule]) + " ticks";
+  if (run.fades > 0) {
+    char faded[96];
+    std::snprintf(faded, sizeof faded, "faded %d time%s by the device's frames, for %.2f s in all", run.fades,
+                  run.fades == 1 ? "" : "s", run.faded);
+    limited += (limited.empty() ? "" : "; ") + std::string(faded);
+  }
   std::printf("%s\n", limited.empty() ? "nothing limited" : limited.c_str());
 }
 

@@ -241,6 +241,8 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (reading.sent) {
     sample.device_state |= Sample::kReportsSent;
     sample.sent_work = reading.sent->work;
+    result.fades = reading.sent->fades;
+    result.faded = reading.sent->faded;
     sample.sent_acted = array(reading.sent->acted);
     sample.sent_acting = array(reading.sent->acting);
   }

@@ -12,6 +12,7 @@ FrameThread::FrameThread(FrameLink& link, const FramedOptions& options, double r
       options_(options),
       rate_(rate),
       trouble_(trouble),
+      share_(options.watchdog_timeout, rate),
       times_(rate, std::max(1, static_cast<int>(rate / 2))),
       thread_("frames", [this] { run(); }) {}
 
@@ -49,22 +50,23 @@ void FrameThread::frame() {
   const bool obeys = sample_.ready && sample_.state.forces_on && sample_.state.calibrated && !ending_;
   sent_.allow(order.allowance);
   Eigen::Vector3d force{0, 0, 0};
-  if (obeys) force = sent_.send_ahead(order.force * share_of_force(age, timeout));
+  if (obeys) force = sent_.send_ahead(order.force * share_.next(age));
   const FrameState state = link_.exchange(force);
   sample_.time = system::now();
   count_.longest_trip = std::max(count_.longest_trip, static_cast<double>(sample_.time - begin) / 1e6);
   ++count_.frames;
-  take(state, force);
+  take(state, order.force, force);
 }
 
-void FrameThread::take(const FrameState& state, const Eigen::Vector3d& force) {
+void FrameThread::take(const FrameState& state, const Eigen::Vector3d& ordered, const Eigen::Vector3d& force) {
   const Eigen::Vector3d acting = state.withheld ? Eigen::Vector3d(0, 0, 0) : force;
   const auto window = times_.add(sample_.time);
   if (window) sample_.times = window;
   sample_.state = state;
   sent_.arrived(state.position);
   sent_.acts(acting);
-  sample_.sent = sent_.report();
+  share_.acts(ordered, acting);
+  sample_.sent = report_of(sent_, share_);
   if (state.applied) {
     count_.says_force = true;
     const double difference =

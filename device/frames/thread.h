@@ -15,6 +15,7 @@
 #include "device/frames/link.h"
 #include "device/lasting_words.h"
 #include "device/sent_forces.h"
+#include "device/sent_share.h"
 #include "device/triple_buffer.h"
 #include "forceshade/device.h"
 #include "system/system.h"
@@ -60,7 +61,7 @@ class FrameThread {
  private:
   void run() noexcept;
   void frame();
-  void take(const FrameState& state, const Eigen::Vector3d& force);
+  void take(const FrameState& state, const Eigen::Vector3d& ordered, const Eigen::Vector3d& force);
   void note(const std::string& words) noexcept;
   bool is_good() const noexcept;
 
@@ -72,6 +73,7 @@ class FrameThread {
 
   FrameSample sample_;
   SentForces sent_;
+  SentShare share_;
   FrameTimes times_;
   FrameCount count_;
   system::Thread thread_;  // the last, so that all else is there when it begins

@@ -82,9 +82,11 @@ void PhantomFrames::frame() noexcept {
   const bool obeys = sample_.phase == Phase::ready && sample_.forces_on && !stopping();
   sent_.allow(order.allowance);
   sent_.arrived(sample_.position);
-  const Eigen::Vector3d force = sent_.send(
-      obeys ? Eigen::Vector3d(order.force * share_of_force(age, settings_.watchdog_timeout)) : Eigen::Vector3d(0, 0, 0));
-  sample_.sent = sent_.report();
+  Eigen::Vector3d wanted{0, 0, 0};
+  if (obeys) wanted = order.force * share_.next(age);
+  const Eigen::Vector3d force = sent_.send(wanted);
+  share_.acts(order.force, force);
+  sample_.sent = report_of(sent_, share_);
   hd_.hdSetDoublev(hdapi::kForce, force.data());
   went_well("setting the force");
   hd_.hdEndFrame(device_);

@@ -15,6 +15,7 @@
 #include "device/phantom/hdapi_words.h"
 #include "device/phantom/phantom_shared.h"
 #include "device/sent_forces.h"
+#include "device/sent_share.h"
 
 namespace forceshade::device {
 
@@ -36,7 +37,12 @@ class PhantomFrames {
   using Phase = PhantomSample::Phase;
 
   PhantomFrames(const hdapi::Functions& hd, hdapi::HHD device, const FrameSettings& settings, PhantomShared& shared) noexcept
-      : hd_(hd), device_(device), settings_(settings), shared_(shared), times_(settings.rate, settings.window) {}
+      : hd_(hd),
+        device_(device),
+        settings_(settings),
+        shared_(shared),
+        share_(settings.watchdog_timeout, settings.rate),
+        times_(settings.rate, settings.window) {}
 
   // To be scheduled with `self`.
   static unsigned tick(void* self) noexcept;
@@ -73,6 +79,7 @@ class PhantomFrames {
 
   PhantomSample sample_;
   SentForces sent_;
+  SentShare share_;
   FrameTimes times_;
   bool has_encoders_ = true, has_joints_ = true;
   bool has_switch_ = true;

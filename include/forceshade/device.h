@@ -43,6 +43,10 @@ struct Sent {
   Eigen::Vector3f acted{0, 0, 0};   // N: up to the position of this reading
   Eigen::Vector3f acting{0, 0, 0};  // N: from there on; zero where it will be the command that answers this reading
   double work = 0;  // mJ given to the hand since start(), less what it put in: the sum of F(j-1)·(x(j) - x(j-1))
+  // Since start(): how often frames came to send a part of the commanded force only, and in s, for how long in all. They do so
+  // when commands are late, and go back to the whole as slowly as after a gentle start.
+  int fades = 0;
+  double faded = 0;
 };
 
 // How much the hand may be given: a frame sends no force that could bring Sent::work above `work` within a step of this length.

@@ -333,6 +333,8 @@ struct ServoResult {
 
   bool supervised = false;                          // the device can push
   std::array<std::size_t, kRules> limited_ticks{};  // in how many ticks each rule of the supervisor changed the force
+  int fades = 0;                                    // these two as Sent has them
+  double faded = 0;                                 // s
 
   Passivity passivity = Passivity::observer;
   PassivitySettings passivity_settings;

@@ -159,6 +159,7 @@ class phantom_frames : public testing::Test {
     ASSERT_TRUE(is_troubled()) << words;
     EXPECT_EQ(std::string(shared_->trouble.data()).substr(0, words.size()), words);
   }
+  void expect_first_of_a_ramp() { EXPECT_NEAR((driver.sent - 0.002 * kForce).norm(), 0, 1e-9); }
   void close() { frames_->close(); }
 
   static inline const Eigen::Vector3d kForce{0.25, 1, -0.5}, kNone{0, 0, 0};

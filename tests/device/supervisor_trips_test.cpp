@@ -38,6 +38,17 @@ TEST(supervisor, comes_back_from_a_few_late_ticks_and_never_holds_more_than_is_w
   EXPECT_EQ(hand.supervise_for(3, {0, 0, 3}).force.z(), 2);
 }
 
+TEST(supervisor, gives_back_as_slowly_as_after_a_gentle_start_what_late_ticks_took_away) {
+  SupervisorLimits limits = lenient();
+  limits.ramp_up = 0.5;
+  Hand hand(limits);
+  hand.supervise_for(500, {0, 0, 2});
+  hand.late = 0.0011;
+  EXPECT_NEAR(hand.supervise_for(3 + 10, {0, 0, 2}).force.z(), 1, 1e-5);
+  hand.late = 0;
+  for (int tick = 1; tick <= 250; ++tick) ASSERT_NEAR(hand.supervise({0, 0, 2}).force.z(), 1 + tick / 250.0, 1e-5) << tick;
+}
+
 TEST(supervisor, gives_late_ticks_no_force_after_the_ramp_and_trips_no_earlier_than_the_watchdog_timeout) {
   SupervisorLimits limits = lenient();
   limits.watchdog_timeout = 0.05;

@@ -69,6 +69,7 @@ std::vector<Fault> faults_of_the_machine() {
        {std::pair{"first", "the loop stands still"}, std::pair{"frames", "the thread of the frames stands still"},
         std::pair{"calls", "a call of the library stands still"}, std::pair{kPartner, "the partner stands still"}})
     all.push_back(holds_thread(name, words, 60 * kMillisecond));
+  all.push_back(holds_thread("first", "the loop stands still", 14 * kMillisecond));
   all.push_back({"the loop dies", [](World& world, Arm&) { world.kill(kLoop); }});
   all.push_back({"the process dies", [](World& world, Arm& arm) {
                    for (int thread = 0; thread < world.threads(); ++thread)

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <utility>
 
 namespace forceshade::world {
 namespace {
 
+constexpr double kMostGrowth =
+    0.01;                     // of the share of an order that is sent, from a frame to the next: five times what is allowed
 constexpr Ns kWake = 50'000;  // from a frame to the tick that follows it, of a thread that may go on
 
 std::string ms(Ns time) {
@@ -61,8 +64,28 @@ void Judge::sent(const Arm::Sent& sent) {
       was_excused_ = false;
     }
   }
+  grown(sent.force, now);
   sent_before_ = now;
   obeyed_ = sent.obeys;
+}
+
+// The share of its order that a frame sends, as little as it can be, against that of the frame before, as much as it can be: of
+// the orders that a force may follow, which one it does is not known.
+void Judge::grown(const Eigen::Vector3d& force, Ns now) {
+  const double size = force.norm();
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  bool follows_zero = orders_.empty();
+  for (auto order = orders_.rbegin(); order != orders_.rend(); ++order) {
+    if (order != orders_.rbegin() && now - order->time > kWatchdog + kSend) break;
+    follows_zero |= order->force.isZero(0);
+    if (size == 0 || !covers(order->force, force)) continue;
+    least = std::min(least, order->force.norm());
+    most = std::max(most, order->force.norm());
+  }
+  if (most > 0 && size / most > share_before_ + kMostGrowth)
+    violate(9, "the share of an order that was sent grew from " + std::to_string(share_before_) + " to " +
+                   std::to_string(size / most));
+  share_before_ = size > 0 ? std::min(1.0, size / least) : follows_zero ? 1 : 0;
 }
 
 // The force that is felt depends on frames alone, so that it is enough to look while time goes on.
