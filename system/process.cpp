@@ -28,8 +28,10 @@ namespace {
 
 constexpr int kInterrupt = SIGUSR1;
 constexpr std::chrono::milliseconds kBetweenLooks{1};
+constexpr int kFirst = 1000, kLast = -1000;  // to be killed for want of memory
 
 std::atomic<LastAct*> last_act = nullptr;
+std::atomic<int> others = 0, readiness_before = 0;  // processes that this one has; to be killed for want of memory
 
 [[noreturn]] void refuse(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -76,6 +78,21 @@ int have_files_of_its_own(int socket) {
   return socket;
 }
 
+// How readily the system kills this process where memory runs out: -1000, never, to 1000. Any process may raise its own, and
+// take that back. What it was.
+int be_victim(int readiness) noexcept {
+  const int file = ::open("/proc/self/oom_score_adj", O_RDWR | O_CLOEXEC);
+  if (file < 0) return 0;
+  std::array<char, 16> text{};
+  const bool was_read = ::read(file, text.data(), text.size() - 1) > 0;
+  const int was = was_read ? std::atoi(text.data()) : 0;
+  const int size = std::snprintf(text.data(), text.size(), "%d", readiness);
+  // Without the right to, it stays as ready as it was.
+  [[maybe_unused]] const ssize_t written = ::pwrite(file, text.data(), static_cast<std::size_t>(size), 0);
+  ::close(file);
+  return was;
+}
+
 // True if one of these events comes by then; a signal ends the wait.
 bool comes(int socket, short events, short all, std::int64_t deadline) noexcept {
   const std::int64_t left = std::max<std::int64_t>(0, deadline - now());
@@ -114,12 +131,17 @@ Process::Process(const char* name, const std::function<int(Packets&)>& body) : p
   if (id_ == 0) {
     ::close(ends[0]);
     be_a_process_of_its_own(name);
+    if (others > 0) be_victim(readiness_before);  // where the right to kLast is lacking
+    be_victim(kLast);
     Packets its(have_files_of_its_own(ends[1]), self);
     end(body(its));
   }
   ::close(ends[1]);
   packets_ = {ends[0], 0};
-  if (id_ > 0) return;
+  if (id_ > 0) {
+    if (others++ == 0) readiness_before = be_victim(kFirst);
+    return;
+  }
   const int error = errno;
   close();
   errno = error;
@@ -128,6 +150,7 @@ Process::Process(const char* name, const std::function<int(Packets&)>& body) : p
 
 Process::~Process() {
   close();
+  if (--others == 0) be_victim(readiness_before);
 }
 
 void Process::close() noexcept {
@@ -143,6 +166,10 @@ std::optional<Process::Ended> Process::ended(std::int64_t deadline) noexcept {
   }
   if (WIFSIGNALED(status)) return Ended{.signal = WTERMSIG(status)};
   return Ended{.code = WEXITSTATUS(status)};
+}
+
+void Process::resume() noexcept {
+  ::kill(id_, SIGCONT);
 }
 
 void Process::kill() noexcept {

@@ -33,7 +33,8 @@ class Packets {
 };
 
 // Another process, which begins as a copy of this one. Nothing that is sent to a terminal's programs reaches it, no handler of
-// a library's is ever called in it, no file of this process stays open there, and what it prints goes to standard error.
+// a library's is ever called in it, no file of this process stays open there, and what it prints goes to standard error. Where
+// memory runs out, the system kills this process first, and the other one last.
 class Process {
  public:
   // Runs this there, with its end of the packets; what it returns is the exit code. The name has at most 15 characters. Throws
@@ -53,6 +54,8 @@ class Process {
   };
   // How it ended, once; waits until then.
   std::optional<Ended> ended(std::int64_t deadline) noexcept;
+  // Goes on where a signal has stopped it.
+  void resume() noexcept;
   void kill() noexcept;
 
  private:

@@ -68,6 +68,9 @@ inline constexpr const char* kOutputStaysOff =
     "the PHANToM's force output was switched on and is still off: check its power supply and emergency switch";
 inline constexpr const char* kNoFrames =
     "the driver's scheduler runs no frames: check the PHANToM's connection, and whether another program holds the device";
-inline constexpr const char* kSilent = "the driver's scheduler stopped running frames: communication with the PHANToM is lost";
+inline constexpr const char* kSilent =
+    "the driver's scheduler stopped running frames: communication with the PHANToM is lost. If the device still pushes, switch "
+    "it "
+    "off";
 
 }  // namespace forceshade::device::hdapi

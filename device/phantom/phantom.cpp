@@ -105,6 +105,7 @@ std::string Phantom::how_it_ended() {
 void Phantom::end_process() noexcept {
   if (process_) {
     process_->close();
+    process_->resume();
     auto ended = process_->ended(after(kEnding));
     if (!ended) {
       process_->kill();
@@ -178,7 +179,10 @@ ReadResult Phantom::read() noexcept {
   if (system::now() - sample.time > system::in_ns(options_.watchdog_timeout)) {
     failed_ = true;
     const bool has_ended = process_->ended(0).has_value();
-    if (has_ended) process_.reset();
+    if (has_ended)
+      process_.reset();
+    else
+      process_->resume();  // a stopped one then sends zero
     std::snprintf(room_->data(), room_->size(), "%s", has_ended ? hdapi::kDriverEnded : hdapi::kSilent);
     return fault();
   }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -264,6 +265,35 @@ TEST_F(phantom, whose_driver_never_returns_from_a_call_ends_and_the_user_is_told
     EXPECT_TRUE(has_no_child());
     EXPECT_FALSE(seen().output) << "with its process";
   }
+}
+
+// Where memory runs out the system kills this process first, and the driver's, which then sends zero, last.
+TEST_F(phantom, has_a_process_that_memory_is_taken_from_last) {
+  const auto readiness = [](const std::string& process) {
+    int score = 0;
+    std::ifstream("/proc/" + process + "/oom_score_adj") >> score;
+    return score;
+  };
+  const int before = readiness("self");
+  {
+    Phantom device("", kPatient);
+    EXPECT_EQ(readiness("self"), 1000);
+    EXPECT_LE(readiness(std::to_string(device.process())), before);
+    EXPECT_LE(readiness(std::to_string(second.process())), 1000);
+  }
+  EXPECT_EQ(readiness("self"), before);
+}
+
+// SIGSTOP, as by Ctrl-Z: the loop sees that no frames come, and lets them go on, so that they send zero.
+TEST_F(phantom, whose_stopped_process_is_resumed_and_sends_zero) {
+  auto device = std::make_unique<Phantom>("", kHurried);
+  ASSERT_FALSE(device->start(1000));
+  expect_obeys(*device);
+  ASSERT_EQ(::kill(device->process(), SIGSTOP), 0);
+  EXPECT_EQ(words_of_fault(*device), hdapi::kSilent);
+  wait_until([] { return stand_in_hd::arm().force == Eigen::Vector3d(0, 0, 0) && !seen().output; });
+  device.reset();
+  EXPECT_TRUE(has_no_child());
 }
 
 TEST_F(phantom, that_is_closed_in_order_tells_the_user_nothing) {

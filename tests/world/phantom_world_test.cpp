@@ -179,11 +179,15 @@ TEST(phantom_world, no_crash_of_the_drivers_process_leaves_a_force) {
   expect_kept_everywhere({{"a crash", crash}}, 150, {"time up", hdapi::kDriverEnded, "the vendor's library failed in it"});
 }
 
+// The loop resumes it, and it sends zero.
+TEST(phantom_world, a_drivers_process_that_is_stopped_leaves_no_force) {
+  expect_kept_everywhere({{"it is stopped", [](World& world, Arm&) { world.stop_process(kDriver); }}}, 50,
+                         {"time up", hdapi::kSilent, hdapi::kStalled, hdapi::kNoFrames, "has not answered for"}, {},
+                         kImpatient);
+}
+
 // Nothing on the machine can end its force; the loop sees it and says so, and no process is left.
-TEST(phantom_world, a_drivers_process_that_is_killed_or_stopped_or_that_no_signal_reaches_is_said_to_have_ended) {
-  const auto stop = [](World& world, Arm&) {
-    for (const int thread : {kHost, kWatch, kScheduler}) world.hold(thread, 60 * system::kSecond);
-  };
+TEST(phantom_world, a_drivers_process_that_is_killed_or_that_no_signal_reaches_is_said_to_have_ended) {
   Plan plan;
   plan.may_be_lost = true;
   plan.longest_force = 4 * system::kSecond;  // until the process is killed that does not end
@@ -195,7 +199,6 @@ TEST(phantom_world, a_drivers_process_that_is_killed_or_stopped_or_that_no_signa
                     "runs its frames too slowly",
                     "has not answered for"};
   expect_kept_everywhere({{"it is killed", [](World& world, Arm&) { world.kill_process(kDriver); }},
-                          {"it is stopped", stop},
                           {"its own thread goes no further", [](World& world, Arm&) { world.kill(kScheduler); }}},
                          50, words, plan, kImpatient);
 }

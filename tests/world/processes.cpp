@@ -44,6 +44,20 @@ void World::kill_process(int process) noexcept {
   end_process(process, kKilled);
 }
 
+void World::stop_process(int process) noexcept {
+  for (int thread = 0; thread < threads(); ++thread) {
+    Thread& it = *threads_[static_cast<std::size_t>(thread)];
+    if (it.process != process) continue;
+    it.is_stopped = true;
+    hold(thread, 60 * system::kSecond);
+  }
+}
+
+void World::resume_process(int process) noexcept {
+  for (const auto& it : threads_)
+    if (it->process == process && std::exchange(it->is_stopped, false)) it->held_until = held_until_ = now_;
+}
+
 void World::crash() noexcept {
   Process& its = *processes_[static_cast<std::size_t>(self().process)];
   if (its.act) its.act->let_go();
@@ -182,6 +196,10 @@ std::optional<Process::Ended> Process::ended(std::int64_t deadline) noexcept {
   const std::optional<int> code = ProcessCalls::ended(id_, deadline);
   if (!code) return std::nullopt;
   return *code > 128 ? Ended{.signal = *code - 128} : Ended{.code = *code};
+}
+
+void Process::resume() noexcept {
+  world::current()->resume_process(id_);
 }
 
 void Process::kill() noexcept {

@@ -29,7 +29,7 @@ struct World::Thread {
   int joined = -1;
   Ns computed = 0;
   int process = 0;
-  bool allows_interrupt = false, is_interrupted = false;
+  bool allows_interrupt = false, is_interrupted = false, is_stopped = false;
 };
 
 // A process, and the packets between it and the one that made it.

@@ -88,6 +88,9 @@ class World {
   // All threads of this process stop, and its ends of packets are closed. That of run() is the first, 0; each other has the
   // next number.
   void kill_process(int process) noexcept;
+  // For a minute, unless it is resumed.
+  void stop_process(int process) noexcept;
+  void resume_process(int process) noexcept;
   // The thread that makes the step crashes: its process does its last act, and is killed.
   void crash() noexcept;
   // The exit code of a process, 128 and more after it was killed; none while it goes on.
