@@ -2,25 +2,94 @@
 // What each signal does to a run: the command as another process, on the simulated device, judged by its exit code, its words
 // and its recording.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <span>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "forceshade/recording.h"
-#include "tests/device/faults/command.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade::tests {
 namespace {
 
-using faults::Command;
-using faults::Words;
+using Words = std::vector<std::string>;
+
+// The forceshade command as another process.
+class Command {
+ public:
+  // In `directory`, with `environment` (NAME=VALUE) added to this process's.
+  Command(const TemporaryDirectory& directory, const Words& arguments, const Words& environment = {});
+  ~Command();
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  void send(int signal) const;
+
+  bool is_running() const;
+
+  // Waits for its end: "exit 0: " and all it printed, but for the warning of --uncertified. A process that is stopped instead
+  // is left to the destructor.
+  std::string end();
+
+ private:
+  const TemporaryDirectory& directory_;
+  pid_t process_ = -1;
+};
+
+Command::Command(const TemporaryDirectory& directory, const Words& arguments, const Words& environment)
+    : directory_(directory) {
+  const std::string path = directory.path(), output = directory.file("output");
+  std::vector<char*> words{const_cast<char*>("forceshade")};
+  for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  process_ = fork();
+  if (process_ != 0) return;
+  for (const std::string& variable : environment) putenv(const_cast<char*>(variable.c_str()));
+  const int to = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  dup2(to, STDOUT_FILENO);
+  dup2(to, STDERR_FILENO);
+  if (chdir(path.c_str()) == 0) execv(FORCESHADE_COMMAND, words.data());
+  _exit(127);
+}
+
+Command::~Command() {
+  if (process_ < 0) return;
+  send(SIGKILL);
+  waitpid(process_, nullptr, 0);
+}
+
+void Command::send(int signal) const {
+  if (process_ > 0) kill(process_, signal);  // else it would go to every process there is
+}
+
+bool Command::is_running() const {
+  siginfo_t ended{};
+  return waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
+}
+
+std::string Command::end() {
+  int status = 0;
+  waitpid(process_, &status, WUNTRACED);
+  if (WIFSTOPPED(status)) return "stopped by signal " + std::to_string(WSTOPSIG(status));
+  process_ = -1;
+  std::string output = directory_.read("output");
+  if (output.starts_with("***")) output.erase(0, output.find('\n') + 1);
+  return (WIFEXITED(status) ? "exit " + std::to_string(WEXITSTATUS(status)) : "signal " + std::to_string(WTERMSIG(status))) +
+         ": " + output;
+}
 
 constexpr std::chrono::milliseconds kLook{10};
 

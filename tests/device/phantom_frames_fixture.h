@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "device/phantom/phantom_frames.h"
-#include "tests/device/faults/virtual_clock.h"
+#include "tests/world/world.h"
 
 namespace forceshade::device {
 
@@ -165,7 +165,7 @@ class phantom_frames : public testing::Test {
   static inline const Eigen::Vector3d kForce{0.25, 1, -0.5}, kNone{0, 0, 0};
   static inline const Eigen::Vector3d kUncalibrated{0, -110, -35};
 
-  faults::VirtualClock clock;
+  world::World clock;
   std::unique_ptr<PhantomShared> shared_;
   std::unique_ptr<PhantomFrames> frames_;
 };

@@ -7,20 +7,20 @@
 #include <functional>
 #include <utility>
 
-#include "tests/device/faults/virtual_clock.h"
 #include "tests/device/servo_loop_fixture.h"
+#include "tests/world/world.h"
 
 namespace forceshade::device {
 namespace {
 
-using faults::VirtualClock;
+using world::World;
 
 constexpr std::int64_t kMillisecond = 1'000'000;  // ns
 
 // Takes 0.1 ms to be read; at a command it does what the test says, with the number of the tick.
 class Timed : public Pushing {
  public:
-  Timed(VirtualClock& clock, std::function<void(std::size_t)> commanded) : clock_(clock), commanded_(std::move(commanded)) {}
+  Timed(World& clock, std::function<void(std::size_t)> commanded) : clock_(clock), commanded_(std::move(commanded)) {}
 
  private:
   ReadResult at(std::size_t reading) noexcept override {
@@ -32,14 +32,14 @@ class Timed : public Pushing {
     return std::nullopt;
   }
 
-  VirtualClock& clock_;
+  World& clock_;
   std::function<void(std::size_t)> commanded_;
 };
 
 // A command takes 0.2 ms, of which half is computing, but that of tick 5, which misses the deadline by 0.6 ms: tick 6 wakes up
 // that late and makes up for it.
 TEST(servo_loop, measures_each_part_of_a_tick) {
-  VirtualClock clock;
+  World clock;
   Timed device(clock, [&](std::size_t tick) {
     clock.compute(0.1);
     clock.pass(tick == 5 ? 1.4 : 0.1);
@@ -69,7 +69,7 @@ TEST(servo_loop, measures_each_part_of_a_tick) {
 
 TEST(servo_loop, counts_an_overrun_only_if_it_computed_for_longer_than_a_period) {
   for (const auto& [computed, overruns] : {std::pair{0.99, 0U}, std::pair{1.0, 0U}, std::pair{1.01, 1U}}) {
-    VirtualClock clock;
+    World clock;
     Timed device(clock, [&, computed = computed](std::size_t tick) {
       if (tick != 5) return;
       clock.compute(computed);
@@ -82,7 +82,7 @@ TEST(servo_loop, counts_an_overrun_only_if_it_computed_for_longer_than_a_period)
 }
 
 TEST(servo_loop, has_no_deadlines_and_no_overruns_where_it_is_not_paced) {
-  VirtualClock clock;
+  World clock;
   Timed device(clock, [&](std::size_t) { clock.compute(3); });
   const Kept run(device, wall(), {.max_seconds = 0.01, .paced = false});
   EXPECT_EQ(run.ticks, 10U);
@@ -93,7 +93,7 @@ TEST(servo_loop, has_no_deadlines_and_no_overruns_where_it_is_not_paced) {
 
 // Tick 6 is late by `late` ms, and those after it make up for it.
 std::optional<Rule> trip_of(double rate, double late, std::optional<double> timeout = std::nullopt) {
-  VirtualClock clock;
+  World clock;
   Timed device(clock, [&](std::size_t tick) {
     if (tick == 5) clock.pass(1000 / rate - 0.1 + late);
   });
@@ -124,7 +124,7 @@ class TimedInASimulation final : public Timed {
 
 // Tick 205 takes 60.1 ms, and the ticks after it make up for it.
 Kept simulated_with_a_late_tick(std::optional<double> timeout) {
-  VirtualClock clock;
+  World clock;
   TimedInASimulation device(clock, [&](std::size_t tick) {
     if (tick == 205) clock.pass(60);
   });
@@ -152,7 +152,7 @@ TEST(servo_loop, acts_on_late_ticks_of_a_device_that_moves_no_arm_where_a_timeou
 
 // A tick of 30.1 ms, of which so much was computing, delays the next one.
 Delay delay_after(double computed) {
-  VirtualClock clock;
+  World clock;
   Timed device(clock, [&](std::size_t tick) {
     if (tick != 5) return;
     clock.compute(computed);
@@ -173,7 +173,7 @@ TEST(servo_loop, states_the_longest_delay_and_what_the_tick_before_took) {
 
 // The system sleeps for longer than it was told to, once.
 TEST(servo_loop, states_a_delay_after_a_tick_that_was_in_time) {
-  VirtualClock clock;
+  World clock;
   Timed device(clock, [&](std::size_t tick) {
     if (tick == 5) clock.oversleep(10);
   });
@@ -185,7 +185,7 @@ TEST(servo_loop, states_a_delay_after_a_tick_that_was_in_time) {
 }
 
 TEST(servo_loop, sleeps_on_after_a_signal) {
-  VirtualClock clock;
+  World clock;
   Timed device(clock, [&](std::size_t) { clock.interrupt(3); });
   const Kept run(device, wall(), {.max_seconds = 0.01});
   for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(run.samples[k].wakeup_ns, 0) << k;
@@ -193,7 +193,7 @@ TEST(servo_loop, sleeps_on_after_a_signal) {
 
 // The signal that stops a run is not slept through: the force is zero at once.
 TEST(servo_loop, does_not_sleep_on_after_the_signal_that_stops_it) {
-  VirtualClock clock;
+  World clock;
   std::atomic<bool> stop = false;
   Timed device(clock, [&](std::size_t tick) {
     if (tick != 3) return;
@@ -209,7 +209,7 @@ TEST(servo_loop, does_not_sleep_on_after_the_signal_that_stops_it) {
 // Frames every 1.02 ms from 0.7 ms after the start on, whatever the loop does; from frame `last` on there is none.
 class Framed final : public Pushing {
  public:
-  Framed(VirtualClock& clock, std::function<void(std::size_t)> commanded, std::int64_t last = 1000)
+  Framed(World& clock, std::function<void(std::size_t)> commanded, std::int64_t last = 1000)
       : clock_(clock), commanded_(std::move(commanded)), last_(last) {}
   Capabilities capabilities() const noexcept override {
     Capabilities can = Pushing::capabilities();
@@ -220,7 +220,7 @@ class Framed final : public Pushing {
     ++waits;
     const std::int64_t seen = frame_;
     frame_ = std::min(std::max(seen + 1, (clock_.now() - first_) / kPeriod), last_);
-    clock_.sleep_until(frame_ > seen ? first_ + frame_ * kPeriod : deadline);
+    system::sleep_until(frame_ > seen ? first_ + frame_ * kPeriod : deadline);
     return first_ + frame_ * kPeriod;
   }
   std::vector<std::int64_t> frames;  // that were read
@@ -238,13 +238,13 @@ class Framed final : public Pushing {
     return std::nullopt;
   }
 
-  VirtualClock& clock_;
+  World& clock_;
   std::function<void(std::size_t)> commanded_;
   std::int64_t first_ = clock_.now() + 7 * kMillisecond / 10, frame_ = -1, last_;
 };
 
 TEST(servo_loop, follows_the_frames_of_a_device_that_paces) {
-  VirtualClock clock;
+  World clock;
   // Tick 5 takes as long as three frames and a bit: the two that began meanwhile and are over are missed.
   Framed device(clock, [&](std::size_t tick) { clock.pass(tick == 5 ? 3.1 : 0.2); });
   const Kept run(device, wall(), {.max_seconds = 0.01});
@@ -257,7 +257,7 @@ TEST(servo_loop, follows_the_frames_of_a_device_that_paces) {
 
 TEST(servo_loop, follows_its_own_clock_where_it_is_told_to_or_where_nothing_is_paced) {
   for (const auto& [follows, paced] : {std::pair{false, true}, {true, false}}) {
-    VirtualClock clock;
+    World clock;
     Framed device(clock, [&](std::size_t) { clock.pass(0.2); });
     const Kept run(device, wall(), {.max_seconds = 0.01, .paced = paced, .follows_device = follows});
     EXPECT_FALSE(run.followed_device);
@@ -267,7 +267,7 @@ TEST(servo_loop, follows_its_own_clock_where_it_is_told_to_or_where_nothing_is_p
 }
 
 TEST(servo_loop, ends_with_the_devices_words_when_its_frames_end) {
-  VirtualClock clock;
+  World clock;
   Framed device(
       clock, [&](std::size_t) { clock.pass(0.2); }, 200);
   const Kept run(device, wall(), {.max_seconds = 1});
@@ -277,7 +277,7 @@ TEST(servo_loop, ends_with_the_devices_words_when_its_frames_end) {
 }
 
 TEST(servo_loop, waits_no_longer_for_a_frame_once_it_is_stopped) {
-  VirtualClock clock;
+  World clock;
   std::atomic<bool> stop = false;
   Framed device(clock, [&](std::size_t tick) { stop = tick == 7; });
   const Kept run(device, wall(), {.max_seconds = 1}, stop);

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What only a whole process can be given: wrong files and options, signals. Each drives with forceshade drive.
+// What only a whole process can be given: wrong files and options. Each drives with forceshade drive.
 
-#include <cmath>
-#include <csignal>
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
 #include <stdexcept>
-#include <thread>
 
-#include "files/csv.h"
 #include "forceshade/recording.h"
-#include "tests/device/faults/command.h"
 #include "tests/device/faults/press.h"
-#include "tests/support/wait_until.h"
+#include "tests/support/command_run.h"
 
 namespace forceshade::faults {
 namespace {
@@ -19,10 +17,7 @@ using tests::TemporaryDirectory;
 
 constexpr const char* kRecording = "run.fsr";
 
-// A hand that presses from 0.2 s on, for a minute.
-constexpr const char* kHand = "t_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.08,0,0,3\n0.2,0,0,-6\n60,0,0,-6\n";
-constexpr double kBusy = 0.2;  // s: within which a busy machine wakes the loop
-constexpr std::chrono::seconds kLongest{20};
+using Words = std::vector<std::string>;
 
 Words operator+(Words a, const Words& b) {
   a.insert(a.end(), b.begin(), b.end());
@@ -33,41 +28,17 @@ Words drive(const std::string& device, const std::string& law = "wall") {
   return {"drive", "--law", law, "--device", device, "--record", kRecording};
 }
 
-std::vector<device::Sample> recorded(const TemporaryDirectory& directory) {
-  std::vector<device::Sample> samples;
-  recorder::Recording(directory.file(kRecording)).for_each_chunk([&](std::span<const device::Sample> chunk) {
-    samples.insert(samples.end(), chunk.begin(), chunk.end());
-  });
-  if (samples.size() < 2) throw std::runtime_error("nothing was recorded");
-  return samples;
-}
-
-double force_of(const device::Sample& sample) {
-  return Eigen::Vector3f(sample.force.data()).cast<double>().norm();
-}
-
-// From sample `fault` on. The recording has to be whole.
-void judge_recording(Outcome& outcome, const TemporaryDirectory& directory, std::size_t fault,
-                     const std::vector<device::Sample>& samples) {
-  outcome.took_effect = fault > 0;
-  if (fault > 0) outcome.before = force_of(samples[fault - 1]);
-  for (const device::Sample& sample : samples) outcome.highest = std::max(outcome.highest, force_of(sample));
-  std::size_t zero = samples.size();
-  while (zero > fault && force_of(samples[zero - 1]) == 0) --zero;
-  outcome.to_zero = static_cast<double>(zero - fault);
-  recorder::Recording recording(directory.file(kRecording));
-  for (const std::string& problem : problems_of(recording)) {
-    outcome.reaction += "; " + problem;
-    outcome.lost = HUGE_VAL;
-  }
+// "exit 0: ", and all that it printed.
+std::string ran(const TemporaryDirectory& directory, const Words& arguments) {
+  const tests::CommandRun run = tests::run_command(directory, arguments);
+  return "exit " + std::to_string(run.code) + ": " + run.out + run.err;
 }
 
 using Prepare = std::function<void(const TemporaryDirectory&)>;
 
 // Nothing is driven, and no recording begun.
-Fault refused(Kind kind, std::string what, std::string reaction, Words arguments, Prepare prepare = {},
-              Words environment = {}) {
-  return {.kind = kind,
+Fault refused(std::string what, std::string reaction, Words arguments, Prepare prepare = {}) {
+  return {.kind = Kind::input,
           .what = std::move(what),
           .reaction = std::move(reaction),
           .to_zero = 0,
@@ -75,14 +46,14 @@ Fault refused(Kind kind, std::string what, std::string reaction, Words arguments
           .run = [=](const Bench&) {
             const TemporaryDirectory directory;
             if (prepare) prepare(directory);
-            Outcome outcome{.reaction = Command(directory, arguments, environment).end(), .took_effect = true, .to_zero = 0};
+            Outcome outcome{.reaction = ran(directory, arguments), .took_effect = true, .to_zero = 0};
             if (std::filesystem::exists(directory.file(kRecording))) outcome.reaction += "; a recording is left";
             return outcome;
           }};
 }
 
 Fault bad_input(std::string what, std::string reaction, Words arguments, Prepare prepare = {}) {
-  return refused(Kind::input, std::move(what), "exit 2 ... " + std::move(reaction), std::move(arguments), std::move(prepare));
+  return refused(std::move(what), "exit 2 ... " + std::move(reaction), std::move(arguments), std::move(prepare));
 }
 
 struct Replacement {
@@ -94,9 +65,9 @@ constexpr const char* kLacks = "\"lacks\": \"the certificate has 2000 points for
 
 // A certificate of the wall, with something in it replaced.
 Fault uncertified(std::string what, std::string reaction, std::vector<Replacement> replacements, std::string law = "wall") {
-  return refused(Kind::input, std::move(what), std::move(reaction),
-                 drive("null", law) + Words{"--certificate", "certificate.json"}, [=](const TemporaryDirectory& directory) {
-                   Command(directory, {"certify", "--law", "wall", "--points", "2000", "--cases", "20", "--out", "."}).end();
+  return refused(std::move(what), std::move(reaction), drive("null", law) + Words{"--certificate", "certificate.json"},
+                 [=](const TemporaryDirectory& directory) {
+                   ran(directory, {"certify", "--law", "wall", "--points", "2000", "--cases", "20", "--out", "."});
                    std::string text = directory.read("certificate.json");
                    for (const auto& [replaced, by, more] : replacements) {
                      const std::size_t at = text.find(replaced);
@@ -113,32 +84,6 @@ Fault bad_hand(std::string what, std::string reaction, std::string rows) {
                    [=](const TemporaryDirectory& directory) { directory.write("hand.csv", rows); });
 }
 
-bool is_pushing(const TemporaryDirectory& directory) {
-  const auto samples = recorded(directory);
-  return !samples.empty() && force_of(samples.back()) > 0.25;
-}
-
-Words pressing() {
-  return drive("simulated:premium-1.5:hand.csv") + Words{"--uncertified", "--watchdog-timeout", files::shortest(kBusy)};
-}
-
-Outcome stopped_and_continued() {
-  const TemporaryDirectory directory;
-  directory.write("hand.csv", kHand);
-  Command command(directory, pressing());
-  tests::comes_true_within(kLongest, [&] { return is_pushing(directory); });
-  command.send(SIGSTOP);
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
-  command.send(SIGCONT);
-  Outcome outcome{.reaction = command.end()};
-  const auto samples = recorded(directory);
-  std::size_t woken = 0;
-  for (std::size_t k = 1; k + 1 < samples.size(); ++k)
-    if (static_cast<double>(samples[k].wall_ns - samples[k - 1].wall_ns) > kBusy * 1e9) woken = k;
-  judge_recording(outcome, directory, woken, samples);
-  return outcome;
-}
-
 // The loop is asked to stop while it reads: that tick has its force, and the next is the end.
 Outcome stopped(const Bench& bench) {
   std::atomic<bool> stop = false;
@@ -146,47 +91,33 @@ Outcome stopped(const Bench& bench) {
   return press(wrong, bench, {.stop = &stop});
 }
 
-Outcome interrupted(int signal) {
-  const TemporaryDirectory directory;
-  directory.write("hand.csv", kHand);
-  Command command(directory, pressing());
-  tests::comes_true_within(kLongest, [&] { return is_pushing(directory); });
-  command.send(signal);
-  Outcome outcome{.reaction = command.end()};
-  const auto samples = recorded(directory);
-  judge_recording(outcome, directory, samples.size() - 1, samples);
-  // From the last force to zero: the time of the signal is not in the recording.
-  const std::int64_t last = samples[samples.size() - 2].wall_ns;
-  if (outcome.to_zero == 0) outcome.to_zero = static_cast<double>(samples.back().wall_ns - last) / 1e6;
-  return outcome;
-}
-
-Fault interruption(std::string what, int signal) {
-  return {.kind = Kind::input,
-          .what = std::move(what),
-          .reaction = "exit 0 ... (stopped)",
-          .to_zero = 1000 * kBusy + 1,
-          .unit = "ms",
-          .is_timed = true,
-          .run = [=](const Bench&) { return interrupted(signal); }};
-}
-
 // One row of a hand in contact is NaN.
+constexpr std::size_t kNan = 700;
 Outcome nan_row(const std::string& device) {
   const TemporaryDirectory directory;
   std::string rows = "t_s,x_mm,y_mm,z_mm\n";
-  for (int k = 0; k < 1000; ++k)
-    rows += std::to_string(0.001 * k) + ",0,0," +
-            (k == 700  ? "nan"
+  for (std::size_t k = 0; k < 1000; ++k)
+    rows += std::to_string(0.001 * static_cast<double>(k)) + ",0,0," +
+            (k == kNan ? "nan"
              : k < 100 ? "3"
-             : k < 220 ? std::to_string(3 - 0.05 * (k - 100))
+             : k < 220 ? std::to_string(3 - 0.05 * static_cast<double>(k - 100))
                        : "-3") +
             "\n";
   directory.write("hand.csv", rows);
-  Outcome outcome{.reaction = Command(directory, drive(device) + Words{"--uncertified", "--free-run"}).end()};
-  const auto samples = recorded(directory);
-  judge_recording(outcome, directory, std::min<std::size_t>(700, samples.size() - 1), samples);
-  if (samples.size() == 1001) outcome.to_zero.reset();
+  Outcome outcome{.reaction = ran(directory, drive(device) + Words{"--uncertified", "--free-run"})};
+  recorder::Recording recording(directory.file(kRecording));
+  for (const std::string& problem : problems_of(recording)) outcome.reaction = problem;
+  std::vector<double> forces;
+  recording.for_each_chunk([&](std::span<const device::Sample> chunk) {
+    for (const device::Sample& sample : chunk) forces.push_back(Eigen::Vector3f(sample.force.data()).cast<double>().norm());
+  });
+  if (forces.size() < 2) return outcome;
+  const std::size_t fault = std::min(kNan, forces.size() - 1);
+  outcome.took_effect = true;
+  outcome.before = forces[fault - 1];
+  outcome.highest = *std::ranges::max_element(forces);
+  while (!forces.empty() && forces.back() == 0) forces.pop_back();
+  if (forces.size() < 1000) outcome.to_zero = forces.size() - std::min(fault, forces.size());
   return outcome;
 }
 
@@ -195,16 +126,8 @@ Outcome nan_row(const std::string& device) {
 std::vector<Fault> command_faults() {
   const Words null = drive("null") + Words{"--uncertified"};
   return {
-      {.kind = Kind::timing,
-       .what = "the process is stopped for 0.4 s (SIGSTOP, SIGCONT)",
-       .reaction = "exit 3 ... the supervisor stopped the run: watchdog",
-       .to_zero = 1,  // it may be stopped in the middle of a tick, which then ends as it began
-       .is_timed = true,
-       .run = [](const Bench&) { return stopped_and_continued(); }},
       {.kind = Kind::input, .what = "told to stop in contact", .reaction = "ends: stopped", .to_zero = 1, .run = stopped},
-      interruption("Ctrl-C in contact (SIGINT)", SIGINT),
-      interruption("SIGTERM in contact", SIGTERM),
-      refused(Kind::input, "no certificate", "exit 1 ... no certificate was given", drive("null")),
+      refused("no certificate", "exit 1 ... no certificate was given", drive("null")),
       bad_input("the certificate is missing", "certificate.json: cannot be read",
                 drive("null") + Words{"--certificate", "certificate.json"}),
       uncertified("the certificate is of another build", "exit 1 ... the certificate is for another build",
@@ -242,7 +165,7 @@ std::vector<Fault> command_faults() {
        .reaction = "exit 3 ... the simulated arm's position is no longer finite",
        .to_zero = 0,
        .run = [](const Bench&) { return nan_row("simulated:premium-1.5:hand.csv"); }},
-      refused(Kind::input, "the simulated hand starts out of the arm's reach",
+      refused("the simulated hand starts out of the arm's reach",
               "exit 3 ... the simulated hand starts where the arm does not reach",
               drive("simulated:premium-1.5:hand.csv") + Words{"--uncertified", "--free-run"},
               [](const TemporaryDirectory& d) { d.write("hand.csv", "t_s,x_mm,y_mm,z_mm\n0,900,0,0\n1,900,0,0\n"); }),
@@ -251,18 +174,11 @@ std::vector<Fault> command_faults() {
       bad_input("a bump wider than its cylinder", "--width is 31 mm; expected",
                 drive("null", "bump-1p") + Words{"--uncertified", "--width", "31"}),
       bad_input("an unknown device", "unknown device \"teapot\"", drive("teapot") + Words{"--uncertified"}),
-      refused(Kind::input, "an unknown law", "exit 2 ... --law: expected one of",
-              drive("null", "teapot") + Words{"--uncertified"}),
-      refused(Kind::input, "a rate out of range", "exit 2 ... --rate: expected a number from 100 to 10000",
-              null + Words{"--rate", "50"}),
-      refused(Kind::input, "a duration that is NaN", "exit 2 ... --seconds: expected a number from 0.0001",
+      refused("an unknown law", "exit 2 ... --law: expected one of", drive("null", "teapot") + Words{"--uncertified"}),
+      refused("a rate out of range", "exit 2 ... --rate: expected a number from 100 to 10000", null + Words{"--rate", "50"}),
+      refused("a duration that is NaN", "exit 2 ... --seconds: expected a number from 0.0001",
               null + Words{"--seconds", "nan"}),
       bad_input("a dead-man button that the device lacks", "dead-man button: expected none", null + Words{"--dead-man", "0"}),
-      refused(Kind::device, "PHANToM: the driver's library is missing",
-              "exit 3 ... /nowhere/libHD.so: cannot open shared object file", drive("phantom") + Words{"--uncertified"}, {},
-              {"FORCESHADE_HD_LIBRARY=/nowhere/libHD.so"}),
-      refused(Kind::device, "PHANToM: the library is not the driver's", "exit 3 ... libm.so.6: is not the HDAPI",
-              drive("phantom") + Words{"--uncertified"}, {}, {"FORCESHADE_HD_LIBRARY=libm.so.6"}),
   };
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The fault campaign: everything that may go wrong while a hand is on the device, done on purpose in a real run of the servo
-// loop. docs/tables/faults.md is the table that comes out of it.
+// The fault campaign: what may go wrong while a hand is on the device, done on purpose in a run of the servo loop, in a
+// simulated world (tests/world/world.h). docs/tables/faults.md is the table that comes out of it.
 
 #include <functional>
 #include <optional>
@@ -19,9 +19,9 @@ struct Outcome {
   bool took_effect = false;  // the fault was there
   double before = 0;         // N: the force right before it
   double highest = 0;        // N: of the whole run; infinite if one was not finite
-  std::optional<double> to_zero =
-      std::nullopt;  // from the fault to the first zero force after which no other follows; none: there is force
-  double lost = 0;   // pushed by the loop and not to be read in the recording
+  // Ticks from the fault to the first zero force after which no other follows; none: there is force.
+  std::optional<std::size_t> to_zero = std::nullopt;
+  std::size_t lost = 0;  // samples that the loop pushed and that are not to be read in the recording
 };
 
 // How the campaign itself is broken, for the tests that it notices.
@@ -33,17 +33,14 @@ struct Bench {
 struct Fault {
   Kind kind;
   std::string what;
-  std::string reaction;                          // has to be in the outcome's
-  std::optional<double> to_zero = std::nullopt;  // at most; none: the force goes on, as it should
-  std::string unit = "ticks";                    // of to_zero; a tick is 1 ms
-  double lost = 0;                               // at most
-  std::string lost_unit = "samples";
-  bool under_force = true;  // else there must be no force before it either
-  bool is_timed = false;    // in ms of real time: judged by faults_real_test alone
+  std::string reaction;                               // has to be in the outcome's
+  std::optional<std::size_t> to_zero = std::nullopt;  // ticks at most; none: the force goes on, as it should
+  std::size_t lost = 0;                               // at most
+  bool under_force = true;                            // else there must be no force before it either
   std::function<Outcome(const Bench&)> run = {};
 };
 
-// The outcome of it; whatever is thrown becomes its reaction.
+// The outcome of it in a world of its own; whatever is thrown becomes its reaction.
 Outcome tried(const Fault& fault, const Bench& bench = {});
 
 // Why the outcome is not what it should be; empty if it is.
@@ -51,10 +48,7 @@ std::vector<std::string> complaints(const Fault& fault, const Outcome& outcome);
 
 // Every fault, and those of each file.
 std::vector<Fault> catalogue();
-std::vector<Fault> position_faults();
 std::vector<Fault> device_faults();
-std::vector<Fault> phantom_faults();
-std::vector<Fault> timing_faults();
 std::vector<Fault> disk_faults();
 std::vector<Fault> command_faults();
 

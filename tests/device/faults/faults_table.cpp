@@ -3,35 +3,19 @@
 
 #include <cstdio>
 
-#include "files/csv.h"
 #include "tests/device/faults/fault.h"
-
-namespace {
-
-// At most a digit behind the point: milliseconds are measured, ticks are whole.
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, value < 100 && value != static_cast<int>(value) ? "%.1f" : "%.0f", value);
-  return text;
-}
-
-}  // namespace
 
 int main() {
   using namespace forceshade::faults;
   int wrong = 0;
-  std::printf(
-      "| fault | kind | reaction | zero force after | at most | data lost | at most |\n|---|---|---|---|---|---|---|\n");
+  std::printf("| fault | kind | reaction | zero force after | at most | lost | at most |\n|---|---|---|---|---|---|---|\n");
   for (const Fault& fault : catalogue()) {
     const Outcome outcome = tried(fault);
-    const std::string zero = !outcome.to_zero    ? "the force goes on"
-                             : fault.under_force ? number(*outcome.to_zero) + " " + fault.unit
-                                                 : "no force";
-    const std::string most = fault.to_zero && fault.under_force ? number(*fault.to_zero) + " " + fault.unit : "";
-    std::printf("| %s | %s | %s | %s | %s | %s | %s |\n", fault.what.c_str(), name_of(fault.kind).c_str(),
-                fault.reaction.c_str(), zero.c_str(), most.c_str(),
-                (number(outcome.lost) + (outcome.lost > 0 ? " " + fault.lost_unit : "")).c_str(),
-                (number(fault.lost) + (fault.lost > 0 ? " " + fault.lost_unit : "")).c_str());
+    const auto ticks = [](std::size_t count) { return std::to_string(count) + (count == 1 ? " tick" : " ticks"); };
+    const std::string zero = !outcome.to_zero ? "the force goes on" : fault.under_force ? ticks(*outcome.to_zero) : "no force";
+    const std::string most = fault.to_zero && fault.under_force ? ticks(*fault.to_zero) : "";
+    std::printf("| %s | %s | %s | %s | %s | %zu | %zu |\n", fault.what.c_str(), name_of(fault.kind).c_str(),
+                fault.reaction.c_str(), zero.c_str(), most.c_str(), outcome.lost, fault.lost);
     for (const std::string& complaint : complaints(fault, outcome)) {
       std::fprintf(stderr, "FAILED: %s: %s\n", fault.what.c_str(), complaint.c_str());
       wrong = 1;

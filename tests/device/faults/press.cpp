@@ -2,7 +2,6 @@
 #include "tests/device/faults/press.h"
 
 #include <algorithm>
-#include <cfenv>
 #include <cstring>
 #include <limits>
 #include <unordered_map>
@@ -38,9 +37,8 @@ device::Simulated arm_of(const Scene& scene) {
 // The arm, and what is wrong with it; it keeps what it was told to do.
 class WrongDevice final : public device::Device {
  public:
-  WrongDevice(Device& arm, const Wrong& wrong, const Bench& bench, const Scene& scene, const VirtualClock& clock,
-              std::string recording)
-      : arm_(arm), wrong_(wrong), bench_(bench), scene_(scene), clock_(clock), recording_(std::move(recording)) {}
+  WrongDevice(Device& arm, const Wrong& wrong, const Bench& bench, const Scene& scene, std::string recording)
+      : arm_(arm), wrong_(wrong), bench_(bench), scene_(scene), recording_(std::move(recording)) {}
 
   device::Capabilities capabilities() const noexcept override {
     device::Capabilities capabilities = arm_.capabilities();
@@ -61,7 +59,6 @@ class WrongDevice final : public device::Device {
   device::ReadResult read() noexcept override {
     if (tick() == wrong_.tick) {
       took_effect = true;
-      fault_at = clock_.now();
       if (scene_.at_fault) scene_.at_fault(recording_);
     }
     device::ReadResult result = arm_.read();
@@ -75,7 +72,6 @@ class WrongDevice final : public device::Device {
     std::optional<Fault> fault;
     if (wrong_.command && is_wrong()) fault = wrong_.command(obeyed, tick() - wrong_.tick);
     forces.push_back(force);
-    times.push_back(clock_.now());
     const auto refused = arm_.command(obeyed);
     return fault ? fault : refused;
   }
@@ -86,9 +82,7 @@ class WrongDevice final : public device::Device {
   }
 
   bool took_effect = false;
-  std::int64_t fault_at = 0;            // ns
   std::vector<Eigen::Vector3f> forces;  // commanded, tick by tick, and the zero at the end
-  std::vector<std::int64_t> times;
 
  private:
   std::size_t tick() const noexcept { return forces.size(); }
@@ -98,7 +92,6 @@ class WrongDevice final : public device::Device {
   const Wrong& wrong_;
   const Bench& bench_;
   const Scene& scene_;
-  const VirtualClock& clock_;
   std::string recording_;
 };
 
@@ -123,32 +116,18 @@ device::ServoOptions options_of(const Scene& scene, std::vector<device::SampleSi
 
 // What is commanded when nothing goes wrong.
 std::vector<Eigen::Vector3f> undisturbed(const Scene& scene, const Bench& bench) {
-  const VirtualClock clock;
   auto arm = arm_of(scene);
   const Wrong nothing{.tick = kEnd + 1};
-  WrongDevice device(arm, nothing, bench, scene, clock, "");
+  WrongDevice device(arm, nothing, bench, scene, "");
   run_servo_loop(device, law_of(scene), options_of(scene, {}), std::atomic<bool>(false));
   return device.forces;
 }
-
-struct FloatingPointMode {
-  FloatingPointMode() { std::fegetenv(&mode); }
-  ~FloatingPointMode() { std::fesetenv(&mode); }
-  std::fenv_t mode;
-};
 
 double size_of(const Eigen::Vector3f& force) {
   return force.allFinite() ? force.cast<double>().norm() : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
-std::function<void(device::ReadResult&, Wrong::Since)> reading(std::function<void(device::Reading&, Wrong::Since)> alter) {
-  return [alter = std::move(alter)](device::ReadResult& result, Wrong::Since since) {
-    if (auto* reading = std::get_if<device::Reading>(&result)) alter(*reading, since);
-  };
-}
-
+// How the run ended; if it went on, the rules that came to limit a force in the tick of the fault or later.
 std::string reaction_of(const device::ServoResult& run, const std::vector<device::Sample>& told, std::size_t fault) {
   if (run.trip) return "trip: " + std::string(name_of(run.trip->rule));
   if (run.end_reason == device::EndReason::device_fault) return std::string("device fault: ") + run.fault;
@@ -164,6 +143,7 @@ std::string reaction_of(const device::ServoResult& run, const std::vector<device
   return rules.empty() ? "goes on" : rules;
 }
 
+// How many samples the recording has as the loop told them.
 std::size_t kept_in(const std::string& recording, const std::vector<device::Sample>& told) {
   std::unordered_map<std::uint64_t, device::Sample> kept;
   try {
@@ -179,13 +159,19 @@ std::size_t kept_in(const std::string& recording, const std::vector<device::Samp
   }));
 }
 
+}  // namespace
+
+std::function<void(device::ReadResult&, Wrong::Since)> reading(std::function<void(device::Reading&, Wrong::Since)> alter) {
+  return [alter = std::move(alter)](device::ReadResult& result, Wrong::Since since) {
+    if (auto* reading = std::get_if<device::Reading>(&result)) alter(*reading, since);
+  };
+}
+
 Outcome press(const Wrong& wrong, const Bench& bench, const Scene& scene) {
   const tests::TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
-  std::optional<VirtualClock> own;
-  if (!scene.clock) own.emplace();
   auto arm = arm_of(scene);
-  WrongDevice device(arm, wrong, bench, scene, own ? *own : *scene.clock, path);
+  WrongDevice device(arm, wrong, bench, scene, path);
   tests::KeptSamples told;
   Outcome outcome;
   recorder::Recorder::Result recorded;
@@ -195,7 +181,6 @@ Outcome press(const Wrong& wrong, const Bench& bench, const Scene& scene) {
     LosesSome some(recorder);
     device::SampleSink& sink = bench.records_all ? static_cast<device::SampleSink&>(recorder) : some;
     const std::atomic<bool> never = false;
-    const FloatingPointMode restored;
     try {
       if (scene.before) scene.before();
       const auto run = run_servo_loop(device, law, options_of(scene, {&told, &sink}), scene.stop ? *scene.stop : never);
@@ -218,9 +203,8 @@ Outcome press(const Wrong& wrong, const Bench& bench, const Scene& scene) {
   if (device.forces.empty())
     outcome.to_zero = 0;
   else if (!went_on)
-    outcome.to_zero = scene.in_ms ? static_cast<double>(device.times[zero] - device.fault_at) / 1e6
-                                  : static_cast<double>(zero) - static_cast<double>(std::min(wrong.tick, zero));
-  outcome.lost = static_cast<double>(told.samples.size() - kept_in(path, told.samples));
+    outcome.to_zero = zero - std::min(wrong.tick, zero);
+  outcome.lost = told.samples.size() - kept_in(path, told.samples);
   return outcome;
 }
 

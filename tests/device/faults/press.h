@@ -9,9 +9,7 @@
 
 #include "forceshade/device.h"
 #include "forceshade/recording.h"
-#include "forceshade/servo_loop.h"
 #include "tests/device/faults/fault.h"
-#include "tests/device/faults/virtual_clock.h"
 
 namespace forceshade::faults {
 
@@ -39,19 +37,11 @@ struct Scene {
   std::optional<double> torn = {};  // s, when it is torn sideways by 120 mm within 10 ms
   std::optional<int> dead_man_button = {};
   recorder::Recorder::Options recorder = {};
-  bool in_ms = false;             // time to zero in ms by the loop's clock, not in ticks
-  VirtualClock* clock = nullptr;  // of the test's own, to be late by
   const std::atomic<bool>* stop = nullptr;
   std::function<void()> before = {};                      // the run starts
   std::function<void(const std::string&)> at_fault = {};  // given the recording's path, in the tick where it goes wrong
 };
 
 Outcome press(const Wrong& wrong, const Bench& bench, const Scene& scene = {});
-
-// How the run ended; if it went on, the rules that came to limit a force in the tick of the fault or later.
-std::string reaction_of(const device::ServoResult& run, const std::vector<device::Sample>& told, std::size_t fault);
-
-// How many samples the recording has as the loop told them.
-std::size_t kept_in(const std::string& recording, const std::vector<device::Sample>& told);
 
 }  // namespace forceshade::faults
