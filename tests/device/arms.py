@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Arms that a test drives forceshade over: an Inverse3 and a device of DHD, each behind its stand-in, and a program of one's own.
-All have the same phases of a run, and say the last moment at which the arm felt a force."""
+Each says when a hand comes into contact, and the last moment at which the arm felt a force."""
 
 import json
 import math
@@ -13,15 +13,15 @@ import tempfile
 import threading
 import time
 
-from checks import in_real_time
 from haply.stand_in import StandIn, skip_without_websockets
+from stalls import may_run_in_real_time
 
 STAND_IN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "device", "stand_ins", "forceshade-standin")
 
 
 class Arm:
-    """An arm, what goes wrong with it ("unplug@300", "jump@contact"), and the journal of what happened, of which each line has a
-    time in ns and an event: "opened", "settling" (300 frames have come), "contact", "free" and the names of what went wrong."""
+    """An arm, what goes wrong with it ("unplug@contact"), and the journal of what happened, of which each line has a time in ns
+    and an event: "contact", "free" and the names of what went wrong."""
 
     journal, partner, link = "", None, None  # the last two: processes that a test may end, as their ids
 
@@ -34,12 +34,12 @@ class Arm:
         with open(self.journal) as file:
             return [json.loads(line) for line in file if line.endswith("\n")]
 
-    def first(self, event, after=0, is_alive=lambda: True):
-        """The time of the first such event after that time, in ns; none where it does not come before the client ends."""
+    def first(self, event, is_alive=lambda: True):
+        """The time of the first such event, in ns; none where it does not come before the client ends."""
         while True:
             was_alive = is_alive()
             for entry in self.events():
-                if entry["event"] == event and entry["time_ns"] > after:
+                if entry["event"] == event:
                     return entry["time_ns"]
             if not was_alive:
                 return None
@@ -57,15 +57,14 @@ class Haply(Arm):
     """With a process between service and client where `between` is said: a link that can be cut."""
 
     device, longest_ms = "haply", 110  # the default of idle-after
-    held = ("--pressed",)  # its button
 
-    def __init__(self, events=(), between=False, options=()):
+    def __init__(self, events=(), options=(), between=False):
         skip_without_websockets()
         words = [word for event in events for word in ("--event", event)]
         self.service = StandIn(STAND_IN, "--longest-gap", "3600000", *words, *options)
         self.journal, self.partner = self.service.log_file, self.service.process.pid
-        self.between = subprocess.Popen([sys.executable, os.path.abspath(__file__), "--between", self.service.address], stdout=subprocess.PIPE,
-                                        text=True) if between else None
+        self.between = subprocess.Popen([sys.executable, os.path.abspath(__file__), "--between", self.service.address],
+                                        stdout=subprocess.PIPE, text=True) if between else None
         self.link = self.between.pid if between else None
         address = self.between.stdout.readline().strip() if between else self.service.address
         self.environment = {"FORCESHADE_HAPLY_SERVICE": address}
@@ -75,9 +74,6 @@ class Haply(Arm):
             self.between.kill()
             self.between.communicate()
         self.service.__exit__()
-
-    def events(self):
-        return [{**entry, "event": {"inventory": "opened"}.get(entry["event"], entry["event"])} for entry in super().events()]
 
     def held_until(self):
         if self.first("ended") is None:
@@ -95,7 +91,6 @@ class Haply(Arm):
 
 class Dhd(Arm):
     device, longest_ms = "dhd", 31.875  # its watchdog
-    held = ("pressed=yes",)
     library = ""  # the stand-in's
 
     def __init__(self, events=(), options=()):
@@ -124,13 +119,13 @@ class Dhd(Arm):
 class Command(Arm):
     """The program is this file; it has a zero force where no line has come for 25 ms, as docs/command-device.md requires."""
 
-    longest_ms, held = 60, ()  # its button is down
+    longest_ms = 60
 
     def __init__(self, events=(), options=()):
         self.folder = tempfile.TemporaryDirectory()
         self.journal, self.environment = os.path.join(self.folder.name, "journal"), {}
-        words = [sys.executable, os.path.abspath(__file__), "--program", self.journal, *events]
-        self.device = "command:exec " + in_real_time() + " ".join(words)
+        words = ["chrt", "--fifo", "50"] if may_run_in_real_time() else []  # so that other programs do not make it late
+        self.device = "command:exec " + " ".join([*words, sys.executable, os.path.abspath(__file__), "--program", self.journal])
 
     def __exit__(self, *_):
         self.folder.cleanup()
@@ -147,9 +142,8 @@ class Command(Arm):
 
 
 class Program:
-    def __init__(self, journal, events):
-        self.journal = open(journal, "a", buffering=1)
-        self.events, self.pushes = events, False
+    def __init__(self, journal):
+        self.journal, self.pushes = open(journal, "a", buffering=1), False
         self.note("opened", process=os.getpid())
 
     def note(self, event, **more):
@@ -178,7 +172,7 @@ class Program:
     def run(self):
         print(json.dumps({"forceshade-device": 1, "name": "an arm", "workspace_mm": [[-100, -100, -100], [100, 100, 100]],
                           "peak_force_N": 3, "continuous_force_N": 1, "resolution_mm": 0.05, "buttons": 1, "paces": False}), flush=True)
-        begin, frames, pressed = time.monotonic(), 0, 0
+        begin = time.monotonic()
         for line in self.lines():
             force = line.get("force_N") if line else None
             self.take(any(force or [0]))
@@ -186,15 +180,8 @@ class Program:
                 break
             if force is None:
                 continue
-            frames += 1
-            pressed += self.pushes
-            if frames == 300:
-                self.note("settling")
-            seconds, x = time.monotonic() - begin, 0
-            if pressed == 100 and self.pushes and "jump@contact" in self.events:
-                x = 50
-                self.note("jump")
-            print(json.dumps({"time_s": seconds, "position_mm": [x, 0, 1.5 + 2.5 * math.cos(math.pi * seconds)], "buttons": 1}), flush=True)
+            seconds = time.monotonic() - begin
+            print(json.dumps({"time_s": seconds, "position_mm": [0, 0, 1.5 + 2.5 * math.cos(math.pi * seconds)], "buttons": 1}), flush=True)
         self.take(False)
 
 
@@ -232,6 +219,6 @@ def between(address):
 
 if __name__ == "__main__":
     if sys.argv[1] == "--program":
-        Program(sys.argv[2], sys.argv[3:]).run()
+        Program(sys.argv[2]).run()
     else:
         between(sys.argv[2])

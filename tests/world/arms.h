@@ -16,10 +16,11 @@ struct ArmKind {
   std::vector<Fault> faults;  // of what the product speaks to, with the words that end the run
 };
 
-// Frames over a plain link; the vendor's library DHD; a program (docs/command-device.md); Haply's service.
+// Frames over a plain link; the vendor's library DHD; a program (docs/command-device.md), with a clock of its own where a
+// period is given; Haply's service.
 ArmKind framed_arm();
 ArmKind dhd_arm();
-ArmKind command_arm();
+ArmKind command_arm(Ns period = 0);
 ArmKind haply_arm();
 std::vector<ArmKind> arms();
 

@@ -65,6 +65,18 @@ TEST(framed_world, the_loop_learns_at_once_of_a_fault_of_its_frames) {
   EXPECT_LT(outcome.lasted, system::in_ns(std::chrono::milliseconds(702)));
 }
 
+// Its clock is not this machine's: each position is used once.
+TEST(command_world, frames_are_followed_one_tick_each_where_the_program_has_the_clock) {
+  for (const Ns period : {980'000, 1'020'000}) {
+    const Outcome outcome = session({}, command_arm(period).open);
+    EXPECT_TRUE(outcome.violations.empty()) << outcome.violations.front().words;
+    EXPECT_TRUE(outcome.result.followed_device);
+    EXPECT_EQ(outcome.repeated, 0U);
+    EXPECT_EQ(outcome.skipped, 0U);
+    EXPECT_NEAR(static_cast<double>(outcome.lasted) / static_cast<double>(outcome.frames), static_cast<double>(period), 2'000);
+  }
+}
+
 TEST_P(arms_world, random_holds_break_no_rule) {
   Plan plan;
   plan.schedule.holds = 0.02;

@@ -41,7 +41,8 @@ Answering answering;
 constexpr Ns kAnswer = 50'000;
 constexpr const char* kHello =
     R"({"forceshade-device":1,"name":"an arm","workspace_mm":[[-100,-100,-100],[100,100,100]],"peak_force_N":3,)"
-    R"("continuous_force_N":1,"resolution_mm":0.05,"buttons":2,"paces":false})";
+    R"("continuous_force_N":1,"resolution_mm":0.05,"buttons":2,"paces":)";
+Ns period = 0;  // of the program's clock; 0: it has none
 
 // What our side hears of the program.
 struct Heard {
@@ -62,7 +63,7 @@ class Driver {
   Driver(Arm& arm, std::shared_ptr<Streams> streams) : arm_(arm), streams_(std::move(streams)) {}
 
   void run() {
-    say(std::string(kHello) + '\n');
+    say(kHello + std::string(period > 0 ? "true}\n" : "false}\n"));
     for (std::string read; !is_over_;) {
       const std::optional<std::string> bytes = streams_->in.receive(system::kForever);
       if (!bytes) return finish();
@@ -105,7 +106,8 @@ class Driver {
 
   void answer() {
     const Answering its = std::exchange(answering, Answering{.hangs = answering.hangs});
-    system::sleep_until(system::now() + kAnswer);
+    next_ = std::max(next_ + period, system::now() + kAnswer);
+    system::sleep_until(next_);
     arm_.is_out_of_reach = its.late > 0 || its.freezes || its.ends || its.is_endless;  // until it reads again
     system::sleep_until(system::now() + its.late);
     if (its.ends) return end_with(*its.ends, "the arm was unplugged\n");
@@ -136,6 +138,7 @@ class Driver {
   std::shared_ptr<Streams> streams_;
   bool is_over_ = false;
   long answers_ = 0;
+  Ns next_ = 0;
 };
 
 // Our side of its streams, and the keeper's part.
@@ -246,10 +249,14 @@ std::vector<Fault> faults_of_the_program() {
 
 }  // namespace
 
-ArmKind command_arm() {
+ArmKind command_arm(Ns its_period) {
   // The watchdog of the hardware behind the program.
   constexpr Ns kOwnWatchdog = 50 * kMillisecond;
-  return {"command", open_command, kOwnWatchdog, faults_of_the_program()};
+  const auto open = [its_period](Arm& arm) {
+    period = its_period;
+    return open_command(arm);
+  };
+  return {"command", open, kOwnWatchdog, faults_of_the_program()};
 }
 
 }  // namespace forceshade::world
