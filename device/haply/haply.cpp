@@ -143,6 +143,7 @@ std::unique_ptr<Device> haply::open(std::unique_ptr<Conversation> service, const
   const Inverse3& arm = chosen(message, name);
   if (!arm.basis.empty() && arm.basis != "XYZ")
     throw DeviceError("the Inverse Service's basis: expected XYZ, got " + arm.basis + ": set it so in the service's settings");
+  if (!arm.altered.empty()) throw DeviceError(arm.altered);
   report(arm, attendant);
   return std::make_unique<FramedDevice>(std::make_unique<Link>(std::move(service), version, arm.id, options),
                                         description_of(arm, version, message.has_grip), options, attendant);

@@ -25,6 +25,7 @@ FrameState Link::exchange(const Eigen::Vector3d& force) {
   const Message message = message_of(answer.text);
   const auto arm = std::find_if(message.arms.begin(), message.arms.end(), [&](const Inverse3& a) { return a.id == id_; });
   if (arm == message.arms.end()) throw Unexpected("the Inverse3 is no longer connected: check its cable and its power");
+  if (!arm->altered.empty()) throw Unexpected(arm->altered);
   if (!arm->position) throw Unexpected("the Inverse Service sent a state without a position of the Inverse3");
   return {.position = *arm->position - kMiddle,
           .buttons = message.buttons,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/haply/haply_messages.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -59,6 +61,23 @@ std::optional<Eigen::Vector3d> vector_at(const Json& json, const char* key, doub
   return vector;
 }
 
+// The parts of a mount or transform that are left out are those of the identity, and so is all of one that is not there.
+bool is_identity(const Json& json) {
+  constexpr double kNothing = 1e-6;  // m, and of 1: less than any sensor sees
+  if (json.is_null()) return true;
+  if (!json.is_object()) return false;
+  const auto is_all = [&](const char* part, std::initializer_list<const char*> names, double value) {
+    const Json& numbers = at(json, part);
+    return numbers.is_null() || (numbers.is_object() && std::ranges::all_of(names, [&](const char* name) {
+                                   const Json& number = at(numbers, name);
+                                   return number.is_null() ||
+                                          (number.is_number() && std::fabs(number.get<double>() - value) <= kNothing);
+                                 }));
+  };
+  return is_all("position", {"x", "y", "z"}, 0) && is_all("rotation", {"x", "y", "z"}, 0) &&
+         is_all("scale", {"x", "y", "z"}, 1);
+}
+
 Inverse3 arm_of(const Json& json) {
   const Json &config = at(json, "config"), &info = at(config, "device_info"), &state = at(json, "state"),
              &status = at(json, "status"), &filters = at(config, "filters");
@@ -75,6 +94,11 @@ Inverse3 arm_of(const Json& json) {
   arm.gravity_compensation = flag_at(at(config, "gravity_compensation"), "enabled");
   arm.gate_gain = number_at(at(filters, "force_gate"), "gain");
   arm.damping = number_at(at(filters, "damping"), "scalar");
+  for (const auto& [where, name] : {std::pair{&config, "mount"}, {&config, "transform"}, {&state, "transform"}})
+    if (const Json& its = at(*where, name); arm.altered.empty() && !is_identity(its))
+      arm.altered = std::string("the Inverse3's ") + name +
+                    ": expected the identity, since forces and positions are the laws' only there, got " +
+                    shown(its.dump(-1, ' ', true, Json::error_handler_t::replace)) + ": set it so in the service's settings";
   arm.position = vector_at(state, "cursor_position", kReach);
   if (arm.position) *arm.position /= kMillimetre;
   arm.force = vector_at(state, "current_cursor_force", kMost);

@@ -39,6 +39,9 @@ struct Inverse3 {
   std::string id, type, serial, firmware, handedness, basis;
   std::optional<bool> gravity_compensation;
   std::optional<double> gate_gain, damping;
+  // Its mount, or the transform of its state, where that is not the identity: the first that turns, shifts or scales positions
+  // and forces, in words.
+  std::string altered;
   // Its state.
   std::optional<Eigen::Vector3d> position;  // mm
   std::optional<Eigen::Vector3d> force;     // N: that the service says it applies

@@ -5,6 +5,7 @@ import argparse
 import asyncio
 import http
 import json
+import math
 import os
 import signal
 import sys
@@ -74,7 +75,7 @@ class Service:
             self.arm.advance(min(seconds - held, 1.0))
 
     def apply(self):
-        total = [sum(session.force[i] for session in self.sessions) for i in range(3)]
+        total = self.to_device([sum(session.force[i] for session in self.sessions) for i in range(3)])
         share = float(self.assumed("ration"))
         clamp = self.assumed("clamp")
         size = judge.length(total)
@@ -124,10 +125,11 @@ class Service:
         others = any(other is not session for other in self.sessions)
         entry = {
             "device_id": self.options.device_id,
-            "state": {"cursor_position": vector(self.arm.position), "cursor_velocity": vector(self.arm.velocity),
+            "state": {"cursor_position": vector(self.to_session(self.arm.position)),
+                      "cursor_velocity": vector(self.to_session(self.arm.velocity)),
                       "angular_position": {"a0": 0.0, "a1": 0.0, "a2": 0.0}, "body_orientation": {"w": 1, "x": 0, "y": 0, "z": 0},
-                      "current_cursor_force": vector(self.arm.force), "control_domain": "cartesian",
-                      "control_mode": self.assumed("control-mode"), "transform": {}},
+                      "current_cursor_force": vector(self.to_session(self.arm.force, False)), "control_domain": "cartesian",
+                      "control_mode": self.assumed("control-mode"), "transform": self.transform()},
             "status": {"calibrated": self.calibrated, "in_use": others or self.assumed("in-use") == "any",
                        "power_supply": self.powered, "ready": True, "started": True},
         }
@@ -141,7 +143,23 @@ class Service:
                 "filters": {"force_gate": {"gain": 0.3}, "damping": {"scalar": 0.0}}}
             if self.assumed("basis-reported") == "yes":
                 entry["config"]["basis"] = {"permutation": self.basis}
+            if self.assumed("mount") == "turned":
+                entry["config"]["mount"] = {"rotation": {"w": math.sqrt(0.5), "z": math.sqrt(0.5)}}
         return entry
+
+    def transform(self):
+        return {"scale": {"x": 2.0, "y": 2.0, "z": 2.0}} if self.assumed("transform") == "doubled" else {}
+
+    def to_session(self, vector, is_length=True):
+        """A vector of the device as its sessions have it."""
+        x, y, z = vector
+        if self.assumed("mount") == "turned":
+            x, y = -y, x
+        return tuple((2 if is_length and self.transform() else 1) * c for c in (x, y, z))
+
+    def to_device(self, force):
+        x, y, z = force
+        return (y, -x, z) if self.assumed("mount") == "turned" else force
 
     def http(self, path, http_only):
         here = "before" if http_only else "same"

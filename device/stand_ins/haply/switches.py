@@ -21,6 +21,8 @@ ASSUMPTIONS = {
     "in-use": (["others", "any"], "in_use is true while another session is open, or while any is"),
     "force-reported": (["yes", "no"], "a state has current_cursor_force"),
     "basis-reported": (["yes", "no"], "a configuration has the basis"),
+    "mount": (["identity", "turned"], "the device stands as it should, or turned by a quarter about z, as its configuration has it"),
+    "transform": (["identity", "doubled"], "a length of the device is one of the session, or two, as each state has it"),
     "grip": (["wired", "wireless", "none"], "which grip is connected"),
     "ping": (["never", NUMBER], "s between pings"),
 }

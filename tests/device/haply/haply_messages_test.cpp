@@ -70,6 +70,26 @@ TEST(haply_messages, what_is_no_position_is_refused) {
     EXPECT_FALSE(refusal([&] { message_of(text); }).empty()) << text;
 }
 
+// Parts that are left out are the identity's.
+TEST(haply_messages, a_mount_or_transform_that_is_not_the_identity_is_found) {
+  const auto altered = [](const std::string& config, const std::string& transform) {
+    return message_of(R"({"inverse3":[{"device_id":"1","config":{)" + config + R"(},"state":{"transform":)" + transform +
+                      "}}]}")
+        .arms[0]
+        .altered;
+  };
+  EXPECT_EQ(altered("", "{}"), "");
+  EXPECT_EQ(altered(R"("mount":{"position":{"x":0},"rotation":{"w":1,"z":0.0},"scale":{"y":1}})", R"({"rotation":{"w":-1}})"),
+            "");
+  for (const char* other : {R"({"position":{"z":0.001}})", R"({"rotation":{"w":0.9999,"x":0.014}})", R"({"scale":{"x":2}})",
+                            R"({"scale":{"y":"1"}})", R"({"rotation":[1,0,0,0]})", R"("none")"}) {
+    EXPECT_NE(altered("", other).find("transform: expected the identity"), std::string::npos) << other;
+    EXPECT_NE(altered(R"("mount":)" + std::string(other), "{}").find("mount: expected the identity"), std::string::npos)
+        << other;
+    EXPECT_NE(altered(R"("transform":)" + std::string(other), "{}").find("transform: expected"), std::string::npos) << other;
+  }
+}
+
 TEST(haply_messages, what_says_nothing_of_its_calibration_has_none) {
   constexpr const char* kPosition = R"({"x":0,"y":0,"z":0})";
   EXPECT_FALSE(message_of(state(kPosition, "{}")).arms[0].calibrated);

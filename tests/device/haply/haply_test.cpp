@@ -71,10 +71,13 @@ TEST_F(haply_device, ends_a_run_in_the_words_of_what_went_wrong) {
 }
 
 TEST_F(haply_device, that_cannot_be_driven_is_refused_in_words) {
-  for (const auto& [stand_in, words] : {std::pair{"--assume in-use=any", "another program uses the Inverse3 049D"},
-                                        std::pair{"--assume http=none", "no Inverse Service answers at 127.0.0.1:"},
-                                        std::pair{"--version 2.2.0", "expected 3.1 or later, below 4, got 2.2.0"},
-                                        std::pair{"--version 4.0.1", "expected 3.1 or later, below 4, got 4.0.1"}})
+  for (const auto& [stand_in, words] :
+       {std::pair{"--assume in-use=any", "another program uses the Inverse3 049D"},
+        std::pair{"--assume http=none", "no Inverse Service answers at 127.0.0.1:"},
+        std::pair{"--version 2.2.0", "expected 3.1 or later, below 4, got 2.2.0"},
+        std::pair{"--assume mount=turned", "the Inverse3's mount: expected the identity"},
+        std::pair{"--assume transform=doubled", "the Inverse3's transform: expected the identity"},
+        std::pair{"--version 4.0.1", "expected 3.1 or later, below 4, got 4.0.1"}})
     EXPECT_NE(words_of(stand_in).find(words), std::string::npos) << words_of(stand_in);
 }
 

@@ -268,6 +268,11 @@ def every_assumption_has_two_ways():
     checks.expect("current_cursor_force" not in arm(seen(state, "force-reported=no"))["state"], "force-reported")
     checks.expect(arm(seen(state, "control-mode=force"))["state"]["control_mode"] == "force", "control-mode")
     checks.expect(arm(seen(state, "in-use=any"))["status"]["in_use"] and not arm(seen(state))["status"]["in_use"], "in-use")
+    turned, doubled = arm(seen(state, "mount=turned")), arm(seen(state, "transform=doubled"))
+    checks.expect(abs(turned["config"]["mount"]["rotation"]["z"] - 0.5**0.5) < 1e-9 and "mount" not in arm(seen(state))["config"] and
+                  turned["state"]["cursor_position"]["x"] == -arm(seen(state))["state"]["cursor_position"]["y"], "mount")
+    checks.expect(doubled["state"]["transform"]["scale"]["x"] == 2 and not arm(seen(state))["state"]["transform"] and
+                  doubled["state"]["cursor_position"]["z"] == 2 * arm(seen(state))["state"]["cursor_position"]["z"], "transform")
     grips = [(len(m["verse_grip"]), len(m["wireless_verse_grip"])) for m in
              (seen(state), seen(state, "grip=wireless"), seen(state, "grip=none"))]
     checks.expect(grips == [(1, 0), (0, 1), (0, 0)], f"grip {grips}")
