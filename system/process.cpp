@@ -21,6 +21,7 @@
 #include <system_error>
 #include <utility>
 
+#include "system/crash_signals.h"
 #include "system/system.h"
 
 namespace forceshade::system {
@@ -55,7 +56,7 @@ void be_a_process_of_its_own(const char* name) {
   ::prctl(PR_SET_NAME, name);
   sigset_t all;
   sigfillset(&all);
-  for (const int crash : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
+  for (const int crash : kCrashSignals) {
     sigdelset(&all, crash);
     std::signal(crash, crashed);
   }

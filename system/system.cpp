@@ -15,6 +15,8 @@
 #include <thread>
 #include <utility>
 
+#include "system/crash_signals.h"
+
 namespace forceshade::system {
 namespace {
 
@@ -85,7 +87,7 @@ Thread::~Thread() = default;
 Thread::Thread(const char* name, std::function<void()> body) : it_(std::make_unique<Implementation>()) {
   sigset_t masked, before;
   sigfillset(&masked);
-  for (const int crash : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) sigdelset(&masked, crash);
+  for (const int crash : kCrashSignals) sigdelset(&masked, crash);
   pthread_sigmask(SIG_SETMASK, &masked, &before);  // which the thread inherits
   try {
     it_->thread = std::thread(std::move(body));

@@ -26,7 +26,7 @@ Link::Link(const Functions& functions, const std::string& which, const FramedOpt
 FrameState Link::exchange(const Eigen::Vector3d& force) {
   const std::chrono::milliseconds longest = frame_->state.forces_on ? answer_ : std::max(answer_, kWithoutForce);
   const std::int64_t until = system::now() + system::in_ns(longest);
-  if (!calls_.run([frame = frame_, force, until] { frame->state = frame->arm.exchange(force, until); }, longest))
+  if (!calls_.run_until(until, [frame = frame_, force, until] { frame->state = frame->arm.exchange(force, until); }))
     throw Refused("the vendor's library has not answered for " + std::to_string(longest.count()) +
                   " ms: check the device's cable and power; if it still pushes, switch it off");
   return frame_->state;

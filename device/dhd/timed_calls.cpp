@@ -58,8 +58,7 @@ bool TimedCalls::is_free_before(std::int64_t deadline) const noexcept {
   }
 }
 
-bool TimedCalls::run(std::function<void()> call, std::chrono::nanoseconds longest) {
-  const std::int64_t deadline = system::now() + system::in_ns(longest);
+bool TimedCalls::run_until(std::int64_t deadline, std::function<void()> call) {
   if (!is_free_before(deadline)) return false;
   shared_->call = std::move(call);
   system::step();

@@ -3,8 +3,10 @@
 // Calls of a library that may not return: each runs in a thread of its own, and is waited for no longer than said.
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include "system/system.h"
 
@@ -19,9 +21,12 @@ class TimedCalls {
   TimedCalls& operator=(const TimedCalls&) = delete;
 
   // Runs the call, after all those before it and in the same thread, and throws what it throws. False where it has not returned
-  // after this time: then it may return later, so what it refers to must live as long as the call itself; and until it has,
-  // every further call is late, too, and is not run.
-  bool run(std::function<void()> call, std::chrono::nanoseconds longest);
+  // by then: it may return later, so what it refers to must live as long as the call itself; and until it has, every further
+  // call is late, too, and is not run.
+  bool run_until(std::int64_t deadline, std::function<void()> call);
+  bool run(std::function<void()> call, std::chrono::nanoseconds longest) {
+    return run_until(system::now() + system::in_ns(longest), std::move(call));
+  }
 
  private:
   struct Shared;

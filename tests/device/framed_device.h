@@ -79,9 +79,4 @@ inline void expect_highest_force(const nlohmann::json& verdict, double highest) 
   EXPECT_EQ(verdict["sessions"][0]["force_at_end_N"], 0);
 }
 
-// What goes wrong in contact, and the words that end the run for it.
-struct Wrong {
-  const char *event, *words;
-};
-
 }  // namespace forceshade::device

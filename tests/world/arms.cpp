@@ -72,6 +72,7 @@ std::vector<Fault> faults_of_the_machine() {
   all.push_back(holds_thread("first", "the loop stands still", 14 * kMillisecond));
   all.push_back({"the loop dies", [](World& world, Arm&) { world.kill(kLoop); }});
   all.push_back({"the process dies", [](World& world, Arm& arm) {
+                   if (world.processes() > 1) return world.kill_process(0);
                    for (int thread = 0; thread < world.threads(); ++thread)
                      if (world.name(thread) != kPartner) world.kill(thread);
                    arm.lose_client();
@@ -90,7 +91,11 @@ const std::vector<Part>& parts() {
 }
 
 Plan plan_for(const Part& part, const ArmKind& arm) {
-  return {.seconds = part.seconds, .events = part.events, .own_watchdog = arm.own_watchdog};
+  return {.seconds = part.seconds,
+          .events = part.events,
+          .own_watchdog = arm.own_watchdog,
+          .may_be_lost = arm.may_be_lost,
+          .longest_force = arm.longest_force};
 }
 
 }  // namespace forceshade::world

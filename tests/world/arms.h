@@ -14,6 +14,8 @@ struct ArmKind {
   Open open;
   Ns own_watchdog = 0;        // of the device; how long it holds a force that is not renewed
   std::vector<Fault> faults;  // of what the product speaks to, with the words that end the run
+  Ns longest_force = Plan{}.longest_force;
+  bool may_be_lost = false;
 };
 
 // Frames over a plain link; the vendor's library DHD; a program (docs/command-device.md), with a clock of its own where a

@@ -91,14 +91,16 @@ void Judge::grown(const Eigen::Vector3d& force, Ns now) {
 // The force that is felt depends on frames alone, so that it is enough to look while time goes on.
 void Judge::look() {
   felt_until_ = std::max(felt_until_, arm_.felt_until());
+  const Ns now = world_.now();
+  if (!arm_.can_be_reached()) unreached_ = now;
   if (arm_.felt().isZero(0)) return;
-  const Ns now = world_.now(), ordered = orders_.empty() ? 0 : orders_.back().time;
+  const Ns ordered = orders_.empty() ? 0 : orders_.back().time;
   const double age = static_cast<double>(now - ordered) * 1e-6;
   const Ns most = arm_.plan().longest_force + kSend;
   if (now - ordered <= most) return;
   // Where machine or frames stand still, or nothing reaches the arm, nothing of this machine can end the force.
   const bool stood_still = now - ordered - (world_.stood_still() - stood_still_) <= most;
-  if (stood_still || !arm_.can_be_reached() || (world_.held_until() > ordered && now - world_.held_until() < 2 * kFrame))
+  if (stood_still || now - unreached_ < 2 * kFrame || (world_.held_until() > ordered && now - world_.held_until() < 2 * kFrame))
     without_watchdog_ = std::max(without_watchdog_, age);
   else
     violate(3, "a force is felt " + ms(now - ordered) + " after the last order");
@@ -133,7 +135,7 @@ void Judge::conclude(Outcome& outcome) {
   outcome.without_watchdog = without_watchdog_;
   outcome.stays = !arm_.felt().isZero(0);
   const auto& sent = arm_.sent();
-  if (outcome.stays && arm_.can_be_reached()) violate(3, "a force is felt at the end");
+  if (outcome.stays && arm_.can_be_reached() && !arm_.plan().may_be_lost) violate(3, "a force is felt at the end");
   if (outcome.end == World::End::dead && !world_.exit_code(0)) return;
   if (!sent.empty() && !arm_.is_closed() && arm_.can_be_reached()) violate(4, "the arm was not closed");
   if (outcome.end == World::End::never) violate(8, "the session does not end");

@@ -49,6 +49,7 @@ class Judge final : public device::SampleSink {
   std::vector<Violation> violations_;
   Ns sent_before_ = 0;        // the frame before
   double share_before_ = 1;   // of its order, that it sent
+  Ns unreached_ = 0;          // when nothing last reached the arm
   Ns stood_still_ = 0;        // of the machine, up to the last order
   bool was_excused_ = false;  // its thread stood still between its look at the clock and its send
   bool obeyed_ = false;       // the state that the arm gave last

@@ -11,14 +11,13 @@
 #include "system/process.h"
 #include "tests/support/drawn.h"
 #include "tests/world/hd.h"
-#include "tests/world/searches.h"
+#include "tests/world/phantom_arm.h"
 
 namespace forceshade::world {
 namespace {
 
 namespace hdapi = device::hdapi;
 using stand_in_hd::Blocks;
-using stand_in_hd::Orders;
 using std::chrono::milliseconds;
 
 constexpr Ns kMillisecond = 1'000'000;
@@ -52,33 +51,9 @@ void expect_kept_everywhere(const std::vector<Fault>& faults, std::size_t steps,
   for (const auto& [name, from] : kParts) expect_kept(name, placed(with_words(faults, words), {from, tried}, plan, open));
 }
 
-// What the driver does from this step on.
-Fault told(const char* name, const std::function<void(Orders&)>& change) {
-  return {name, [change](World&, Arm&) {
-            Orders orders = Hd::current().orders();
-            change(orders);
-            Hd::current().tell(orders);
-          }};
-}
-Fault blocked(const char* name, Blocks where) {
-  return told(name, [where](Orders& orders) { orders.blocks = where; });
-}
-std::vector<Fault> blocking_calls() {
-  return {blocked("hdInitDevice", Blocks::init_device),
-          blocked("hdBeginFrame", Blocks::begin_frame),
-          blocked("hdEndFrame", Blocks::end_frame),
-          blocked("hdStartScheduler", Blocks::start_scheduler),
-          blocked("hdStopScheduler", Blocks::stop_scheduler),
-          blocked("hdDisableDevice", Blocks::disable_device),
-          told("no frame runs", [](Orders& orders) { orders.hung = true; })};
-}
-
 const Fault kLoopIsKilled{"the loop's process is killed", [](World& world, Arm&) { world.kill_process(0); }};
 const Fault kLoopHangs{"the loop hangs", [](World& world, Arm&) { world.kill(kLoop); }};
 
-// Who waits for no call of the driver's for long.
-const OpenPhantom kImpatient{
-    .options = {.open = milliseconds(500), .start = milliseconds(800), .calibration = milliseconds(500)}};
 constexpr Ns kFrameIsLeft = 260 * kMillisecond;  // the watchdog's time, and that for a frame to end
 
 // Within the time that a start may take, after which nothing more is said about it.
@@ -173,21 +148,22 @@ TEST(phantom_world, no_standstill_and_no_death_of_the_loop_breaks_a_rule) {
 
 // Whichever of its threads makes the step: it ends the force first.
 TEST(phantom_world, no_crash_of_the_drivers_process_leaves_a_force) {
-  const auto crash = [](World& world, Arm&) {
-    if (world.process() == kDriver) world.crash();
-  };
-  expect_kept_everywhere({{"a crash", crash}}, 150, {"time up", hdapi::kDriverEnded, "the vendor's library failed in it"});
+  expect_kept_everywhere({deaths_of_the_driver()[0]}, 150,
+                         {"time up", hdapi::kDriverEnded, "the vendor's library failed in it"});
 }
 
 // The loop resumes it, and it sends zero.
 TEST(phantom_world, a_drivers_process_that_is_stopped_leaves_no_force) {
-  expect_kept_everywhere({{"it is stopped", [](World& world, Arm&) { world.stop_process(kDriver); }}}, 50,
+  expect_kept_everywhere({deaths_of_the_driver()[2]}, 50,
                          {"time up", hdapi::kSilent, hdapi::kStalled, hdapi::kNoFrames, "has not answered for"}, {},
                          kImpatient);
 }
 
 // Nothing on the machine can end its force; the loop sees it and says so, and no process is left.
 TEST(phantom_world, a_drivers_process_that_is_killed_or_that_no_signal_reaches_is_said_to_have_ended) {
+  std::vector<Fault> deaths = deaths_of_the_driver();
+  deaths.erase(deaths.begin() + 2);
+  deaths.erase(deaths.begin());
   Plan plan;
   plan.may_be_lost = true;
   plan.longest_force = 4 * system::kSecond;  // until the process is killed that does not end
@@ -198,9 +174,7 @@ TEST(phantom_world, a_drivers_process_that_is_killed_or_that_no_signal_reaches_i
                     "was ended by a signal (Killed)",
                     "runs its frames too slowly",
                     "has not answered for"};
-  expect_kept_everywhere({{"it is killed", [](World& world, Arm&) { world.kill_process(kDriver); }},
-                          {"its own thread goes no further", [](World& world, Arm&) { world.kill(kScheduler); }}},
-                         50, words, plan, kImpatient);
+  expect_kept_everywhere(deaths, 50, words, plan, kImpatient);
 }
 
 TEST(phantom_world, a_signal_from_elsewhere_changes_nothing) {
@@ -240,8 +214,7 @@ TEST(phantom_world, the_death_of_the_loop_while_a_call_does_not_return_leaves_no
 
 // The same with a loop that hangs, and keeps its end open: no software ends that force.
 TEST(phantom_world, a_loop_that_hangs_while_a_frame_does_not_end_leaves_its_force_to_the_device) {
-  const Found found = placed_pairs({blocked("hdEndFrame", Blocks::end_frame)}, {kParts[2].from, 4, 11}, {kLoopHangs}, {0, 5, 9},
-                                   {}, OpenPhantom{});
+  const Found found = placed_pairs({blocking_calls()[2]}, {kParts[2].from, 4, 11}, {kLoopHangs}, {0, 5, 9}, {}, OpenPhantom{});
   std::printf("%ld sessions, %ld of them with a force that stays\n", found.tried, found.broken);
   EXPECT_GT(found.broken, 0);
   EXPECT_NE(found.first.find("rule 3: a force is felt"), std::string::npos) << found.first;
@@ -250,15 +223,7 @@ TEST(phantom_world, a_loop_that_hangs_while_a_frame_does_not_end_leaves_its_forc
 TEST(phantom_world, an_error_of_the_drivers_and_a_late_call_end_the_run_or_not_but_never_leave_a_force) {
   Plan plan;
   plan.longest_force = 60 * kMillisecond + 27 * kMillisecond;  // a frame that is as late
-  expect_kept_everywhere({told("hdBeginFrame fails", [](Orders& orders) { orders.begin = hdapi::kCommunication; }),
-                          told("hdEndFrame fails", [](Orders& orders) { orders.end = {hdapi::kDeviceFault}; }),
-                          told("hdSetDoublev fails", [](Orders& orders) { orders.set = hdapi::kForceError; }),
-                          told("the position is withheld", [](Orders& orders) { orders.withholds_position = true; }),
-                          told("the connection is lost", [](Orders& orders) { orders.comm_lost = true; }),
-                          told("the output goes off", [](Orders& orders) { orders.output_goes_off = true; }),
-                          told("frames take 10 ms", [](Orders& orders) { orders.frame_time = milliseconds(10); }),
-                          told("frames take 60 ms", [](Orders& orders) { orders.frame_time = milliseconds(60); })},
-                         30, {}, plan);
+  expect_kept_everywhere(errors_of_the_driver(), 30, {}, plan);
 }
 
 TEST(phantom_world, an_attendant_may_answer_or_leave_at_any_step) {

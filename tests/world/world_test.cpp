@@ -6,10 +6,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cfenv>
+#include <functional>
+#include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "system/system.h"
@@ -180,28 +185,41 @@ TEST(world, a_session_is_the_same_in_every_run_and_replayed_from_its_list) {
   }
 }
 
-// A device that breaks a rule where a certain thread was held: of each session's decisions two are needed.
-struct Breaking final : device::Device {
-  explicit Breaking(std::unique_ptr<device::Device> its) : device(std::move(its)) {}
+// A device whose readings a test alters, and which may break a rule where a certain thread was held: of each session's
+// decisions two are needed for that.
+struct Altered final : device::Device {
+  Altered(std::unique_ptr<device::Device> its, std::function<void(device::Reading&)> alters)
+      : device(std::move(its)), alter(std::move(alters)) {}
   device::Capabilities capabilities() const noexcept override { return device->capabilities(); }
   std::optional<device::Fault> start(double rate) noexcept override { return device->start(rate); }
   std::int64_t wait_for_frame(std::int64_t deadline) noexcept override { return device->wait_for_frame(deadline); }
-  device::ReadResult read() noexcept override { return device->read(); }
-  void allow(const device::Allowance& allowance) noexcept override { device->allow(allowance); }
+  device::ReadResult read() noexcept override {
+    device::ReadResult result = device->read();
+    if (auto* reading = std::get_if<device::Reading>(&result); reading && alter) alter(*reading);
+    return result;
+  }
+  void allow(const device::Allowance& allowance) noexcept override {
+    device->allow(alter ? device::Allowance{.work = 1e6, .longest_step = 1} : allowance);
+  }
   device::State state() const noexcept override { return device->state(); }
   std::optional<device::Fault> command(const Eigen::Vector3f& force) noexcept override {
     const Ns before = std::exchange(last, system::now());
-    if (before != 0 && last - before > 1'500'000) ++late;
+    if (!alter && before != 0 && last - before > 1'500'000) ++late;
     return device->command(late > 1 ? Eigen::Vector3f(0, 0, 1) : force);  // which no rule allows
   }
   std::unique_ptr<device::Device> device;
+  std::function<void(device::Reading&)> alter;
   Ns last = 0;
   int late = 0;
 };
 
+Open altered(const std::function<void(device::Reading&)>& alter = nullptr) {
+  return [=](Arm& arm) { return std::make_unique<Altered>(framed_arm().open(arm), alter); };
+}
+
 TEST(world, what_breaks_a_rule_is_found_and_shrunk_to_the_decisions_that_it_takes) {
-  const Open open = [](Arm& arm) { return std::make_unique<Breaking>(framed_arm().open(arm)); };
-  Plan plan = random_plan(0);
+  const Open open = altered();
+  const Plan plan = random_plan(0);
   EXPECT_TRUE(session(plan, open).violations.empty());
   const Found found = random_sessions(20, plan, open);
   ASSERT_GT(found.broken, 0);
@@ -209,7 +227,51 @@ TEST(world, what_breaks_a_rule_is_found_and_shrunk_to_the_decisions_that_it_take
   EXPECT_NE(found.first.find("rule 1: a force that no order covers was sent"), std::string::npos) << found.first;
 }
 
-// Each rule is looked at: an arm's device that does one thing wrong breaks it.
+// The rules that a session breaks whose device or arm does one thing wrong, in contact.
+std::set<int> broken_with(const std::function<void(device::Reading&)>& alter,
+                          const std::function<void(Arm&)>& at_step = nullptr) {
+  Plan plan;
+  plan.seconds = 5;
+  const Ns begin = system::kSecond + parts()[1].from;
+  if (at_step)
+    plan.at_step = [&](Arm& arm) {
+      if (current()->now() > begin) at_step(arm);
+    };
+  std::set<int> rules;
+  for (const Violation& violation : session(plan, altered(alter)).violations) rules.insert(violation.rule);
+  return rules;
+}
+
+// Rules 1, 4 and 8: the next test.
+TEST(world, each_rule_is_looked_at) {
+  const auto nothing = [](device::Reading&) {};
+  EXPECT_EQ(broken_with(nothing), std::set<int>{});
+  // Once the hand withdraws, the force of 60 frames before.
+  bool is_sent = false;
+  const auto send_old = [&](Arm& arm) {
+    const auto& sent = arm.sent();
+    const Eigen::Vector3d old = sent[sent.size() - 60].force, last = sent.back().force;
+    if (is_sent || last.isZero(0) || old.norm() < 2 * last.norm()) return;
+    is_sent = true;
+    arm.push(old);
+  };
+  EXPECT_TRUE(broken_with(nothing, send_old).contains(2));
+  EXPECT_EQ(broken_with(nothing,
+                        [](Arm&) {
+                          for (const char* name : {"first", "frames"}) current()->kill(current()->thread(name));
+                        }),
+            std::set<int>{3});
+  EXPECT_TRUE(broken_with([n = 0](device::Reading& reading) mutable { reading.time -= ++n == 500 ? 1 : 0; }).contains(5));
+  // Where the hand withdraws, the loop is told of a place that lies deeper.
+  EXPECT_TRUE(broken_with([last = 0.0F, deeper = 0.0F](device::Reading& reading) mutable {
+                const float z = std::exchange(last, reading.position.z());
+                deeper = std::clamp(deeper + (reading.position.z() > z ? 0.05F : -0.05F), 0.0F, 6.0F);
+                reading.position.z() -= deeper;
+                reading.sent->work = 0;
+              }).contains(6));
+  EXPECT_TRUE(broken_with([](device::Reading& reading) { reading.sent->acting.x() += 1; }).contains(7));
+}
+
 TEST(world, a_fault_that_is_placed_happens_at_every_step) {
   const Part& contact = parts()[1];
   const ArmKind arm = framed_arm();

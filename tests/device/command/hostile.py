@@ -55,14 +55,10 @@ HELLOS = {
     "fails": lambda: write(json.dumps({"failure": "no arm at /dev/ttyACM0"})),
     "exits": lambda: sys.exit("no arm is connected"),
     "long-hello": lambda: write(" " * 100_000),
-    "paces": lambda: write(json.dumps({**HELLO, "paces": True})),
     "uncalibrated": lambda: write(json.dumps({**HELLO, "to_calibrate": "turn each joint to its stop"})),
 }
 ANSWERS = {
-    "late": lambda: time.sleep(0.5),
-    "freezes": wait,
     "garbage": lambda: write("}{"),
-    "endless": lambda: [sys.stdout.write("x" * 4096) for _ in iter(int, 1)],
     "exits-at": lambda: sys.exit("the arm was unplugged"),
     "crashes": lambda: os.abort(),
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A device of DHD over the stand-in's library: no allocation in a tick, and calls that never return.
+// A device of DHD over the stand-in's library: no allocation in a tick, and calls that do not return. What goes wrong in a
+// run is tried in a simulated world (tests/world/arms_world_test.cpp).
 
 #include "device/dhd/dhd.h"
 
@@ -39,37 +40,6 @@ TEST_F(dhd_device, allocates_nothing_once_started) {
   EXPECT_EQ(tests::allocations(), before);
   EXPECT_NE(std::string(fault.words).find("the device's position: expected numbers of at most 1 m"), std::string::npos)
       << fault.words;
-}
-
-// The vendor's library may never return from a call of a device that was unplugged: neither run nor end waits for it.
-TEST_F(dhd_device, whose_library_does_not_return_ends_in_words) {
-  StandIn stand_in(kPatientDevice + "unplugged=block,unplug@1500");
-  FramedOptions options = kPatient;
-  options.answer = 200ms;
-  const auto device = open_dhd("", options, nobody);
-  const auto at_start = device->start(1000);  // where another call was late
-  const std::string words = (at_start ? *at_start : fault_of(*device)).words;
-  EXPECT_NE(words.find("the vendor's library has not answered for 200 ms"), std::string::npos) << words;
-}
-
-// Whatever it is that goes wrong in contact, and however late anybody is.
-TEST_F(dhd_device, ends_a_run_in_the_words_of_what_went_wrong) {
-  constexpr const char* kLate = "has not answered for 50 ms";
-  constexpr Wrong kAll[]{{"unplug", "communication with the device failed (DHD error 2"},
-                         {"late", kLate},
-                         {"force-button", "the device has switched its forces off: its force button was pressed"}};
-  for (const auto& [event, words] : kAll) {
-    SCOPED_TRACE(event);
-    StandIn stand_in(kPatientDevice + event + "@contact");
-    FramedOptions options = kPatient;
-    if (words == kLate) options.answer = 50ms;
-    const std::string said = driven(*open_dhd("", options, nobody), 1000);
-    EXPECT_NE(said.find(words), std::string::npos) << said;
-    if (words == kLate) continue;
-    nlohmann::json faults = stand_in.verdict()["faults"];
-    for (const char* late : {"after-cut", "after-unplug"}) faults.erase(late);  // a force that was on its way for 100 ms
-    EXPECT_EQ(faults, nlohmann::json::object());
-  }
 }
 
 TEST_F(dhd_device, that_cannot_be_driven_is_refused_in_words) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What may go wrong with a PHANToM in the simulated world: with the vendor's driver, and with the process that has it.
+
+#include <chrono>
+#include <vector>
+
+#include "tests/world/arms.h"
+#include "tests/world/hd.h"
+
+namespace forceshade::world {
+
+// Who waits for no call of the driver's for long.
+inline const OpenPhantom kImpatient{.options = {.open = std::chrono::milliseconds(500),
+                                                .start = std::chrono::milliseconds(800),
+                                                .calibration = std::chrono::milliseconds(500)}};
+
+std::vector<Fault> blocking_calls();
+std::vector<Fault> errors_of_the_driver();
+// A crash, of whichever of its threads makes the step; killed, stopped, or its own thread goes no further.
+std::vector<Fault> deaths_of_the_driver();
+
+// As arms() have them, but its watchdog is a process, and some of its faults are for the device alone to end.
+ArmKind phantom_arm();
+
+}  // namespace forceshade::world
