@@ -42,7 +42,7 @@ Interval circulation_density(const Law& law, const PathPoint& at) {
     if (surely_less(strip.right, x)) continue;
     const Enclosure depth = strip.height(x) - Enclosure(at.z);
     if (!strip.is_shaded || surely_at_most(depth, 0)) break;
-    const Enclosure density = ShadedStrip(half.g, strip, depth).density(x, depth);
+    const Enclosure density = circulation(half.g, strip, x, depth);
     return interval(at.x < 0 ? -density : density);
   }
   return interval(zero);

@@ -73,34 +73,38 @@ struct Profile::Pieces {
 
   // Halves what turns both ways, as long as that could matter: around an inflexion what is not known shrinks by 4 each time.
   bool halve() {
+    const auto matters = [](const Piece& one) {
+      const double middle = 0.5 * (one.from + one.to);
+      return !one.is_one_way && upper(one.turning) - lower(one.turning) > 0x1p-85 && one.from < middle && middle < one.to;
+    };
+    if (all.size() + static_cast<std::size_t>(std::ranges::count_if(all, matters)) > kMostPieces)
+      throw std::invalid_argument("the section turns to and fro too often");
     std::vector<Piece> halves;
     for (const Piece& one : all) {
-      const double middle = 0.5 * (one.from + one.to);
-      const bool matters = !one.is_one_way && upper(one.turning) - lower(one.turning) > 0x1p-85;
-      if (matters && one.from < middle && middle < one.to) {
+      if (matters(one)) {
+        const double middle = 0.5 * (one.from + one.to);
         halves.push_back(piece(parts, one.from, middle));
         halves.push_back(piece(parts, middle, one.to));
       } else {
         halves.push_back(one);
       }
     }
-    if (halves.size() > kMostPieces) throw std::invalid_argument("the section turns to and fro too often");
     const bool changed = halves.size() > all.size();
     all = std::move(halves);
     return changed;
   }
 
   // Where `radians` of turning lie behind within a piece: by bisection where it is one-way; no other is wider than a hair.
-  double within(const Piece& one, const Multiprecision& radians) const {
+  float within(const Piece& one, const Multiprecision& radians) const {
     const double inside = 0.5 * (one.from + one.to);
     const Enclosure start = angle(parts, one.from, inside);
     double low = one.from, high = one.to;
-    while (one.is_one_way) {
+    while (one.is_one_way && static_cast<float>(low) != static_cast<float>(high)) {
       const double middle = 0.5 * (low + high);
       if (middle <= low || middle >= high) break;
       (median(abs(Enclosure(angle(parts, middle, inside) - start))) < radians ? low : high) = middle;
     }
-    return high;
+    return static_cast<float>(high);
   }
 };
 
@@ -139,13 +143,12 @@ std::vector<height::Knot> Profile::knots(unsigned polygons) const {
   Multiprecision all(0);
   for (const Piece& one : pieces_->all) all += median(one.turning);
   std::vector<height::Knot> knots;
-  const auto add = [&](double x) {
-    const auto at = static_cast<float>(x);
+  const auto add = [&](float at) {
     const Enclosure U = sum_jet<Enclosure>(pieces_->parts, {static_cast<double>(at), 0}).U;
     const auto rounded = median(U).convert_to<float>();
     knots.push_back({at, quantised(rounded)});
   };
-  add(pieces_->all.front().from);
+  add(static_cast<float>(pieces_->all.front().from));
   Multiprecision behind(0);
   for (const Piece& one : pieces_->all) {
     const Multiprecision here = median(one.turning);
@@ -156,8 +159,9 @@ std::vector<height::Knot> Profile::knots(unsigned polygons) const {
     }
     behind += here;
   }
-  while (knots.size() < polygons) add(pieces_->all.back().to);  // left over by a rounding of the last sum
-  add(pieces_->all.back().to);
+  const auto end = static_cast<float>(pieces_->all.back().to);
+  while (knots.size() < polygons) add(end);  // left over by a rounding of the last sum
+  add(end);
   return knots;
 }
 

@@ -24,6 +24,12 @@ Enclosure change_between(Multiprecision low, Multiprecision high, const Before& 
 
 }  // namespace
 
+Enclosure circulation(const BumpGeometry<Enclosure>& g, const Strip& strip, const Enclosure& x,
+                      const Enclosure& below_surface) {
+  const Enclosure r = height_over_axis(g, x);
+  return g.K / g.R * (x + strip.slope * r - below_surface * x / r);
+}
+
 ShadedStrip::ShadedStrip(const BumpGeometry<Enclosure>& g, const Strip& strip, const Enclosure& depth)
     : g_(g), strip_(strip), slope_(-strip.slope), depth_(depth) {
   start_ = larger(strip.left, g.R * slope_ / sqrt(1 + slope_ * slope_));
@@ -35,11 +41,6 @@ ShadedStrip::ShadedStrip(const BumpGeometry<Enclosure>& g, const Strip& strip, c
       [&](const Enclosure& x) { return surely_less(rate(x), 0); });
   first_ = change_between(lower(start_), upper(peak), is_shallower, is_deeper);
   second_ = change_between(lower(peak), upper(strip.right), is_deeper, is_shallower);
-}
-
-Enclosure ShadedStrip::density(const Enclosure& x, const Enclosure& below_surface) const {
-  const Enclosure r = height_over_axis(g_, x);
-  return g_.K / g_.R * (x - slope_ * r - below_surface * x / r);
 }
 
 Enclosure ShadedStrip::sign_change(const Enclosure& x) const {

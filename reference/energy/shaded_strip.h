@@ -8,12 +8,13 @@
 
 namespace forceshade::reference {
 
+// κ in the depth `below_surface` at an x of the strip.
+Enclosure circulation(const BumpGeometry<Enclosure>& g, const Strip& strip, const Enclosure& x, const Enclosure& below_surface);
+
 class ShadedStrip {
  public:
   // depth: D, mm. Both must outlive this.
   ShadedStrip(const BumpGeometry<Enclosure>& g, const Strip& strip, const Enclosure& depth);
-
-  Enclosure density(const Enclosure& x, const Enclosure& below_surface) const;
 
   // q, mm, for x > 0.
   Enclosure sign_change(const Enclosure& x) const;
