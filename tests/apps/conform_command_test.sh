@@ -4,11 +4,11 @@
 python_options=-SE
 . "$(dirname "$0")/expect.sh"
 renderers=$examples/renderers
-conform() { "$forceshade" conform --law wall --points 3000 --answer-timeout 120 "$@"; }
+conform() { "$forceshade" conform --law wall --points 1000 --answer-timeout 120 "$@"; }
 
 # A right one, its files, and a scene that it does not render.
-expect 0 "a wall in Python 1 renders wall: correctly rounded 3000 of 3000 (100 %)
-held: 3000 of 3000 (100 %) within the tolerance, correctly rounded
+expect 0 "a wall in Python 1 renders wall: correctly rounded 1000 of 1000 (100 %)
+held: 1000 of 1000 (100 %) within the tolerance, correctly rounded
 held: the same path twice gives the same bits, 1500 cases
 held: a reset equals a fresh start, 1500 cases" -- conform --command "$renderers/wall.py" --json wall.json
 expect 0 '"applicable": true' -- cat wall.json
@@ -16,7 +16,7 @@ expect 0 '<testcase' -- conform --command "$renderers/wall.py" --junit -
 expect 1 "not applicable: a wall in Python 1 does not render bump-2p: it renders the law wall alone" -- \
   "$forceshade" conform --law bump-2p --command "$renderers/wall.py"
 if command -v node > /dev/null; then
-  expect 0 "a cylinder in JavaScript" -- "$forceshade" conform --law cylinder --points 3000 --tolerance "1e-6 N" --command "$renderers/cylinder.js"
+  expect 0 "a cylinder in JavaScript" -- "$forceshade" conform --law cylinder --points 1000 --tolerance "1e-6 N" --command "$renderers/cylinder.js"
 else
   echo "skipped: cylinder.js, since node is not there (Debian package nodejs)"
 fi
@@ -47,19 +47,19 @@ in_its_units milli.py '"N"' '"mN"' "(0, 0, stiffness *" "(0, 0, 1000 * stiffness
 in_its_units impulse.py '"answers": "force"' '"answers": "impulse"' '"rate_Hz": None' '"rate_Hz": 1000' "(0, 0, stiffness *" "(0, 0, 0.001 * stiffness *"
 in_its_units closest.py '"answers": "force"' '"answers": "closest point"' "return (0, 0, stiffness * -z if z <= -(2.0**-30) else 0)" \
   "return (x, y, 0 if z <= -(2.0**-30) else z)" "return (0, 0, 0)" "return (x, y, z)"
-for its in upside metres; do expect 0 "correctly rounded 3000 of 3000" -- conform --command "python3 $its.py"; done
+for its in upside metres; do expect 0 "correctly rounded 1000 of 1000" -- conform --command "python3 $its.py"; done
 for its in milli impulse closest; do
   expect 2 "expected at least 1 ulp, or N or %" -- conform --command "python3 $its.py"
 done
 for its in milli impulse closest; do expect 0 "within the tolerance, 1 ulp" -- conform --command "python3 $its.py" --tolerance "1 ulp"; done
 in_its_units near.py '"domain_mm": 10000' '"domain_mm": 20' "<= 10_000" "<= 20"
-expect 0 "correctly rounded 3000 of 3000" -- conform --command "python3 near.py"
+expect 0 "correctly rounded 1000 of 1000" -- conform --command "python3 near.py"
 in_its_units shy.py '"claims": "definition"' '"claims": "invariants"' "stiffness * -z if" "0.7 * stiffness * -z if"
 expect 0 "does not claim the definition, with which it was not compared" -- conform --command "python3 shy.py"
 
 # Wrong in one thing: a line of examples/renderers/wall.py is another one. mutated ORIGINAL REPLACEMENT: writes it.
 mutated() { changed "$renderers/wall.py" "$@"; }
-finds() { expect 1 "$3" -- sh -c "'$forceshade' conform --law wall --points 3000 --command 'python3 mutated.py'"; }
+finds() { expect 1 "$3" -- sh -c "'$forceshade' conform --law wall --points 1000 --command 'python3 mutated.py'"; }
 try() { mutated "$1" "$2"; finds "$@"; }
 try "stiffness * -z if" "stiffness * z if" "FAILED: "
 try "(0, 0, stiffness * -z" "(1e-9, 0, stiffness * -z" "FAILED: "
@@ -88,36 +88,37 @@ hello='{"forceshade":"conform 1","kind":"renderer","name":"n","version":"1","mem
 hello=$hello',"length_unit":"mm","force_unit":"N","frame":["x","y","z"],"domain_mm":10000,"rate_Hz":null,"loop_energy_mJ":0}'
 greets() { printf '%s\n' "read line; echo '$hello'; $1" > greets.sh; }
 wrong() { expect 1 "$1" -- conform --command "$2"; }
+says() { wrong "$1" "read line; $2"; }  # earlier, it would not have been asked
 wrong "the renderer ended without an answer" "true"
 wrong "ended with exit code 3" "exit 3"
 wrong "the shell knows no such command" "no-such-program-anywhere"
 wrong "was killed by signal 11" 'kill -SEGV $$'
 wrong "; it wrote last on standard error: \"no licence\"" 'echo no licence >&2; exit 4'
-wrong "expected a JSON object in one line" "echo hello"
-wrong "expected a JSON object in one line" "echo '[1]'"
-wrong "expected a JSON object in one line" "printf '\\377\\376\\n'; cat"
-wrong "expected a JSON object in one line" "head -c 1000000 /dev/zero | tr '\\0' '['; echo; cat"
-wrong 'has no key "forceshade"' "echo '{}'; cat"
-wrong 'speaks "conform 9"; expected "conform 1"' "echo '${hello/conform 1/conform 9}'; cat"
+says "expected a JSON object in one line" "echo hello"
+says "expected a JSON object in one line" "echo '[1]'"
+says "expected a JSON object in one line" "printf '\\377\\376\\n'; cat"
+says "expected a JSON object in one line" "head -c 1000000 /dev/zero | tr '\\0' '['; echo; cat"
+says 'has no key "forceshade"' "echo '{}'; cat"
+says 'speaks "conform 9"; expected "conform 1"' "echo '${hello/conform 1/conform 9}'; cat"
 # Nothing is guessed: each key without which it has a meaning that nobody declared, and a wrong value of each.
 for key in kind name version memory answers claims length_unit force_unit frame domain_mm rate_Hz loop_energy_mJ; do
-  wrong "has no key \"$key\"; expected " "echo '${hello/\"$key\"/\"other\"}'; cat"
+  says "has no key \"$key\"; expected " "echo '${hello/\"$key\"/\"other\"}'; cat"
 done
-wrong 'memory "some"; expected "none" or "path"' "echo '${hello/none/some}'; cat"
-wrong 'answers "work"; expected "force", "impulse" or "closest point"' "echo '${hello/\"force\"/\"work\"}'; cat"
-wrong 'length_unit "inch"; expected "mm" or "m"' "echo '${hello/\"mm\"/\"inch\"}'; cat"
-wrong 'frame ["x","y","y"]; expected a list like' "echo '${hello/\"z\"/\"y\"}'; cat"
-wrong 'domain_mm 0; expected a number from 1 to 10000' "echo '${hello/10000/0}'; cat"
-wrong 'rate_Hz -1; expected a number from 1 to 1e6, or null' "echo '${hello/null/-1}'; cat"
-wrong 'rate_Hz null; expected a number where it answers with an impulse' "echo '${hello/\"force\"/\"impulse\"}'; cat"
-wrong "has name 7; expected a text" "echo '${hello/\"n\"/7}'; cat"
+says 'memory "some"; expected "none" or "path"' "echo '${hello/none/some}'; cat"
+says 'answers "work"; expected "force", "impulse" or "closest point"' "echo '${hello/\"force\"/\"work\"}'; cat"
+says 'length_unit "inch"; expected "mm" or "m"' "echo '${hello/\"mm\"/\"inch\"}'; cat"
+says 'frame ["x","y","y"]; expected a list like' "echo '${hello/\"z\"/\"y\"}'; cat"
+says 'domain_mm 0; expected a number from 1 to 10000' "echo '${hello/10000/0}'; cat"
+says 'rate_Hz -1; expected a number from 1 to 1e6, or null' "echo '${hello/null/-1}'; cat"
+says 'rate_Hz null; expected a number where it answers with an impulse' "echo '${hello/\"force\"/\"impulse\"}'; cat"
+says "has name 7; expected a text" "echo '${hello/\"n\"/7}'; cat"
 expect 1 "closed its output" -- "$forceshade" conform --law wall --command "exec >&-; sleep 100" --answer-timeout 1
 greets "exit 0"; wrong "ended without an answer" "sh greets.sh"
 greets "cat"; wrong 'answered without a list "answers"' "sh greets.sh"
 greets "echo x; sleep 100"; wrong "wrote" "sh greets.sh"
-greets "read line; echo '{\"answers\":[]}'; cat"; wrong "answered 1024 positions with 0 entries" "sh greets.sh"
-greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf 1,; done; echo '1]}'"; wrong "the renderer's answer 0 is 1;" "sh greets.sh"
-greets "read line; printf '{\"answers\":['; for i in \$(seq 1023); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
+greets "read line; echo '{\"answers\":[]}'; cat"; wrong "answered 1000 positions with 0 entries" "sh greets.sh"
+greets "read line; printf '{\"answers\":['; for i in \$(seq 999); do printf 1,; done; echo '1]}'"; wrong "the renderer's answer 0 is 1;" "sh greets.sh"
+greets "read line; printf '{\"answers\":['; for i in \$(seq 999); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
 mutated 'print(json.dumps(answer), flush=True)' 'print(json.dumps(answer) + "\n" + json.dumps(answer), flush=True)'
 finds "" "" "wrote without having been asked"
 expect 1 "a line of more than 16777216 bytes" -- conform --command "yes | tr -d '\\n'"

@@ -53,7 +53,7 @@ refuses '{"motion": [world' '{"moved": [world' 'answered without a list "motion"
 refuses "            return  # goodbye" "            sys.exit(5)" "the simulator ended with exit code 5"
 expect 1 "the simulator ended without an answer" -- conform --simulator true
 expect 1 "the simulator did not answer within 0.3 s" -- "$forceshade" conform --simulator "sleep 100" --answer-timeout 0.3
-expect 1 "expected a JSON object in one line" -- conform --simulator "echo 1e999; cat"
+expect 1 "expected a JSON object in one line" -- conform --simulator "read line; echo 1e999; cat"
 expect 2 "expected --command, --object, --simulator or --recording, got none" -- conform
 expect 2 "--simulator" -- conform --command true --simulator true
 expect 2 "--simulator" -- conform --law wall --simulator true
