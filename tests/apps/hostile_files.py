@@ -1,5 +1,6 @@
 """Files that are not what they are given for: forces beside positions, recordings of other systems, conformance runs."""
 
+import functools
 import json
 import os
 import random
@@ -170,14 +171,16 @@ for name, fields, words in (
 
 
 # Conformance runs: another one, in which something is wrong, beside one that is right.
+@functools.cache
+def right_run():
+    return subprocess.run([os.environ["FORCESHADE"]] + WALL + ["--command", "true", "--json"], stdout=subprocess.PIPE).stdout
+
+
 def run_case(name, words, change, code=2):
     def made(path):
-        before = os.path.join(os.path.dirname(path), "before.json")
-        subprocess.run([os.environ["FORCESHADE"]] + WALL + ["--command", "true", "--json", before], stdout=subprocess.DEVNULL)
-        with open(before, "rb") as file:
-            right = file.read()
-        with open(path, "wb") as file:
-            file.write(change(right))
+        for file, content in (("before.json", right_run()), (os.path.basename(path), change(right_run()))):
+            with open(os.path.join(os.path.dirname(path), file), "wb") as out:
+                out.write(content)
 
     file_case("run", name, words, "given.json", made, RUNS + ["before.json"], code)
 

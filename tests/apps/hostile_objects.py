@@ -1,8 +1,10 @@
 """Shared objects that do what no renderer may do, and some that may: the wall of examples/renderers/wall.c, in which macros put
 something else."""
 
+import os
 import pathlib
 import subprocess
+import threading
 
 from hostile_programs import LATE, NO_OBJECT, UNASKED, Case, add, patience
 from hostile_renderers import WALL
@@ -11,6 +13,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 TABLE = "{sizeof kTable, wall_open, wall_answer, wall_close}"
 CPP = '#include <stdexcept>\n#include "forceshade.h"\nextern "C" const forceshade_renderer* forceshade_renderer_entry(void);'
 HEADERS = "fenv pthread setjmp signal stdio stdlib string sys/mman sys/time unistd xmmintrin".split()
+LOCK = threading.Lock()
 KILLED, EARLY = "was killed by signal 11", "ended too early"
 
 
@@ -29,15 +32,27 @@ def template():
     return source
 
 
+def compiled(language, options, lines):
+    compiler = ["cc", "-std=c11"] if language == "c" else ["c++", "-std=c++20", "-fpermissive"]
+    subprocess.run(compiler + ["-ffp-contract=off", "-w", "-fPIC", f"-I{ROOT}/include"] + options, input="\n".join(lines).encode(), check=True)
+
+
+def headers(language):
+    """Precompiled once, though several threads ask for it."""
+    file = os.path.join(os.environ["CACHE"], language + ".h")
+    with LOCK:
+        if not os.path.exists(file):
+            pathlib.Path(file).write_text("\n".join(["#define _GNU_SOURCE"] * (language == "c") + [f"#include <{header}.h>" for header in HEADERS]))
+            compiled(language, ["-x", language + "-header", file], [])
+    return file
+
+
 def object_case(name, words, code=1, prelude="", language="c", slow=False, **macros):
     macros = dict.fromkeys(("OPEN", "OPENED", "ANSWER", "ANSWERED", "CLOSE", "ENTRY", "HELLO"), "") | {"TABLE": TABLE} | macros
 
     def run(mark, folder):
-        lines = ["#define _GNU_SOURCE"] * (language == "c") + [f"#include <{header}.h>" for header in HEADERS]
-        lines += [f"#define {macro} {value}" for macro, value in macros.items()] + [f'#define MARK "{mark}"', prelude, template()]
-        compiler = ["cc", "-std=c11"] if language == "c" else ["c++", "-std=c++20", "-fpermissive"]
-        subprocess.run(compiler + ["-ffp-contract=off", "-w", "-shared", "-fPIC", f"-I{ROOT}/include", "-x", language, "-", "-o", "tried.so"],
-                       input="\n".join(lines).encode(), cwd=folder, check=True)  # fmt: skip
+        lines = [f"#define {macro} {value}" for macro, value in macros.items()] + [f'#define MARK "{mark}"', prelude, template()]
+        compiled(language, ["-include", headers(language), "-shared", "-x", language, "-", "-o", os.path.join(folder, "tried.so")], lines)
         return WALL + patience(words) + ["--object", "tried.so"]
 
     add("object " + name, Case(words, run, code=code, slow=slow))

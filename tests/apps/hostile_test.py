@@ -3,7 +3,6 @@
 bounded time and memory, and leaves no process. Those that are slow only with --slow, and then no others. --times prints each."""
 
 import os
-import pathlib
 import subprocess
 import sys
 import tempfile
@@ -29,10 +28,11 @@ def peak_kb(process):
 
 def with_mark(mark):
     found = []
-    for entry in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+    for process in filter(str.isdigit, os.listdir("/proc")):
         try:
-            if mark.encode() in entry.read_bytes().split(b"\0"):
-                found.append(entry.parent.name)
+            with open(f"/proc/{process}/cmdline", "rb", buffering=0) as words:
+                if mark.encode() in words.read().split(b"\0"):
+                    found.append(process)
         except OSError:
             pass  # it has ended
     return found

@@ -13,6 +13,7 @@
 #include "fast/evaluate.h"
 #include "fast/laws/all.h"
 #include "forceshade/fast.h"
+#include "tests/support/drawn.h"
 #include "tests/support/error_number.h"
 
 namespace forceshade {
@@ -153,7 +154,7 @@ template <class Definition>
 DoubleWithError track_many() {
   std::mt19937_64 random(1);
   DoubleWithError all;
-  for (int i = 0; i < 400; ++i) {
+  for (std::size_t i = 0; i < tests::drawn(400); ++i) {
     const DoubleWithError one = track<Definition>(any_parameters(random), random);
     all.worst = std::max(all.worst, one.worst);
     all.decided_boxes += one.decided_boxes;
