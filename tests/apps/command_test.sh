@@ -62,12 +62,11 @@ expect 0 "bump-2p: active" -- energy --law bump-2p --depth 2 --json energy.json
 grep -q '"witness":\[\[12.69' energy.json || { echo "FAILED: $(cat energy.json)"; exit 1; }
 expect 2 "energy: expected --depth, got none" -- energy --law wall
 "$forceshade" mesh make icosphere --cells 1 --out energy.off > made.txt
-expect 0 "energy.off: the shading gives at most" -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm
-expect 0 '"gives_energy":true' -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm --json -
-also '"between_ticks":{"step_mm":0.1'
+expect 0 "energy.off: the shading gives at most" -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm --json most.json
+printed=$(cat most.json); also '"gives_energy":true' '"between_ticks":{"step_mm":0.1'
 expect 0 "without shading no closed path gives energy" -- energy --mesh energy.off --unit mm --depth 0.5 --shading none
-expect 0 "no witness: no stroke no longer than 0.1 mm" -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1
-expect 0 '"witness":[]' -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1 --json -
+expect 0 "no witness: no stroke no longer than 0.1 mm" -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1 --json none.json
+printed=$(cat none.json); also '"witness":[]'
 expect 2 "energy.off: expected the contact rule direct, got sub-goal" -- energy --mesh energy.off --unit mm --depth 1 --contact sub-goal --shading vertex
 expect 2 "--depth is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 0
 expect 2 "--length: expected --mesh beside it" -- energy --law wall --depth 1 --length 3
@@ -152,8 +151,8 @@ expect 2 "--at: expected --height-map beside it, got it alone" -- energy --law w
 # Steep and fine: met, not enclosed, interrupted.
 grating() { printf 'render = "height-map-shaded"\n[[part]]\nshape = "grating"\nheight_mm = %s\nwave_x_rad_per_mm = %s\n' "$@"; }
 grating 20 19.44 > steep.toml
-expect 0 "active: over y = 0 mm, x from -0.5 to 0.5 mm" -- energy --height-map steep.toml --depth 0.5 --from=-0.5 --to 0.5
-expect 0 '"bound_is_met":true' -- energy --height-map steep.toml --depth 0.5 --from=-0.5 --to 0.5 --json -
+expect 0 "active: over y = 0 mm, x from -0.5 to 0.5 mm" -- energy --height-map steep.toml --depth 0.5 --from=-0.5 --to 0.5 --json steep.json
+printed=$(cat steep.json); also '"bound_is_met":true'
 grating 1 1000 > far.toml
 printf 'render = "height-map"\n[[part]]\nshape = "cone"\nheight_mm = 3\nradius_mm = 4\nx_mm = 0.3\n' > missed.toml
 expect 1 "missed.toml: no verdict: not enclosed: the height map is so steep or so fine" -- \

@@ -30,7 +30,7 @@ expect 1 '"beyond_tolerance": 1' -- compare --forces off.csv --json
 expect 1 "<failure" -- compare --forces off.csv --junit -
 
 # A mesh, along a path that begins again.
-expect 0 "" -- "$forceshade" mesh make icosphere --radius 20mm --out sphere.off
+expect 0 "" -- "$forceshade" mesh make icosphere --cells 3 --radius 20mm --out sphere.off
 mesh=(--mesh sphere.off --unit mm)
 expect 0 "" -- "$forceshade" positions "${mesh[@]}" --points 60 --out path.csv
 expect 0 "" -- "$forceshade" force "${mesh[@]}" --input path.csv --out given_path.csv

@@ -4,7 +4,7 @@
 . "$(dirname "$0")/expect.sh"
 
 printf 'x_mm,y_mm,z_mm\n1,0,-0.5\n3,0.5,-1\n-40,2,0.25\n' > positions.csv
-"$forceshade" mesh make icosphere --cells 3 --radius 20mm --out ball.off
+"$forceshade" mesh make icosphere --cells 1 --radius 20mm --out ball.off
 mkdir inputs && cp ball.off inputs/ && cp "$examples/groove.toml" inputs/
 printf 'law = "bump-2p"\nradius = "1000mil"\nwidth = 30\nstiffness = "250N/m"\n' > inputs/law.toml
 printf 'height-map = "groove.toml"\nstiffness = 0.25\n' > inputs/map.toml

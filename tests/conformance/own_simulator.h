@@ -114,6 +114,7 @@ struct Defect {
   std::function<bool(const World&, double depth)> misses = {};  // a contact
   std::function<void(World&, const Step&)> stepped = {};
   bool takes_any_force = false;
+  SimulatorCapabilities::Reports reports = SimulatorCapabilities::Reports::force;
 };
 
 class OwnSimulator final : public SimulatorUnderTest {
@@ -125,7 +126,7 @@ class OwnSimulator final : public SimulatorUnderTest {
     else
       world_.ground = Ground(scene);
     if (defect_.opened) defect_.opened(world_);
-    its_.reports = SimulatorCapabilities::Reports::force;
+    its_.reports = defect_.reports;
     its_.refusal = world_.refusal;
     world_.now = beginning();
   }

@@ -258,6 +258,13 @@ TEST(simulators, one_that_refuses_every_scene_has_held_nothing) {
   for (const Invariant& invariant : its.invariants) EXPECT_EQ(invariant.not_applicable, "no licence") << invariant.name;
 }
 
+TEST(simulators, one_that_reports_no_contacts_is_not_asked_whether_they_agree_with_the_motion) {
+  const auto its = conform_simulator(own_simulator({.reports = SimulatorCapabilities::Reports::nothing}));
+  const auto asked = std::ranges::find(its.invariants, kReport, &Invariant::name);
+  ASSERT_NE(asked, its.invariants.end());
+  EXPECT_EQ(asked->not_applicable, "it reports no contacts");
+}
+
 TEST(simulators, one_that_ends_where_nothing_is_hostile_ends_the_check) {
   const SimulatorConformance its = conform_simulator(own_simulator({.opened = [](World& world) {
     if (world.ground.is_flat()) return;

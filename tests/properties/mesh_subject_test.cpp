@@ -60,7 +60,7 @@ TEST(mesh_subject, has_every_property_on_every_family_of_meshes) {
 // Rounded upwards, because less would not be enough.
 TEST(mesh_subject, states_as_much_energy_of_the_shading_as_a_turn_can_give) {
   int rounded = 0;
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= tests::drawn(8); ++seed) {
     MeshSource source(seed);
     const MeshRendering rendering = rendering_of(source, 7, mesh::Shading::vertex_scheme);
     double turn = 0;

@@ -11,6 +11,7 @@
 #include "reference/energy.h"
 #include "tests/height_maps/height_examples.h"
 #include "tests/properties/random_loop.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::reference {
 namespace {
@@ -204,7 +205,7 @@ TEST(height_energy, no_simple_loop_generates_more_than_the_bound) {
         const HeightMapField law = build(example.map, mode);
         const float bottom = static_cast<float>(least) - 0.5F, top = static_cast<float>(most) + 0.25F;
         const SliceBound bound = loop_bound(law, slice, top - bottom);
-        for (int i = 0; i < 10; ++i) {
+        for (std::size_t i = 0; i < tests::drawn(10); ++i) {
           const Interval generated = work(law, random_loop(random, slice, bottom, top));
           EXPECT_LE(low(generated), bound.counter_clockwise.high) << example.name;
           EXPECT_LE(-generated.high, bound.clockwise.high) << example.name;

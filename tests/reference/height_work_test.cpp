@@ -8,6 +8,7 @@
 #include "reference/height_energy.h"
 #include "reference/numbers/taylor_coefficients.h"
 #include "tests/height_maps/height_examples.h"
+#include "tests/support/drawn.h"
 
 namespace forceshade::reference {
 namespace {
@@ -45,7 +46,7 @@ TEST(height_work, equals_the_force_summed_along_the_path) {
   for (const HeightExample& example : height_examples())
     for (const auto& [mode, name] : height::kModes) {
       const HeightMapField law = build(example.map, mode);
-      for (int i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < tests::drawn(3); ++i) {
         const Path path = random_path(random);
         const Interval exact = work(law, path);
         double generated = 0, length = 0;
