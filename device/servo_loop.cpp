@@ -219,6 +219,8 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (computed > period_) ++result.overruns;
   if (evaluation.status == Status::invalid) ++result.invalid_positions;
   if (evaluation.is_unfinished) ++result.unfinished_ticks;
+  if (!state.forces_on) ++result.forces_off_ticks;
+  result.forces_off = state.forces_on ? nullptr : state.forces_off;
   result.peak_force_N = std::max(result.peak_force_N, force.cast<double>().norm());
   if (options_.paced) wakeup_.add(latency);
   compute_.add(commanded_at - read_at);

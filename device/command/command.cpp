@@ -31,6 +31,7 @@ class CommandLink final : public FrameLink {
     } catch (const ProcessFailed& failure) {
       throw ProcessFailed(std::string(failure.what()) + ". If the device still pushes, switch it off");
     }
+    if (!state.forces_on) state.forces_off = "its program reports that they are off";
     state.forces_on = state.forces_on && may_force_;
     return state;
   }

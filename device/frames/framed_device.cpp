@@ -114,7 +114,9 @@ ReadResult FramedDevice::read() noexcept {
   if (!frames_) return Fault{"the device was not started"};
   const FrameSample& sample = frames_->samples.latest();
   read_ = sample.time;
-  state_ = {.calibrated = sample.state.calibrated, .forces_on = sample.state.forces_on};
+  state_ = {.calibrated = sample.state.calibrated,
+            .forces_on = sample.state.forces_on,
+            .forces_off = sample.state.forces_off};
   if (sample.troubled)
     fault_ = room_->data();
   else if (system::now() - sample.time > system::in_ns(options_.watchdog_timeout))

@@ -16,6 +16,7 @@ struct FrameState {
   Eigen::Vector3d position{0, 0, 0};  // mm, in the axes of the laws: x right, y away from the user, z up; finite
   std::uint16_t buttons = 0;          // bit k is set while button k is down
   bool calibrated = true, forces_on = true;
+  const char* forces_off = "";                            // as State has it
   bool withheld = false;                                  // zero was sent instead of the force
   std::optional<Eigen::Vector3d> applied = std::nullopt;  // N: the force that the device says it applied, where it says one
 };

@@ -31,6 +31,9 @@ FrameState Link::exchange(const Eigen::Vector3d& force) {
           .buttons = message.buttons,
           .calibrated = arm->calibrated,
           .forces_on = may_force_ && arm->powered && arm->ready,
+          .forces_off = !arm->powered ? "its power supply is off"
+                        : !arm->ready ? "the service reports that it is not ready"
+                                      : "",
           .applied = arm->force};
 }
 

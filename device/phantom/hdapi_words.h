@@ -66,6 +66,8 @@ inline constexpr const char* kStalled =
     "the servo loop stalled while a force was held: the force was switched off and stays off until the next start";
 inline constexpr const char* kOutputStaysOff =
     "the PHANToM's force output was switched on and is still off: check its power supply and emergency switch";
+inline constexpr const char* kForcesOff =
+    "the driver's force output is off, or the safety switch has changed: check the power supply and the emergency switch";
 inline constexpr const char* kNoFrames =
     "the driver's scheduler runs no frames: check the PHANToM's connection, and whether another program holds the device";
 inline constexpr const char* kSilent =

@@ -169,6 +169,7 @@ ReadResult Phantom::read() noexcept {
   read_ = sample.time;
   state_ = {.calibrated = sample.calibrated,
             .forces_on = sample.forces_on,
+            .forces_off = sample.forces_on ? "" : hdapi::kForcesOff,
             .temperature = static_cast<float>(sample.temperature),
             .update_rate = static_cast<double>(sample.update_rate)};
   if (sample.troubled) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/run/record.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <sys/types.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
@@ -28,6 +31,18 @@ void remove_recording(const std::string& path) {
   for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path + suffix, ignored);
 }
 
+// The process that has a recording open to write or to read it, by the lock that SQLite holds for as long; 0: there is none.
+pid_t user_of(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) return 0;
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  const bool is_known = ::fcntl(file, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+  ::close(file);
+  return is_known ? lock.l_pid : 0;
+}
+
 // What is said of the recording behind a table, said of the table, the file that was asked for.
 std::string said_of(const std::string& table, std::string words, const std::string& recording) {
   const std::size_t at = words.find(recording);
@@ -37,10 +52,14 @@ std::string said_of(const std::string& table, std::string words, const std::stri
 }  // namespace
 
 Record::Record(std::string path, recorder::Metadata metadata, bool paced, bool replaces) : path_(std::move(path)) {
-  if (is_table())
+  if (is_table()) {
     directory_ = new_directory(path_);
-  else if (replaces)
+  } else if (replaces) {
+    if (const pid_t user = user_of(path_); user != 0)
+      throw recorder::RecordingError(path_ + ": cannot replace the recording: the process " + std::to_string(user) +
+                                     " writes or reads it");
     remove_recording(path_);
+  }
   try {
     recorder_.emplace(recording(), std::move(metadata), recorder::Recorder::Options{.waits = !paced});
   } catch (const std::exception& failure) {  // no destructor follows
@@ -63,9 +82,8 @@ std::vector<std::string> Record::close(const std::string& end_reason) {
   std::vector<std::string> faults;
   const auto [written, lost, error] = recorder_->close(end_reason);
   if (lost > 0 || !error.empty())
-    faults.push_back(
-        said_of(path_, error.empty() ? recording() + ": the disk was too slow" : error, recording()) + "; recorded " +
-        std::to_string(written) + " samples, lost " + std::to_string(lost));
+    faults.push_back(said_of(path_, error.empty() ? recording() + ": the disk was too slow" : error, recording()) +
+                     "; recorded " + std::to_string(written) + " samples, lost " + std::to_string(lost));
   if (!is_table()) return faults;
   try {
     recorder::Recording finished(recording());

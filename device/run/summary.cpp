@@ -78,6 +78,8 @@ ordered_json to_json(const ServoResult& run) {
             {"acts_on_lateness", run.acts_on_lateness},
             {"trip", trip},
             {"limited_ticks", limited},
+            {"forces_off_ticks", run.forces_off_ticks},
+            {"forces_off", run.forces_off ? ordered_json(run.forces_off) : ordered_json(nullptr)},
             {"fades", run.fades},
             {"faded_s", run.faded}}},
           {"passivity",

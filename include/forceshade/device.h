@@ -101,10 +101,11 @@ struct Capabilities {
 
 // What a device reports about itself, as of the last reading.
 struct State {
-  bool calibrated = true;  // else its positions mean nothing
-  bool forces_on = true;   // else commands are accepted and not carried out: a dead-man switch, amplifiers off
-  float temperature = 0;   // of the hottest motor: 0 is the room's, 1 the highest allowed
-  double update_rate = 0;  // Hz, by the driver's own count; 0 from a device that does not count
+  bool calibrated = true;       // else its positions mean nothing
+  bool forces_on = true;        // else commands are accepted and not carried out: a dead-man switch, amplifiers off
+  const char* forces_off = "";  // why they are off, where the device says so; it lasts as long as the program
+  float temperature = 0;        // of the hottest motor: 0 is the room's, 1 the highest allowed
+  double update_rate = 0;       // Hz, by the driver's own count; 0 from a device that does not count
 };
 
 // read() and command() are called from the servo loop, in turns: they allocate nothing, throw nothing and return well within

@@ -333,6 +333,8 @@ struct ServoResult {
 
   bool supervised = false;                          // the device can push
   std::array<std::size_t, kRules> limited_ticks{};  // in how many ticks each rule of the supervisor changed the force
+  std::size_t forces_off_ticks = 0;                 // in which the device's own forces were off
+  const char* forces_off = nullptr;                 // if they were off in the last tick: State::forces_off
   int fades = 0;                                    // these two as Sent has them
   double faded = 0;                                 // s
 

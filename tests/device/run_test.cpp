@@ -81,7 +81,7 @@ TEST(run_summary, has_each_number_of_the_loop_under_its_name) {
       "peak force": 100, "continuous force": 101, "warm motors": 102, "slew": 103, "workspace": 104, "gentle start": 105,
       "dead-man switch": 106, "missed deadlines": 107, "invalid position": 108, "uncalibrated": 109, "invalid force": 110,
       "jump": 111, "velocity": 112, "frozen encoder": 113, "watchdog": 114, "oscillation": 115, "energy": 116,
-      "unfinished": 117}, "fades": 0, "faded_s": 0.0},
+      "unfinished": 117}, "forces_off_ticks": 0, "forces_off": null, "fades": 0, "faded_s": 0.0},
     "passivity": {"controller": "damping", "epsilon_mJ": 0.125, "friction_N": 0.375, "latency": true, "balance_mJ": -0.5,
       "lowest_balance_mJ": -0.75, "dissipated_by_friction_mJ": 0.25, "forgiven_mJ": 0.0625, "withheld_mJ": 8.5,
       "altered_ticks": 9, "largest_change_N": 10.5, "longest_step_mm": 11.5},
