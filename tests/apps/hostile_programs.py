@@ -4,7 +4,7 @@ import json
 import os
 import sys
 
-CASES = {}  # name: Case
+CASES, SEEN = {}, set()  # by name; the kinds and words of those that are not slow
 PLAY = "import sys; sys.path[0] = sys.argv[1]; __import__(sys.argv[2]).CASES[sys.argv[3]].play()"
 NO_OBJECT, LATE, ENDED = "expected a JSON object in one line", "did not answer within", "ended without an answer"
 UNASKED, NO_LIST, NO_END = "wrote without having been asked", "answered without a list", "did not end"
@@ -25,7 +25,10 @@ class Case:
 def add(name, case):
     """A run that is not slow has one case of each verdict on each kind of program or file; the others are slow."""
     assert name not in CASES, name
-    case.slow = case.slow or any(its.words == case.words and not its.slow and other.split()[0] == name.split()[0] for other, its in CASES.items())
+    verdict = (name.split()[0], case.words)
+    case.slow = case.slow or verdict in SEEN
+    if not case.slow:
+        SEEN.add(verdict)
     CASES[name] = case
 
 

@@ -5,7 +5,7 @@ import os
 import time
 
 from hostile_processes import add_processes, detached
-from hostile_programs import CASES, ENDED, LATE, NO_END, NO_LIST, NO_OBJECT, Case, Door, add, add_lines, answering, patience, text, write
+from hostile_programs import CASES, ENDED, LATE, NO_END, NO_LIST, NO_OBJECT, SEEN, Case, Door, add, add_lines, answering, patience, text, write
 
 HELLO = {
     "forceshade": "conform 1", "kind": "simulator", "name": "n", "version": "1", "reports": "force", "constraint": "hard", "binary": 64,
@@ -38,6 +38,7 @@ add_lines(DOOR, slow=True)
 for name, its in CASES.items():
     if name.startswith("simulator hello: ") and not name.startswith("simulator hello: no "):
         its.slow = True  # they are read as a renderer's
+        SEEN.discard(("simulator", its.words))
 
 
 # The motion.
