@@ -107,11 +107,10 @@ TEST_F(stand_in, sends_a_signal_at_the_moment_told) {
            Expected{{.signal = SIGKILL, .when = Moment::frame, .frame = 7}, 7, 0},
            Expected{{.signal = SIGKILL, .when = Moment::free, .frame = 30}, 50, 0},
            Expected{{.signal = SIGKILL, .when = Moment::contact}, 855, 1.01},
-           Expected{{.signal = SIGKILL, .when = Moment::tripping}, 936, 2},
        }) {
     SCOPED_TRACE(static_cast<int>(expected.kill.when));
     reset();
-    tell({.press = true, .trip_at = 100, .kill = expected.kill});
+    tell({.press = true, .kill = expected.kill});
     const auto before = Clock::now();
     EXPECT_TRUE(ended_by(in_child(run_for_ever), SIGKILL));
     const Seen all = seen();
@@ -122,18 +121,6 @@ TEST_F(stand_in, sends_a_signal_at_the_moment_told) {
     EXPECT_GT(*all.killed, before);
     EXPECT_TRUE(all.died);
   }
-}
-
-TEST_F(stand_in, sends_a_signal_when_it_is_stopped) {
-  tell({.kill = {.signal = SIGKILL, .when = Moment::stopping}});
-  EXPECT_TRUE(ended_by(in_child([](const Functions& hd) {
-                         Caller caller(hd);
-                         caller.start();
-                         caller.runs(30);
-                         caller.stop();
-                       }),
-                       SIGKILL));
-  EXPECT_TRUE(seen().died);
 }
 
 TEST_F(stand_in, sends_signals_to_others) {

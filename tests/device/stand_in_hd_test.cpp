@@ -59,32 +59,6 @@ TEST_F(stand_in, keeps_the_last_frames_of_a_long_run) {
   EXPECT_TRUE(std::is_sorted(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.time < b.time; }));
 }
 
-// Orders are given in every part of a frame, and the frame's calls say which of them they could show.
-TEST_F(stand_in, says_which_orders_each_call_of_a_frame_could_show) {
-  const std::uint64_t first = tell({});
-  EXPECT_EQ(in_child([](const Functions& hd) {
-              Caller caller(hd);
-              int frame = 0;
-              caller.inside = [&] {
-                if (++frame == 5) tell({});
-              };
-              caller.once_set = [&] {
-                if (frame == 7) tell({});
-              };
-              caller.start();
-              caller.runs(10);
-              caller.stop();
-            }),
-            0);
-  const auto frames = seen().frames;
-  ASSERT_GE(frames.size(), 10U);
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    EXPECT_EQ(frames[k].begun, first + (k > 4) + (k > 6)) << k;
-    EXPECT_EQ(frames[k].set, first + (k >= 4) + (k > 6)) << k;
-    EXPECT_EQ(frames[k].ended, first + (k >= 4) + (k >= 6)) << k;
-  }
-}
-
 TEST_F(stand_in, reports_an_error_that_lasts_once) {
   for (const auto& [orders, expected] : {std::pair{Orders{.begin = kCommunication}, 1}, std::pair{Orders{.comm_lost = true}, 1},
                                          std::pair{Orders{.get_position = kDeviceFault, .end = {kForceError, kFrame}}, 2},

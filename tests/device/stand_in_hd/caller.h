@@ -58,7 +58,7 @@ class Caller {
   std::atomic<int> frames = 0, errors = 0, rate = 0;
   std::atomic<HDenum> calibration = 0;
   std::atomic<bool> stopping = false, stopped = false, update = false;
-  std::function<void()> inside, once_set;  // in every frame, before its force is set and after
+  std::function<void()> inside;  // in every frame, before its force is set
 
  private:
   static unsigned frame(void* self) {
@@ -78,7 +78,6 @@ class Caller {
     if (output && !it.stopping) force[1] = std::max(0.0, -position[1]);
     hd.hdSetDoublev(kForce, force.data());
     it.count();
-    if (it.once_set) it.once_set();
     hd.hdEndFrame(it.device);
     it.count();
     if (it.stopping && output) hd.hdDisable(kForceOutput);

@@ -38,12 +38,12 @@ void reset() {
   ++m.resets;
 }
 
-std::uint64_t tell(const Orders& orders) {
+void tell(const Orders& orders) {
   Memory& m = memory();
   const Lock lock(m);
   m.orders = orders;
   m.noted.killed = m.noted.crashed = {};
-  return ++m.tellings;
+  ++m.tellings;
 }
 
 Seen seen() {
@@ -70,8 +70,7 @@ Seen seen() {
   seen.updates = noted.updates;
   seen.rate = noted.rate;
   seen.frames.reserve(frames.size());
-  for (const Memory::Frame& frame : frames)
-    seen.frames.push_back({frame.position, frame.force, frame.time, frame.output, frame.begun, frame.set, frame.ended});
+  for (const Memory::Frame& frame : frames) seen.frames.push_back({frame.position, frame.force, frame.time, frame.output});
   seen.pushed_until = noted.pushed_until;
   seen.killed = known(noted.killed);
   seen.crashed = known(noted.crashed);

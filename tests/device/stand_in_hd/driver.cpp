@@ -44,7 +44,6 @@ bool reached(const Driver& d, Moment moment, std::uint64_t frame) {
     case Moment::frame: return d.frames >= frame;
     case Moment::free: return d.frames_on >= std::max<std::uint64_t>(frame, 1) && d.contacts == 0 && d.force.isZero(0);
     case Moment::contact: return d.in_contact >= kContactFrames;
-    case Moment::tripping: return d.tripped;
     default: return false;
   }
 }
@@ -130,8 +129,6 @@ void look(Driver& d) {
   std::copy(reading.encoder->begin(), reading.encoder->end(), d.encoder.begin());
   if (d.orders.press) d.position = pressing(d);
   if (d.orders.position) d.position = *d.orders.position;
-  d.tripped = d.orders.trip_at > 0 && d.contacts >= d.orders.trip_at;
-  if (d.tripped) d.position.x() += 20;
   const Eigen::Vector3d& quantum = d.model.quantum;
   if (const auto angles = d.model.arm.inverse(d.position * device::kMillimetre); angles && angles->allFinite())
     for (Eigen::Index i = 0; i < 3; ++i) d.encoder[static_cast<std::size_t>(i)] = std::lround((*angles)[i] / quantum[i]);
@@ -166,7 +163,7 @@ void happen(const Due& due) {
     pid_t whom = due.kill->pid;
     if (whom == Kill::kDriver) whom = getpid();
     if (whom == Kill::kParent) whom = getppid();
-    for (int i = 0; i < due.kill->times; ++i) kill(whom, due.kill->signal);
+    kill(whom, due.kill->signal);
   }
   if (!due.crash) return;
   switch (due.crash->how) {

@@ -59,13 +59,11 @@ struct Driver {
   device::Model model = device::premium_1_5();
   bool in_frame = false;
   int frames_this_tick = 0;
-  std::uint64_t begun = 0, set = 0;  // the orders in force when the frame was begun, and its force set
   Eigen::Vector3d position{0, 0, 0}, force{0, 0, 0};
   std::array<HDlong, 6> encoder{};
   Eigen::Vector3d joints{0, 0, 0};  // rad
   // Frames since the start, since the output went on, in contact at a stretch, in contact ever.
   std::uint64_t frames = 0, frames_on = 0, in_contact = 0, contacts = 0;
-  bool tripped = false;
 
   std::map<HDSchedulerHandle, Callback> callbacks;
   std::recursive_mutex ticking;  // held while callbacks run

@@ -98,7 +98,6 @@ void hdBeginFrame(HHD device) {
       return call.fail(kIllegalBegin);
     }
     d.in_frame = true;
-    d.begun = d.set = d.tellings;
     d.force.setZero();
     ++d.frames;
     if (d.noted.output) ++d.frames_on;
@@ -127,13 +126,8 @@ void hdEndFrame(HHD) {
     const bool contact = Eigen::Vector3d(d.noted.force).norm() > kContact;
     d.in_contact = contact ? d.in_contact + 1 : 0;
     if (contact) ++d.contacts;
-    d.memory.frames[d.noted.frame_count % d.memory.frames.size()] = {.position = d.position,
-                                                                     .force = d.force,
-                                                                     .time = Clock::now(),
-                                                                     .output = d.noted.output,
-                                                                     .begun = d.begun,
-                                                                     .set = d.set,
-                                                                     .ended = d.tellings};
+    d.memory.frames[d.noted.frame_count % d.memory.frames.size()] = {
+        .position = d.position, .force = d.force, .time = Clock::now(), .output = d.noted.output};
     ++d.noted.frame_count;
     for (const HDerror code : d.orders.end) call.fail_in_frame(code);
     due = stand_in_hd::due(d);
@@ -165,12 +159,6 @@ void hdEnable(HDenum what) {
 
 // The arm gets to know of it at the next tick: never, once the scheduler has stopped.
 void hdDisable(HDenum what) {
-  Due due;
-  {
-    const Call call("hdDisable", Where::not_beside_scheduler);
-    if (what == kForceOutput && call.d.frames > 0) due = stand_in_hd::due(call.d, Moment::stopping);
-  }
-  happen(due);
   Call call("hdDisable", Where::not_beside_scheduler);
   if (what != kForceOutput) return call.fail(kInvalidEnum);
   call.d.noted.output = false;
@@ -180,7 +168,6 @@ void hdSetDoublev(HDenum what, const double* value) {
   Call call("hdSetDoublev", Where::in_frame);
   if (what != kForce) return call.fail(kInvalidEnum);
   call.d.force = {value[0], value[1], value[2]};
-  call.d.set = call.d.tellings;
   call.fail_in_frame(call.d.orders.set);
 }
 
@@ -226,17 +213,14 @@ void hdStartScheduler() {
 void hdStopScheduler() {
   block_if_told(Blocks::stop_scheduler);
   Driver& d = driver();
-  Due due;
   {
     Call call("hdStopScheduler", Where::anywhere);
     if (!d.starting) call.breach("before it was started");
     // A caller cannot send anything through a scheduler that hangs.
     if (!d.orders.hung && d.noted.output) call.breach("with the force output on");
     if (!d.orders.hung && !d.force.isZero(0)) call.breach("with a force sent last");
-    due = stand_in_hd::due(d, Moment::stopping);
     d.stop = true;
   }
-  happen(due);
   if (d.scheduler.joinable()) d.scheduler.join();
   const Lock lock(d.memory);
   d.running = d.starting = d.noted.scheduler = false;

@@ -23,7 +23,6 @@ struct Memory {
     Vector position, force;
     Time time;
     bool output;
-    std::uint64_t begun, set, ended;  // the orders in force at these calls
   };
   struct Noted {
     std::array<std::array<char, 128>, 64> breaches{};
@@ -41,7 +40,7 @@ struct Memory {
   static constexpr std::uint64_t kMark = 0x48442d6f72646572;
 
   pthread_mutex_t mutex;
-  std::uint64_t resets = 0, tellings = 0;  // the latter numbers the orders
+  std::uint64_t resets = 0, tellings = 0;
   Orders orders;
   Noted noted;
   std::array<Frame, 65536> frames;  // frame n at n modulo the size

@@ -49,16 +49,14 @@ struct Answer {
   hdapi::HDerror error = 0;
 };
 
-// When a thing happens, once. All but the first and last of these are ends of frames, when the force has been sent.
+// When a thing happens, once. All but the first of these are ends of frames, when the force has been sent.
 enum class Moment {
   never,
   before_start,  // in hdInitDevice, with the device initialised
   settling,      // the tenth frame after the start
   frame,         // this frame after the start, from 1
   free,          // with a force of zero, this frame after the output went on or a later one, before any contact
-  contact,       // 20 frames in a row sent more than 0.2 N
-  tripping,      // the frame of the jump of `trip_at`
-  stopping       // before the output goes off or the scheduler stops
+  contact        // 20 frames in a row sent more than 0.2 N
 };
 
 inline constexpr double kContact = 0.2;  // N
@@ -71,7 +69,6 @@ struct Kill {
   int signal = 0;
   Moment when = Moment::never;
   std::uint64_t frame = 0;
-  int times = 1;  // in a row
 };
 
 struct Crash {
@@ -122,10 +119,8 @@ struct Orders {
   bool prints = true;                       // to standard output
 
   // Instead of the simulated hand: from 3 mm above z = 0 of the laws' frame to 2 mm below it, smoothly in 0.2 s, once the
-  // output was on for 0.7 s, both counted in frames. And, having sent more than 0.2 N in this many frames, 20 mm aside; 0:
-  // never.
+  // output was on for 0.7 s, both counted in frames.
   bool press = false;
-  std::uint64_t trip_at = 0;
 
   Blocks blocks = Blocks::nothing;
   Crash crash = {};

@@ -26,9 +26,6 @@ struct Frame {
   Eigen::Vector3d position, force;
   Clock::time_point time;  // of its end
   bool output;             // whether the arm got the force
-  // The number of the orders in force when it was begun, when its force was set, and when it was ended. A call that comes later
-  // than an order shows it to the caller; one that came earlier cannot.
-  std::uint64_t begun, set, ended;
 };
 
 // What the arm feels now: the force last sent while the output was on, also when the process that sent it is no more.
@@ -55,7 +52,7 @@ struct Seen {
 // As though freshly loaded. Not while its scheduler runs. The first of these calls names the memory in the environment's
 // STAND_IN_HD_MEMORY, for processes that are started from then on. What is to happen once may happen again after tell().
 void reset();
-std::uint64_t tell(const Orders& orders);  // the number of these orders, which grows
+void tell(const Orders& orders);
 // Copies every frame while the driver waits: for the end of a run, not to poll.
 Seen seen();
 // The moment of the signal or crash that was ordered; nothing before it.
