@@ -45,6 +45,17 @@ inline std::string driven(Device& device, double rate) {
   }
 }
 
+// It starts, and is driven under force for some ticks.
+inline void expect_ticks(Device& device) {
+  ASSERT_FALSE(device.start(1000));
+  for (int tick = 0; tick < 50; ++tick) {
+    wait_for_frame(device);
+    ASSERT_TRUE(std::holds_alternative<Reading>(device.read()));
+    device.allow({.work = 1e6, .longest_step = 1});
+    EXPECT_FALSE(device.command({0, 0, 0.1F}));
+  }
+}
+
 // Ticks of a device that runs. Only the thread that calls the device is counted.
 inline void expect_ticks_without_allocation(Device& device) {
   const std::size_t before = tests::allocations();

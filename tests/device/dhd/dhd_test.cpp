@@ -56,6 +56,21 @@ TEST_F(dhd_device, that_cannot_be_driven_is_refused_in_words) {
   }
 }
 
+// Each by itself makes no difference to the client, so several are tried at once.
+TEST_F(dhd_device, is_driven_whatever_the_documents_leave_open_and_makes_no_fault) {
+  for (const char* assumptions :
+       {"set-force-off=ok,not-finite=accept,last-error=process,error-kept=no,status-length=16,brakes=off,forces=on",
+        "enable-uncalibrated=ok,time-guard=200,expert=thread,max-force=ignore,call-time=100,serial=77", "model=delta.3",
+        "model=omega.7-left", "model=sigma.7", "model=lambda.7"}) {
+    SCOPED_TRACE(assumptions);
+    StandIn stand_in(kPatientDevice + assumptions);
+    expect_ticks(*open_dhd("", kPatient, nobody));
+    const nlohmann::json verdict = stand_in.verdict();
+    EXPECT_EQ(verdict["faults"], nlohmann::json::object());
+    EXPECT_EQ(verdict["sessions"][0]["end"], "closed");
+  }
+}
+
 TEST_F(dhd_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_is_not_finite) {
   StandIn stand_in(kPatientDevice + "model=falcon");
   {

@@ -76,6 +76,20 @@ TEST_F(haply_device, that_cannot_be_driven_is_refused_in_words) {
     EXPECT_NE(words_of(stand_in).find(words), std::string::npos) << words_of(stand_in);
 }
 
+TEST_F(haply_device, is_driven_whatever_the_documents_leave_open_and_makes_no_fault) {
+  std::string others;
+  for (const char* other : {"values-key=both", "http=before", "envelope=asked", "force-reported=no", "basis-reported=no",
+                            "control-mode=force", "grip=wireless", "ping=0.05", "clamp=0.1", "ration=0.3", "in-flight=drop",
+                            "unknown-command=close", "malformed=close", "not-finite=close", "after-close=hold"})
+    others += std::string("--assume ") + other + ' ';
+  for (const std::string& options : {others, std::string("--version 3.4.2 --assume grip=none --type minverse")}) {
+    SCOPED_TRACE(options);
+    HaplyStandIn stand_in(kPatientDevice + options);
+    expect_ticks(*open_haply("", kPatient, nobody));
+    EXPECT_EQ(stand_in.verdict()["faults"], nlohmann::json::object());
+  }
+}
+
 // What the frames were given to hold is what the service was sent, and no force acts after the last command.
 TEST_F(haply_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_is_not_finite) {
   HaplyStandIn stand_in(kPatientDevice);
