@@ -27,7 +27,7 @@ mesh::Tick GodObject::tick(const mesh::GodObject& state, const std::array<float,
   mesh::Tick tick;
   if (in_domain(position)) {
     Stage stage{};
-    advance(*mesh_, at, quantised(position), stiffness_, shading_, FilteredStages{&stage}, tick, contact);
+    advance_filtered(*mesh_, at, quantised(position), stiffness_, shading_, contact, stage, tick);
   }
   tick.after = object_of(*mesh_, at);
   return tick;

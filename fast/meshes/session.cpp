@@ -50,9 +50,14 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
 
 }  // namespace
 
+[[gnu::noinline]] void advance_filtered(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness,
+                                        mesh::Shading shading, mesh::Contact contact, Stage& stage, mesh::Tick& tick) noexcept {
+  advance(mesh, at, p, stiffness, shading, FilteredStages{&stage}, tick, contact);
+}
+
 [[gnu::noinline]] mesh::Tick MeshSession::tick_on_mesh(const std::array<float, 3>& p) noexcept {
   mesh::Tick tick;
-  advance(*mesh_, at_, p, stiffness_, shading_, FilteredStages{&stage_}, tick, contact_);
+  advance_filtered(*mesh_, at_, p, stiffness_, shading_, contact_, stage_, tick);
   square_ = 0;  // a ball is of use only to a god-object that is in it
   if (at_.spot.place == mesh::Place::free)
     seek_ball();

@@ -10,6 +10,11 @@
 
 namespace forceshade::fast {
 
+// advance() in binary64 first, which raises `stage` to the last one that it needs. Its code takes long to compile, so there is one
+// copy.
+void advance_filtered(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
+                      mesh::Contact contact, Stage& stage, mesh::Tick& tick) noexcept;
+
 // It also keeps a ball in which no triangle lies: a free god-object that stays in it meets nothing, and no tree is looked at.
 // That saves time and changes no result. One thread at a time; the mesh may be shared.
 class MeshSession final : public TickSession {
