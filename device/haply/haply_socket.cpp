@@ -80,7 +80,7 @@ Address address_of(const std::string& text) {
 
 struct Socket::Implementation {
   asio::io_context io{1};
-  beast::websocket::stream<tcp::socket> stream{io};
+  beast::websocket::stream<tcp::socket, false> stream{io};  // without compression, which it never offers
   beast::flat_buffer buffer;
   bool is_reading = false, is_closing = false, has_happened = false;
   std::string sent;
