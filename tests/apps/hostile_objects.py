@@ -4,7 +4,6 @@ something else."""
 import os
 import pathlib
 import subprocess
-import threading
 
 from hostile_programs import LATE, NO_OBJECT, UNASKED, Case, add, patience
 from hostile_renderers import WALL
@@ -13,7 +12,6 @@ ROOT = pathlib.Path(__file__).parents[2]
 TABLE = "{sizeof kTable, wall_open, wall_answer, wall_close}"
 CPP = '#include <stdexcept>\n#include "forceshade.h"\nextern "C" const forceshade_renderer* forceshade_renderer_entry(void);'
 HEADERS = "fenv pthread setjmp signal stdio stdlib string sys/mman sys/time unistd xmmintrin".split()
-LOCK = threading.Lock()
 KILLED, EARLY = "was killed by signal 11", "ended too early"
 
 
@@ -32,19 +30,15 @@ def template():
     return source
 
 
-def compiled(language, options, lines):
+def compiled(language, options, lines=()):
     compiler = ["cc", "-std=c11"] if language == "c" else ["c++", "-std=c++20", "-fpermissive"]
     subprocess.run(compiler + ["-ffp-contract=off", "-w", "-fPIC", f"-I{ROOT}/include"] + options, input="\n".join(lines).encode(), check=True)
 
 
-def headers(language):
-    """Precompiled once, though several threads ask for it."""
-    file = os.path.join(os.environ["CACHE"], language + ".h")
-    with LOCK:
-        if not os.path.exists(file):
-            pathlib.Path(file).write_text("\n".join(["#define _GNU_SOURCE"] * (language == "c") + [f"#include <{header}.h>" for header in HEADERS]))
-            compiled(language, ["-x", language + "-header", file], [])
-    return file
+def precompile():
+    for language in ("c", "c++"):
+        pathlib.Path(os.environ["CACHE"], language + ".h").write_text("#define _GNU_SOURCE\n" * (language == "c") + "".join(f"#include <{header}.h>\n" for header in HEADERS))
+        compiled(language, ["-x", language + "-header", os.path.join(os.environ["CACHE"], language + ".h")])
 
 
 def object_case(name, words, code=1, prelude="", language="c", slow=False, **macros):
@@ -52,7 +46,7 @@ def object_case(name, words, code=1, prelude="", language="c", slow=False, **mac
 
     def run(mark, folder):
         lines = [f"#define {macro} {value}" for macro, value in macros.items()] + [f'#define MARK "{mark}"', prelude, template()]
-        compiled(language, ["-include", headers(language), "-shared", "-x", language, "-", "-o", os.path.join(folder, "tried.so")], lines)
+        compiled(language, ["-include", os.path.join(os.environ["CACHE"], language + ".h"), "-shared", "-x", language, "-", "-o", os.path.join(folder, "tried.so")], lines)
         return WALL + patience(words) + ["--object", "tried.so"]
 
     add("object " + name, Case(words, run, code=code, slow=slow))

@@ -78,6 +78,7 @@ def main():
     faults = {}
     with tempfile.TemporaryDirectory() as cache:
         os.environ |= {"CACHE": cache, "FORCESHADE": forceshade}
+        hostile_objects.precompile()
         # Those that wait take no time of a processor.
         for waits, at_a_time in ((True, WAITING_AT_A_TIME), (False, AT_A_TIME)):
             some = [name for name in names if CASES[name].waits == waits]
