@@ -4,6 +4,7 @@
 import csv
 import os
 import pathlib
+import signal
 from decimal import Decimal
 
 import numpy as np
@@ -13,6 +14,7 @@ import forceshade
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 GOLDEN = ROOT / "tests" / "golden"
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a script that starts the tests in the background ignores
 
 
 def binary32(text):
