@@ -22,17 +22,7 @@ else
 fi
 
 # In its own units and frame: metres, millinewtons, impulses, closest points.
-in_its_units() {  # NAME ORIGINAL REPLACEMENT...: of examples/renderers/wall.py
-  local name=$1; shift
-  python3 - "$renderers/wall.py" "$name" "$@" << 'END' || exit 1
-import sys
-text = open(sys.argv[1]).read()
-for old, new in zip(sys.argv[3::2], sys.argv[4::2]):
-    assert text.count(old) == 1, old
-    text = text.replace(old, new)
-open(sys.argv[2], "w").write(text)
-END
-}
+in_its_units() { changed "$renderers/wall.py" "${@:2}"; mv mutated.py "$1"; }  # NAME [ORIGINAL REPLACEMENT]...
 in_its_units metres.py '"mm"' '"m"' "force(*struct" "metres(*struct" "def hello" "def metres(x, y, z, stiffness):
     return force(1000 * x, 1000 * y, 1000 * z, stiffness)
 

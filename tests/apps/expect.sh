@@ -62,12 +62,14 @@ for file in files:
     jsonschema.Draft7Validator(schema).validate(file)
 END
 }
-# changed PROGRAM ORIGINAL REPLACEMENT: writes the mutated program, with these words in the place of those.
+# changed PROGRAM [ORIGINAL REPLACEMENT]...: writes the mutated program, with these words in the place of those.
 changed() {
   python3 - "$@" << 'END' || exit 1
 import sys
 text = open(sys.argv[1]).read()
-assert text.count(sys.argv[2]) == 1, sys.argv[2]
-open("mutated.py", "w").write(text.replace(sys.argv[2], sys.argv[3]))
+for old, new in zip(sys.argv[2::2], sys.argv[3::2]):
+    assert text.count(old) == 1, old
+    text = text.replace(old, new)
+open("mutated.py", "w").write(text)
 END
 }

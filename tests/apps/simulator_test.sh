@@ -10,8 +10,7 @@ same "0 true 23" "$(grep -c '"held": false' held.json) $(sed -n 's/^  "held": \(
 same "1 1 1" "$(grep -c '<svg role="img"' page.html) $(grep -c '>Held</p>' page.html) $(grep -c '</html>' page.html)"
 
 # Wrong in one thing, and what it declares is another thing too. tests/conformance/planted_simulator_defects_test.cpp has the others.
-changed "$exact" '"smallest_radius_m": 0' '"smallest_radius_m": 0.05'
-changed mutated.py '"reports": "force"' '"reports": "impulse"'  # and it is a force
+changed "$exact" '"smallest_radius_m": 0' '"smallest_radius_m": 0.05' '"reports": "force"' '"reports": "impulse"'  # and it is a force
 expect 1 "not applicable to 11 cases, since its smallest radius is 0.05 m" -- conform --simulator "python3 -S mutated.py" --json found.json
 fits "$examples/../docs/conformance-schema.json" held.json found.json
 same "the static force is the same at any rate
@@ -40,8 +39,7 @@ refuses '"contacts": contacts' '"contacts": [[0, 0, 1]]' "expected a list of fou
 refuses '"contacts": contacts' '"contacts": {}' "expected a list of contacts"
 refuses 'for force in asked["applied"]]}' 'for force in asked["applied"][1:]]}' 'answered 240 forces with 239 entries of "motion"'
 refuses '{"motion": [world' '{"moved": [world' 'answered without a list "motion"'
-changed "$exact" '"reports": "force"' '"reports": "nothing"'
-changed mutated.py "            return  # goodbye" "            sys.exit(5)"
+changed "$exact" '"reports": "force"' '"reports": "nothing"' "            return  # goodbye" "            sys.exit(5)"
 expect 1 "the simulator ended with exit code 5" -- conform --simulator "python3 -S mutated.py"
 expect 1 "the simulator ended without an answer" -- conform --simulator true
 expect 1 "the simulator did not answer within 0.3 s" -- "$forceshade" conform --simulator "sleep 100" --answer-timeout 0.3
