@@ -31,8 +31,16 @@ void remove_recording(const std::string& path) {
   for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path + suffix, ignored);
 }
 
-// The process that has a recording open to write or to read it, by the lock that SQLite holds for as long; 0: there is none.
-pid_t user_of(const std::string& path) {
+bool has_ended(const std::string& path) {
+  try {
+    return recorder::Recording(path).ended();
+  } catch (const std::exception&) {  // no recording
+    return true;
+  }
+}
+
+// The process that writes a recording, by the lock that SQLite holds for as long; 0: there is none.
+pid_t writer_of(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (file < 0) return 0;
   struct flock lock {};
@@ -40,7 +48,7 @@ pid_t user_of(const std::string& path) {
   lock.l_whence = SEEK_SET;
   const bool is_known = ::fcntl(file, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
   ::close(file);
-  return is_known ? lock.l_pid : 0;
+  return is_known && !has_ended(path) ? lock.l_pid : 0;
 }
 
 // What is said of the recording behind a table, said of the table, the file that was asked for.
@@ -55,9 +63,9 @@ Record::Record(std::string path, recorder::Metadata metadata, bool paced, bool r
   if (is_table()) {
     directory_ = new_directory(path_);
   } else if (replaces) {
-    if (const pid_t user = user_of(path_); user != 0)
-      throw recorder::RecordingError(path_ + ": cannot replace the recording: the process " + std::to_string(user) +
-                                     " writes or reads it");
+    if (const pid_t writer = writer_of(path_); writer != 0)
+      throw recorder::RecordingError(path_ + ": cannot replace the recording: the process " + std::to_string(writer) +
+                                     " writes it");
     remove_recording(path_);
   }
   try {

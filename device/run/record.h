@@ -17,8 +17,8 @@ namespace forceshade::run {
 class Record {
  public:
   // `path` ends in .fsr, or is a table (recorder::export_table). A run that is not paced waits for the disk instead of losing
-  // ticks. A recording that is there already is refused, or where `replaces` goes now, unless another process writes or reads
-  // it. Throws RecordingError or files::OutputError.
+  // ticks. A recording that is there already is refused, or where `replaces` goes now, unless another process writes it. Throws
+  // RecordingError or files::OutputError.
   Record(std::string path, recorder::Metadata metadata, bool paced, bool replaces);
 
   // A recording that was never closed is of a run that never began, and goes; one that could not be exported is kept, and

@@ -142,7 +142,7 @@ expect 0 "" -- drive --law wall --uncertified --record kept.fsr --overwrite
 expect 0 "whole: 4 samples" -- "$forceshade" recording verify kept.fsr
 "$forceshade" drive --law wall --uncertified --device simulated --record running.fsr > /dev/null 2>&1 &
 until [ -e running.fsr-wal ]; do sleep 0.02; done
-expect 2 "running.fsr: cannot replace the recording: the process $! writes or reads it" -- drive --law wall --uncertified --record running.fsr --overwrite
+expect 2 "running.fsr: cannot replace the recording: the process $! writes it" -- drive --law wall --uncertified --record running.fsr --overwrite
 stopped INT
 expect 0 "whole" -- "$forceshade" recording verify running.fsr
 for folder in "plot --law wall --what force" figures "certify --law wall --points 1000 --cases 10"; do
