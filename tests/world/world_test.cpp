@@ -270,6 +270,12 @@ TEST(world, each_rule_is_looked_at) {
                 reading.sent->work = 0;
               }).contains(6));
   EXPECT_TRUE(broken_with([](device::Reading& reading) { reading.sent->acting.x() += 1; }).contains(7));
+  bool is_halved = false;
+  const auto send_half = [&](Arm& arm) {
+    const Eigen::Vector3d last = arm.sent().back().force;
+    if (!std::exchange(is_halved, is_halved || last.norm() > 0.2) && is_halved) arm.push(last / 2);
+  };
+  EXPECT_TRUE(broken_with(nothing, send_half).contains(9));
 }
 
 TEST(world, a_fault_that_is_placed_happens_at_every_step) {
