@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fast/meshes/spot.h"
 
+#include <algorithm>
+
+#include "fast/domain.h"
+
 namespace forceshade::fast {
 
 Spot spot_of(const Mesh& mesh, const mesh::GodObject& object) noexcept {
@@ -8,7 +12,11 @@ Spot spot_of(const Mesh& mesh, const mesh::GodObject& object) noexcept {
   const auto is_vertex = [&](std::uint32_t v) { return v < mesh.vertices() && mesh.first_around(v) != kRim; };
   switch (object.place) {
     case mesh::Place::nowhere: return {};
-    case mesh::Place::free: spot.position = object.position; break;
+    case mesh::Place::free:
+      // A tick leaves no other position: the exact differences count on it.
+      if (!std::ranges::all_of(object.position, is_plain)) return {};
+      spot.position = object.position;
+      break;
     case mesh::Place::vertex:
       if (!is_vertex(object.index[0])) return {};
       spot.half = mesh.first_around(object.index[0]);

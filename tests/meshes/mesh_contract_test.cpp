@@ -137,5 +137,18 @@ TEST(mesh_contract, a_loop_gets_no_force_from_an_invalid_tick_whatever_it_holds)
   }
 }
 
+// A coordinate that no tick leaves, since it is beyond the domain or would have become 0: the exact differences have no room
+// for it.
+TEST(mesh_contract, a_state_that_no_tick_leaves_counts_as_that_of_a_beginning) {
+  const auto god_object = tests::built(fast::GodObject::build(triangle(mesh::Shading::none)));
+  for (const float wrong : {1.2e-15F, -9.3e-10F, 1e-37F, 1e-45F, 1e9F, kNaN, kInfinity})
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      mesh::GodObject state{.place = mesh::Place::free, .position = {1, 1, 2}};
+      state.position[axis] = wrong;
+      for (const std::array<float, 3>& to : {std::array<float, 3>{1, 1, -1}, {1, 1, 3}})
+        EXPECT_EQ(god_object.tick(state, to).after, god_object.tick({}, to).after) << wrong;
+    }
+}
+
 }  // namespace
 }  // namespace forceshade
