@@ -183,6 +183,13 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
   }
 }
 
+void Reader::expect_no_other_column() const {
+  for (std::size_t i = 0; i < header_.size(); ++i)
+    if (std::find(place_.begin(), place_.end(), i) == place_.end())
+      throw error(row_line_,
+                  "column " + std::to_string(i + 1) + ": expected one of " + listed(columns_) + ", got " + quoted(header_[i]));
+}
+
 void Reader::name_columns(std::string_view words) {
   if (!read_row()) throw error(1, std::string(words) + ", got an empty file");
   header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));

@@ -35,6 +35,9 @@ class Reader {
   // Whether the file has this column; only then may the functions below be called with it.
   bool has(std::size_t i) const { return place_[i] != kNowhere; }
 
+  // Throws Error for a column beside those that were named, in a file that may have no others.
+  void expect_no_other_column() const;
+
   // Goes to the next row; false after the last one. Throws Error, after which the reader is of no further use.
   bool next();
 

@@ -5,14 +5,19 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
+#include "files/printable.h"
 #include "rendering/heights/samples.h"
 
 namespace forceshade::heights {
@@ -74,6 +79,9 @@ const Kind& kind_of(TIFF* tiff, const std::filesystem::path& file) {
                         "; expected 1 of 8, 16 or 32 bits, whole (1 or 2), or of 32 or 64, binary (3)");
 }
 
+// GDAL's tags, which are no names of libtiff's: the number that stands for "no data" as text, and the sizes of a pixel.
+constexpr std::uint32_t kNoData = 42113, kPixelScale = 33550;
+
 // Refuses whatever says that the numbers are no heights, or not where they stand.
 void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
   std::uint16_t compression = 0, orientation = 0, photometric = PHOTOMETRIC_MINISBLACK, below = 0;
@@ -93,22 +101,59 @@ void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
   if (TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &across) == 1 && TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &along) == 1 &&
       across != along)
     throw Error(file, "has pixels that are not square; expected one resolution");
+  std::uint32_t count = 0;
+  const double* scale = nullptr;
+  if (TIFFGetField(tiff, kPixelScale, &count, &scale) == 1 && count >= 2 && scale[0] != scale[1])
+    throw Error(file, "has pixels that are not square (ModelPixelScale); expected one size");
   if (TIFFLastDirectory(tiff) == 0 || TIFFGetField(tiff, TIFFTAG_SUBIFD, &below, &places) == 1)
     throw Error(file, "has more than one page; expected one");
 }
 
-void read_strips(TIFF* tiff, const Kind& kind, Samples& samples, const Message& message) {
+// The number that stands for a place without data, as GDAL and what writes GeoTIFF declare it.
+std::optional<double> no_data_of(TIFF* tiff, const std::filesystem::path& file) {
+  std::uint32_t size = 0;
+  const char* text = nullptr;
+  if (TIFFGetField(tiff, kNoData, &size, &text) != 1 || text == nullptr) return std::nullopt;
+  std::string_view words(text, ::strnlen(text, size));
+  words.remove_prefix(std::min(words.find_first_not_of(' '), words.size()));
+  double number = 0;
+  const auto read = std::from_chars(words.data(), words.data() + words.size(), number);
+  if (read.ec != std::errc() || words.find_first_not_of(' ', static_cast<std::size_t>(read.ptr - words.data())) != words.npos)
+    throw Error(file, "declares " + files::shown(words) + " for places without data (GDAL_NODATA); expected a number");
+  return number;
+}
+
+// Put in place of samples.put(): a place without data has no height.
+class Heights {
+ public:
+  Heights(Samples& samples, std::optional<double> no_data) : samples_(samples), no_data_(no_data) {}
+
+  void put(std::uint32_t row, std::uint32_t column, double number) {
+    if (no_data_ && (number == *no_data_ || (std::isnan(number) && std::isnan(*no_data_))))
+      throw Error(samples_.source->file,
+                  "row " + std::to_string(row) + ", column " + std::to_string(column) +
+                      " has no data, by the number that the file declares for that (GDAL_NODATA); expected a height");
+    samples_.put(row, column, number);
+  }
+
+ private:
+  Samples& samples_;
+  std::optional<double> no_data_;
+};
+
+void read_strips(TIFF* tiff, const Kind& kind, const Samples& samples, Heights heights, const Message& message) {
   std::vector<unsigned char> row(std::size_t{samples.columns} * kind.bits / 8);
   if (TIFFScanlineSize(tiff) != static_cast<tmsize_t>(row.size()))
     throw Error(samples.source->file, "has rows of another size");
   for (std::uint32_t j = 0; j < samples.rows; ++j) {
     if (TIFFReadScanline(tiff, row.data(), j) != 1) throw Error(samples.source->file, message.text);
-    samples.put_row(j, [&](std::size_t column) { return kind.number(row.data(), column); });
+    for (std::uint32_t column = 0; column < samples.columns; ++column) heights.put(j, column, kind.number(row.data(), column));
   }
 }
 
 // Tiles are all of one size; those on the right and at the bottom reach beyond the picture. `most`: bytes that one may take.
-void read_tiles(TIFF* tiff, const Kind& kind, Samples& samples, const Message& message, std::uint64_t most) {
+void read_tiles(TIFF* tiff, const Kind& kind, const Samples& samples, Heights heights, const Message& message,
+                std::uint64_t most) {
   std::uint32_t width = 0, length = 0;
   TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &width);
   TIFFGetField(tiff, TIFFTAG_TILELENGTH, &length);
@@ -124,7 +169,7 @@ void read_tiles(TIFF* tiff, const Kind& kind, Samples& samples, const Message& m
         throw Error(samples.source->file, message.text);
       for (std::uint32_t j = 0; j < std::min(length, samples.rows - top); ++j)
         for (std::uint32_t i = 0; i < std::min(width, samples.columns - left); ++i)
-          samples.put(top + j, left + i, kind.number(&tile[j * bytes], i));
+          heights.put(top + j, left + i, kind.number(&tile[j * bytes], i));
     }
 }
 
@@ -148,10 +193,11 @@ Samples read_tiff(const Source& source) {
   const Kind& kind = kind_of(tiff.get(), file);
   expect_heights_alone(tiff.get(), file);
   Samples samples = allocate(source, columns, rows, kind.bits / 8U, kCompressed);
+  const Heights heights(samples, no_data_of(tiff.get(), file));
   if (TIFFIsTiled(tiff.get()) != 0)
-    read_tiles(tiff.get(), kind, samples, message, most);
+    read_tiles(tiff.get(), kind, samples, heights, message, most);
   else
-    read_strips(tiff.get(), kind, samples, message);
+    read_strips(tiff.get(), kind, samples, heights, message);
   return samples;
 }
 

@@ -225,6 +225,25 @@ TEST_F(GridSamples, that_are_no_heights_are_named_by_place_and_number_in_every_l
   EXPECT_EQ(refusal(directory_.file("count.npy"), 1), "row 0, column 1 holds -20000, which is no height within 10000 mm");
 }
 
+// As GDAL and GeoTIFF declare them: a place without data has no height, and a pixel may be longer than it is wide.
+TEST_F(GridSamples, without_data_or_with_pixels_that_are_not_square_are_refused) {
+  const auto written = [&](const tests::TiffOptions& options, float middle = -9999) {
+    std::vector<float> numbers(9, 0.5F);
+    numbers[5] = middle;
+    write_tiff(directory_.file("a.tif"), 3, 3, numbers, options);
+    return refusal(directory_.file("a.tif"), 0.001F);
+  };
+  const std::string words =
+      "row 1, column 2 has no data, by the number that the file declares for that (GDAL_NODATA); expected a height";
+  for (const char* no_data : {"-9999", "-9999 ", " -9.999e3"}) EXPECT_EQ(written({.no_data = no_data}), words) << no_data;
+  EXPECT_EQ(written({.tile = 16, .no_data = "-9999"}), words);
+  EXPECT_EQ(written({.no_data = "nan"}, std::nanf("")), words);
+  EXPECT_EQ(written({.no_data = "-9999"}, 0.25F), "loaded");
+  EXPECT_EQ(written({.no_data = "none"}), "declares \"none\" for places without data (GDAL_NODATA); expected a number");
+  EXPECT_EQ(written({.scale = {2, 2, 0}}, 1), "loaded");
+  EXPECT_EQ(written({.scale = {2, 3, 0}}, 1), "has pixels that are not square (ModelPixelScale); expected one size");
+}
+
 TEST_F(GridSamples, of_a_lossy_or_unknown_kind_are_refused_in_words) {
   write_tiff<std::uint8_t>(directory_.file("a.tif"), 16, 16, std::vector<std::uint8_t>(256, 9));
   const auto changed = [&](std::uint16_t tag, std::uint16_t value) {

@@ -104,6 +104,8 @@ TEST_F(MovingScenes, refuse_what_is_no_file_of_poses) {
   expect(kPoses + "0,0,0,0,3,0,0,0\n", "column 5 (qw): expected 0, or 2^-30 to 2 in size, got \"3\"");
   expect(kPoses + "0,0,0,0,0,0,0,0\n", "expected a quaternion that is not 0");
   expect("time_s,x_mm,y_mm,z_mm,qw\n0,0,0,0,1\n", "expected all of the columns qw, qx, qy and qz or none of them");
+  expect("time_s,x_mm,y_mm,z_mm,yaw\n0,0,0,0,1\n",
+         ":1: column 5: expected one of time_s, x_mm, y_mm, z_mm, qw, qx, qy, qz, got \"yaw\"");
   expect("time_s,x_mm,y_mm\n0,0,0\n", "z_mm");
 }
 
