@@ -123,7 +123,7 @@ std::optional<double> no_data_of(TIFF* tiff, const std::filesystem::path& file) 
   return number;
 }
 
-// Put in place of samples.put(): a place without data has no height.
+// Takes the place of samples.put(), since a place without data has no height.
 class Heights {
  public:
   Heights(Samples& samples, std::optional<double> no_data) : samples_(samples), no_data_(no_data) {}

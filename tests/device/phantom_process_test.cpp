@@ -275,6 +275,8 @@ TEST_F(phantom, has_a_process_that_memory_is_taken_from_last) {
     return score;
   };
   const int before = readiness("self");
+  if (!(std::ofstream("/proc/self/oom_score_adj") << before << std::flush))
+    GTEST_SKIP() << "/proc/self/oom_score_adj is not to be written";
   {
     Phantom device("", kPatient);
     EXPECT_EQ(readiness("self"), 1000);
