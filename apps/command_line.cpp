@@ -113,7 +113,7 @@ constexpr Command kCommands[] = {{"laws", add_laws},           {"geometry", add_
                                  {"mesh", add_mesh},           {"experiment", add_experiment},
                                  {"analyze", add_analyze}};
 
-// Where the first word is one of them, that one alone: the others would take three milliseconds of each start.
+// Adds all commands, or the one alone that the first word names: the others would take three milliseconds of each start.
 void add_commands(CLI::App& app, const std::vector<std::string>& words, int& result) {
   const bool is_one = !words.empty() && std::ranges::count(kCommands, words.front(), &Command::name) > 0;
   for (const auto& [name, add] : kCommands)

@@ -39,16 +39,16 @@ void print_safety(const ServoResult& run) {
     if (run.limited_ticks[rule] > 0)
       limited += (limited.empty() ? "limited by " : ", ") + std::string(words(static_cast<Rule>(rule))) + " in " +
                  std::to_string(run.limited_ticks[rule]) + " ticks";
+  const auto add = [&](const std::string& words) { limited += (limited.empty() ? "" : "; ") + words; };
   if (run.forces_off_ticks > 0) {
-    limited += (limited.empty() ? "" : "; ") + std::string("the device's own forces were off in ") +
-               std::to_string(run.forces_off_ticks) + " ticks";
+    add("the device's own forces were off in " + std::to_string(run.forces_off_ticks) + " ticks");
     if (run.forces_off) limited += ", the last among them" + (*run.forces_off ? std::string(": ") + run.forces_off : "");
   }
   if (run.fades > 0) {
     char faded[96];
     std::snprintf(faded, sizeof faded, "faded %d time%s by the device's frames, for %.2f s in all", run.fades,
                   run.fades == 1 ? "" : "s", run.faded);
-    limited += (limited.empty() ? "" : "; ") + std::string(faded);
+    add(faded);
   }
   std::printf("%s\n", limited.empty() ? "nothing limited" : limited.c_str());
 }

@@ -175,7 +175,7 @@ Eigen::Vector3f Supervisor::limited(const Reading& reading, const State& state, 
   if (memory_.late_ticks > 0) {
     const int ramped = std::max(0, memory_.late_ticks - limits_.held_ticks);
     const double left = std::max(0.0, 1 - ramped / static_cast<double>(ticks_in(limits_.ramp_down)));
-    // What was taken away comes back as it does after a gentle start.
+    // The ramp of a gentle start gives back what is taken away here.
     memory_.gentle_ticks = std::min(memory_.gentle_ticks, static_cast<int>(left * ticks_in(limits_.ramp_up)));
     const double held = left * memory_.punctual_force.cast<double>().norm();
     replace(shortened(memory_.punctual_force, std::min(held, force.cast<double>().norm())), memory_.behind);

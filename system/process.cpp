@@ -29,10 +29,11 @@ namespace {
 
 constexpr int kInterrupt = SIGUSR1;
 constexpr std::chrono::milliseconds kBetweenLooks{1};
-constexpr int kFirst = 1000, kLast = -1000;  // to be killed for want of memory
+constexpr int kKilledFirst = 1000, kKilledLast = -1000;  // where memory runs out
 
 std::atomic<LastAct*> last_act = nullptr;
-std::atomic<int> others = 0, readiness_before = 0;  // processes that this one has; to be killed for want of memory
+std::atomic<int> others = 0;            // processes that this one has made
+std::atomic<int> readiness_before = 0;  // of this one to be killed, before it had made any
 
 [[noreturn]] void refuse(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -79,8 +80,8 @@ int have_files_of_its_own(int socket) {
   return socket;
 }
 
-// How readily the system kills this process where memory runs out: -1000, never, to 1000. Any process may raise its own, and
-// take that back. What it was.
+// Sets how readily the system kills this process where memory runs out, from -1000 (never) to 1000, and returns what it was.
+// Any process may raise its own, and take that back.
 int be_victim(int readiness) noexcept {
   const int file = ::open("/proc/self/oom_score_adj", O_RDWR | O_CLOEXEC);
   if (file < 0) return 0;
@@ -132,15 +133,15 @@ Process::Process(const char* name, const std::function<int(Packets&)>& body) : p
   if (id_ == 0) {
     ::close(ends[0]);
     be_a_process_of_its_own(name);
-    if (others > 0) be_victim(readiness_before);  // where the right to kLast is lacking
-    be_victim(kLast);
+    if (others > 0) be_victim(readiness_before);  // where the right to the next is lacking
+    be_victim(kKilledLast);
     Packets its(have_files_of_its_own(ends[1]), self);
     end(body(its));
   }
   ::close(ends[1]);
   packets_ = {ends[0], 0};
   if (id_ > 0) {
-    if (others++ == 0) readiness_before = be_victim(kFirst);
+    if (others++ == 0) readiness_before = be_victim(kKilledFirst);
     return;
   }
   const int error = errno;

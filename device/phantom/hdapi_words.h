@@ -71,8 +71,7 @@ inline constexpr const char* kForcesOff =
 inline constexpr const char* kNoFrames =
     "the driver's scheduler runs no frames: check the PHANToM's connection, and whether another program holds the device";
 inline constexpr const char* kSilent =
-    "the driver's scheduler stopped running frames: communication with the PHANToM is lost. If the device still pushes, switch "
-    "it "
-    "off";
+    "the driver's scheduler stopped running frames: communication with the PHANToM is lost. If the device still "
+    "pushes, switch it off";
 
 }  // namespace forceshade::device::hdapi

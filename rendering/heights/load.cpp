@@ -71,10 +71,13 @@ float height_of(double number, float scale) noexcept {
 }
 
 void Samples::put(std::uint32_t row, std::uint32_t column, double number) {
+  const auto refused = [&](const std::string& why) {
+    return Error(source->file, "row " + std::to_string(row) + ", column " + std::to_string(column) + why);
+  };
+  if (no_data && (number == *no_data || (std::isnan(number) && std::isnan(*no_data))))
+    throw refused(" has no data, by the number that the file declares for that (GDAL_NODATA); expected a height");
   const float height = height_of(number, source->scale);
-  if (!(std::fabs(height) <= kLargest))
-    throw Error(source->file, "row " + std::to_string(row) + ", column " + std::to_string(column) + " holds " +
-                                  words_of(number) + ", which is no height within 10000 mm");
+  if (!(std::fabs(height) <= kLargest)) throw refused(" holds " + words_of(number) + ", which is no height within 10000 mm");
   values[std::size_t{rows - 1 - row} * columns + column] = std::fabs(height) < kSmallest ? 0 : height;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -123,37 +122,18 @@ std::optional<double> no_data_of(TIFF* tiff, const std::filesystem::path& file) 
   return number;
 }
 
-// Takes the place of samples.put(), since a place without data has no height.
-class Heights {
- public:
-  Heights(Samples& samples, std::optional<double> no_data) : samples_(samples), no_data_(no_data) {}
-
-  void put(std::uint32_t row, std::uint32_t column, double number) {
-    if (no_data_ && (number == *no_data_ || (std::isnan(number) && std::isnan(*no_data_))))
-      throw Error(samples_.source->file,
-                  "row " + std::to_string(row) + ", column " + std::to_string(column) +
-                      " has no data, by the number that the file declares for that (GDAL_NODATA); expected a height");
-    samples_.put(row, column, number);
-  }
-
- private:
-  Samples& samples_;
-  std::optional<double> no_data_;
-};
-
-void read_strips(TIFF* tiff, const Kind& kind, const Samples& samples, Heights heights, const Message& message) {
+void read_strips(TIFF* tiff, const Kind& kind, Samples& samples, const Message& message) {
   std::vector<unsigned char> row(std::size_t{samples.columns} * kind.bits / 8);
   if (TIFFScanlineSize(tiff) != static_cast<tmsize_t>(row.size()))
     throw Error(samples.source->file, "has rows of another size");
   for (std::uint32_t j = 0; j < samples.rows; ++j) {
     if (TIFFReadScanline(tiff, row.data(), j) != 1) throw Error(samples.source->file, message.text);
-    for (std::uint32_t column = 0; column < samples.columns; ++column) heights.put(j, column, kind.number(row.data(), column));
+    samples.put_row(j, [&](std::size_t column) { return kind.number(row.data(), column); });
   }
 }
 
 // Tiles are all of one size; those on the right and at the bottom reach beyond the picture. `most`: bytes that one may take.
-void read_tiles(TIFF* tiff, const Kind& kind, const Samples& samples, Heights heights, const Message& message,
-                std::uint64_t most) {
+void read_tiles(TIFF* tiff, const Kind& kind, Samples& samples, const Message& message, std::uint64_t most) {
   std::uint32_t width = 0, length = 0;
   TIFFGetField(tiff, TIFFTAG_TILEWIDTH, &width);
   TIFFGetField(tiff, TIFFTAG_TILELENGTH, &length);
@@ -169,7 +149,7 @@ void read_tiles(TIFF* tiff, const Kind& kind, const Samples& samples, Heights he
         throw Error(samples.source->file, message.text);
       for (std::uint32_t j = 0; j < std::min(length, samples.rows - top); ++j)
         for (std::uint32_t i = 0; i < std::min(width, samples.columns - left); ++i)
-          heights.put(top + j, left + i, kind.number(&tile[j * bytes], i));
+          samples.put(top + j, left + i, kind.number(&tile[j * bytes], i));
     }
 }
 
@@ -193,11 +173,11 @@ Samples read_tiff(const Source& source) {
   const Kind& kind = kind_of(tiff.get(), file);
   expect_heights_alone(tiff.get(), file);
   Samples samples = allocate(source, columns, rows, kind.bits / 8U, kCompressed);
-  const Heights heights(samples, no_data_of(tiff.get(), file));
+  samples.no_data = no_data_of(tiff.get(), file);
   if (TIFFIsTiled(tiff.get()) != 0)
-    read_tiles(tiff.get(), kind, samples, heights, message, most);
+    read_tiles(tiff.get(), kind, samples, message, most);
   else
-    read_strips(tiff.get(), kind, samples, heights, message);
+    read_strips(tiff.get(), kind, samples, message);
   return samples;
 }
 

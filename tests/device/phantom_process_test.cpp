@@ -267,7 +267,7 @@ TEST_F(phantom, whose_driver_never_returns_from_a_call_ends_and_the_user_is_told
   }
 }
 
-// Where memory runs out the system kills this process first, and the driver's, which then sends zero, last.
+// The system kills this process first where memory runs out, and the driver's, which then sends zero, last.
 TEST_F(phantom, has_a_process_that_memory_is_taken_from_last) {
   const auto readiness = [](const std::string& process) {
     int score = 0;

@@ -10,8 +10,8 @@
 namespace forceshade::world {
 namespace {
 
-constexpr double kMostGrowth =
-    0.01;                     // of the share of an order that is sent, from a frame to the next: five times what is allowed
+// The growth of the share of an order from a frame to the next: five times what is allowed.
+constexpr double kMostGrowth = 0.01;
 constexpr Ns kWake = 50'000;  // from a frame to the tick that follows it, of a thread that may go on
 
 std::string ms(Ns time) {

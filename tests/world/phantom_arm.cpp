@@ -14,7 +14,7 @@ using stand_in_hd::Blocks;
 using stand_in_hd::Orders;
 using std::chrono::milliseconds;
 
-// What the driver does from this step on.
+// Changes what the driver does from this step on.
 Fault told(const char* name, const std::function<void(Orders&)>& change) {
   return {name, [change](World&, Arm&) {
             Orders orders = Hd::current().orders();
@@ -28,10 +28,14 @@ Fault blocked(const char* name, Blocks where) {
 
 }  // namespace
 
+Fault endless_frame() {
+  return blocked("hdEndFrame never returns", Blocks::end_frame);
+}
+
 std::vector<Fault> blocking_calls() {
   return {blocked("hdInitDevice never returns", Blocks::init_device),
           blocked("hdBeginFrame never returns", Blocks::begin_frame),
-          blocked("hdEndFrame never returns", Blocks::end_frame),
+          endless_frame(),
           blocked("hdStartScheduler never returns", Blocks::start_scheduler),
           blocked("hdStopScheduler never returns", Blocks::stop_scheduler),
           blocked("hdDisableDevice never returns", Blocks::disable_device),
@@ -49,19 +53,24 @@ std::vector<Fault> errors_of_the_driver() {
           told("frames take 60 ms", [](Orders& orders) { orders.frame_time = milliseconds(60); })};
 }
 
-std::vector<Fault> deaths_of_the_driver() {
-  const auto crash = [](World& world, Arm&) {
-    if (world.process() == kDriver) world.crash();
-  };
-  return {{"the driver's process crashes", crash},
-          {"the driver's process is killed", [](World& world, Arm&) { world.kill_process(kDriver); }},
-          {"the driver's process is stopped", [](World& world, Arm&) { world.stop_process(kDriver); }},
+Fault crash_of_the_driver() {
+  return {"the driver's process crashes", [](World& world, Arm&) {
+            if (world.process() == kDriver) world.crash();
+          }};
+}
+
+Fault stop_of_the_driver() {
+  return {"the driver's process is stopped", [](World& world, Arm&) { world.stop_process(kDriver); }};
+}
+
+std::vector<Fault> losses_of_the_driver() {
+  return {{"the driver's process is killed", [](World& world, Arm&) { world.kill_process(kDriver); }},
           {"the driver's own thread goes no further", [](World& world, Arm&) { world.kill(kScheduler); }}};
 }
 
 ArmKind phantom_arm() {
   ArmKind kind{"phantom", kImpatient, 0, errors_of_the_driver()};
-  for (const auto& more : {blocking_calls(), deaths_of_the_driver()})
+  for (const auto& more : {blocking_calls(), {crash_of_the_driver(), stop_of_the_driver()}, losses_of_the_driver()})
     kind.faults.insert(kind.faults.end(), more.begin(), more.end());
   kind.longest_force = 4 * system::kSecond;  // until a process is killed that does not end
   kind.may_be_lost = true;

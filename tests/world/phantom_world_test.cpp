@@ -148,22 +148,18 @@ TEST(phantom_world, no_standstill_and_no_death_of_the_loop_breaks_a_rule) {
 
 // Whichever of its threads makes the step: it ends the force first.
 TEST(phantom_world, no_crash_of_the_drivers_process_leaves_a_force) {
-  expect_kept_everywhere({deaths_of_the_driver()[0]}, 150,
-                         {"time up", hdapi::kDriverEnded, "the vendor's library failed in it"});
+  expect_kept_everywhere({crash_of_the_driver()}, 150, {"time up", hdapi::kDriverEnded, "the vendor's library failed in it"});
 }
 
 // The loop resumes it, and it sends zero.
 TEST(phantom_world, a_drivers_process_that_is_stopped_leaves_no_force) {
-  expect_kept_everywhere({deaths_of_the_driver()[2]}, 50,
+  expect_kept_everywhere({stop_of_the_driver()}, 50,
                          {"time up", hdapi::kSilent, hdapi::kStalled, hdapi::kNoFrames, "has not answered for"}, {},
                          kImpatient);
 }
 
 // Nothing on the machine can end its force; the loop sees it and says so, and no process is left.
 TEST(phantom_world, a_drivers_process_that_is_killed_or_that_no_signal_reaches_is_said_to_have_ended) {
-  std::vector<Fault> deaths = deaths_of_the_driver();
-  deaths.erase(deaths.begin() + 2);
-  deaths.erase(deaths.begin());
   Plan plan;
   plan.may_be_lost = true;
   plan.longest_force = 4 * system::kSecond;  // until the process is killed that does not end
@@ -174,7 +170,7 @@ TEST(phantom_world, a_drivers_process_that_is_killed_or_that_no_signal_reaches_i
                     "was ended by a signal (Killed)",
                     "runs its frames too slowly",
                     "has not answered for"};
-  expect_kept_everywhere(deaths, 50, words, plan, kImpatient);
+  expect_kept_everywhere(losses_of_the_driver(), 50, words, plan, kImpatient);
 }
 
 TEST(phantom_world, a_signal_from_elsewhere_changes_nothing) {
@@ -214,7 +210,7 @@ TEST(phantom_world, the_death_of_the_loop_while_a_call_does_not_return_leaves_no
 
 // The same with a loop that hangs, and keeps its end open: no software ends that force.
 TEST(phantom_world, a_loop_that_hangs_while_a_frame_does_not_end_leaves_its_force_to_the_device) {
-  const Found found = placed_pairs({blocking_calls()[2]}, {kParts[2].from, 4, 11}, {kLoopHangs}, {0, 5, 9}, {}, OpenPhantom{});
+  const Found found = placed_pairs({endless_frame()}, {kParts[2].from, 4, 11}, {kLoopHangs}, {0, 5, 9}, {}, OpenPhantom{});
   std::printf("%ld sessions, %ld of them with a force that stays\n", found.tried, found.broken);
   EXPECT_GT(found.broken, 0);
   EXPECT_NE(found.first.find("rule 3: a force is felt"), std::string::npos) << found.first;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What only a whole process can be given: wrong files and options. Each drives with forceshade drive.
+// Wrong files and options, which only a whole process can be given. Each drives with forceshade drive.
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a device may do, or not do; ticks that come late; and arithmetic that is not what the proofs assume.
+// Faults of a device, ticks that come late, and arithmetic that is not what the proofs assume.
 
 #include <cfenv>
 #include <cmath>
@@ -48,7 +48,7 @@ Fault position(std::string what, std::string reaction, std::optional<std::size_t
                       std::move(scene));
 }
 
-// What was read when it began to be so, for ever.
+// Gives for ever what was read when it began.
 std::function<void(Reading&, Since)> frozen() {
   return [last = Eigen::Vector3f(0, 0, 0)](Reading& reading, Since since) mutable {
     if (since == 0) last = reading.position;
@@ -87,47 +87,52 @@ std::function<void(State&, Since)> temperature(float value) {
 
 }  // namespace
 
+std::vector<Fault> position_faults() {
+  const float nan = std::nanf("");
+  return {
+      position("position is NaN", "trip: invalid position", 0, [=](Reading& r, Since) { r.position.setConstant(nan); }),
+      position("position is infinite", "trip: invalid position", 0,
+               [](Reading& r, Since) { r.position.setConstant(HUGE_VALF); }),
+      position("one axis is NaN", "trip: invalid position", 0, [=](Reading& r, Since) { r.position.y() = nan; }),
+      position("position is NaN for one tick", "trip: invalid position", 0,
+               [=](Reading& r, Since since) {
+                 if (since == 0) r.position.setConstant(nan);
+               }),
+      position("position is outside the law's domain", "trip: invalid position", 0,
+               [](Reading& r, Since) { r.position.x() = 2e4F; }),
+      position("position jumps by 10 mm", "trip: jump", 0, [](Reading& r, Since) { r.position.x() += 10; }),
+      position("position jumps by 10 mm and back", "trip: jump", 0,
+               [](Reading& r, Since since) { r.position.x() += since == 0 ? 10.0F : 0.0F; }),
+      position("position jumps by 2 mm, as when encoder counts are lost", "trip: velocity", 0,
+               [](Reading& r, Since) { r.position.z() -= 2; }),
+      position("position drifts at 2 m/s", "trip: velocity", 0, drifting({2, 0, 0})),
+      position("position flickers by 1.5 mm", "trip: velocity", 0,
+               [](Reading& r, Since since) { r.position.z() += since % 2 == 0 ? 1.5F : 0.0F; }),
+      // 2 (143.5 + 64): the margin of the workspace ends 143.5 mm down, and the arm goes the other way, where 8.5 N move hand
+      // and flesh by 64 mm.
+      position("position drifts into the surface at 0.5 m/s", "limited: peak force, slew, workspace", 415,
+               drifting({0, 0, -0.5F})),
+      // From x = -30 mm to 200.5 mm.
+      position("position drifts out of the workspace at 0.5 m/s", "limited: workspace", 461, drifting({0.5F, 0, 0})),
+      position("encoders freeze in a stroke", "trip: frozen encoder", 20, frozen(), kStroking),
+      // With at least 2 N from the law, the ramp at 1/500 a tick, and 20 ticks for the hand to move.
+      position("encoders freeze while the force grows", "trip: frozen encoder", 125 + 20, frozen(), kGrowing, {.depth = 20}),
+      position("encoders freeze under a resting hand", "goes on", std::nullopt, frozen()),
+      position("every other reading is the one before", "goes on", std::nullopt,
+               [last = Eigen::Vector3f(0, 0, 0)](Reading& r, Since since) mutable {
+                 if (since % 2 == 0) last = r.position;
+                 r.position = last;
+               }),
+      // Half of the arm's swing on the hand's flesh: 80 g on 575 N/m.
+      position("the hand is torn away", "trip: velocity", 37, [](Reading&, Since) {}, kResting, {.torn = 0.7})};
+}
+
 std::vector<Fault> device_faults() {
   const float nan = std::nanf("");
   const auto upward = [](ReadResult&, Since) { std::fesetround(FE_UPWARD); };
   return {
-    position("position is NaN", "trip: invalid position", 0, [=](Reading& r, Since) { r.position.setConstant(nan); }),
-        position("position is infinite", "trip: invalid position", 0,
-                 [](Reading& r, Since) { r.position.setConstant(HUGE_VALF); }),
-        position("one axis is NaN", "trip: invalid position", 0, [=](Reading& r, Since) { r.position.y() = nan; }),
-        position("position is NaN for one tick", "trip: invalid position", 0,
-                 [=](Reading& r, Since since) {
-                   if (since == 0) r.position.setConstant(nan);
-                 }),
-        position("position is outside the law's domain", "trip: invalid position", 0,
-                 [](Reading& r, Since) { r.position.x() = 2e4F; }),
-        position("position jumps by 10 mm", "trip: jump", 0, [](Reading& r, Since) { r.position.x() += 10; }),
-        position("position jumps by 10 mm and back", "trip: jump", 0,
-                 [](Reading& r, Since since) { r.position.x() += since == 0 ? 10.0F : 0.0F; }),
-        position("position jumps by 2 mm, as when encoder counts are lost", "trip: velocity", 0,
-                 [](Reading& r, Since) { r.position.z() -= 2; }),
-        position("position drifts at 2 m/s", "trip: velocity", 0, drifting({2, 0, 0})),
-        position("position flickers by 1.5 mm", "trip: velocity", 0,
-                 [](Reading& r, Since since) { r.position.z() += since % 2 == 0 ? 1.5F : 0.0F; }),
-        // 2 (143.5 + 64): the margin of the workspace ends 143.5 mm down, and the arm goes the other way, where 8.5 N move hand
-        // and flesh by 64 mm.
-        position("position drifts into the surface at 0.5 m/s", "limited: peak force, slew, workspace", 415,
-                 drifting({0, 0, -0.5F})),
-        // From x = -30 mm to 200.5 mm.
-        position("position drifts out of the workspace at 0.5 m/s", "limited: workspace", 461, drifting({0.5F, 0, 0})),
-        position("encoders freeze in a stroke", "trip: frozen encoder", 20, frozen(), kStroking),
-        // With at least 2 N from the law, the ramp at 1/500 a tick, and 20 ticks for the hand to move.
-        position("encoders freeze while the force grows", "trip: frozen encoder", 125 + 20, frozen(), kGrowing, {.depth = 20}),
-        position("encoders freeze under a resting hand", "goes on", std::nullopt, frozen()),
-        position("every other reading is the one before", "goes on", std::nullopt,
-                 [last = Eigen::Vector3f(0, 0, 0)](Reading& r, Since since) mutable {
-                   if (since % 2 == 0) last = r.position;
-                   r.position = last;
-                 }),
-        // Half of the arm's swing on the hand's flesh: 80 g on 575 N/m.
-        position("the hand is torn away", "trip: velocity", 37, [](Reading&, Since) {}, kResting, {.torn = 0.7}),
-        device_fault("reading fails", "device fault: the amplifier is off", 0,
-                     {.read = [](ReadResult& result, Since) { result = kBroken; }}),
+    device_fault("reading fails", "device fault: the amplifier is off", 0,
+                 {.read = [](ReadResult& result, Since) { result = kBroken; }}),
         device_fault("a command is refused", "device fault: the amplifier is off", 1,
                      {.command = [](Force&, Since) { return kBroken; }}),
         device_fault("a command is refused, and then zero, too", "device fault: the amplifier is off", 1,

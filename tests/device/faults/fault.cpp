@@ -72,7 +72,8 @@ std::vector<std::string> complaints(const Fault& fault, const Outcome& outcome) 
 
 std::vector<Fault> catalogue() {
   std::vector<Fault> all;
-  for (const auto& part : {device_faults(), disk_faults(), command_faults()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {position_faults(), device_faults(), disk_faults(), command_faults()})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

@@ -48,6 +48,7 @@ std::vector<std::string> complaints(const Fault& fault, const Outcome& outcome);
 
 // Every fault, and those of each file.
 std::vector<Fault> catalogue();
+std::vector<Fault> position_faults();  // of device_faults.cpp, as the next
 std::vector<Fault> device_faults();
 std::vector<Fault> disk_faults();
 std::vector<Fault> command_faults();
