@@ -14,7 +14,7 @@ Spot spot_of(const Mesh& mesh, const mesh::GodObject& object) noexcept {
     case mesh::Place::nowhere: return {};
     case mesh::Place::free:
       // A tick leaves no other position: the exact differences count on it.
-      if (!std::ranges::all_of(object.position, is_plain)) return {};
+      if (!std::ranges::all_of(object.position, [](float x) { return is_plain(x); })) return {};
       spot.position = object.position;
       break;
     case mesh::Place::vertex:
