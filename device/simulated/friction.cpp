@@ -37,14 +37,17 @@ Slip slip_of(const Eigen::Matrix3d& mass, const Joints& torque, const Joints& ve
     if (velocity[i] != 0) friction[i] = -coulomb[i] * sign(velocity[i]);
 
   // Joint 1 is uncoupled and 2 and 3 weakly coupled: a handful of rounds settle; more would not change a decision that
-  // rounding has not already made arbitrary.
+  // rounding has not already made arbitrary. A round that changes nothing is the last: each further one would repeat it.
   constexpr int kRounds = 30;
-  for (int round = 0; round < kRounds; ++round)
+  for (int round = 0; round < kRounds; ++round) {
+    const Joints before = friction;
     for (int i = 0; i < 3; ++i) {
       if (velocity[i] != 0) continue;
       const double stopping = friction[i] - mobility.row(i).dot(torque + friction) / mobility(i, i);
       friction[i] = std::clamp(stopping, -coulomb[i], coulomb[i]);
     }
+    if (friction == before) break;
+  }
 
   Slip slip;
   for (int i = 0; i < 3; ++i) {

@@ -14,6 +14,7 @@
 
 #include "properties/passivity.h"
 #include "tests/device/unmoved_hand.h"
+#include "tests/support/drawn.h"
 #include "tests/support/silent.h"
 
 namespace forceshade::device {
@@ -122,7 +123,7 @@ TEST(passivity_controller, gives_no_more_than_epsilon_whatever_the_hand_does) {
         double lowest = 0;
         rc::detail::TestParams params;
         params.seed = 20260;
-        params.maxSuccess = 60;
+        params.maxSuccess = static_cast<int>(tests::drawn(60));
         tests::Silent silent;
         const auto result = rc::detail::checkTestable(
             [&] {

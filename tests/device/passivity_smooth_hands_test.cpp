@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "tests/device/unmoved_hand.h"
+#include "tests/support/drawn.h"
 #include "tests/support/silent.h"
 
 namespace forceshade::device {
@@ -52,7 +53,7 @@ TEST(passivity_controller, lets_no_smooth_hand_feel_a_buzz) {
         std::size_t altered = 0;
         rc::detail::TestParams params;
         params.seed = 20261;
-        params.maxSuccess = 200;
+        params.maxSuccess = static_cast<int>(tests::drawn(200));
         tests::Silent silent;
         const auto result = rc::detail::checkTestable(
             [&] {

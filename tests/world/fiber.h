@@ -25,11 +25,6 @@ class Fiber {
   // Leaves this fiber, which runs, for another one; returns when this one is gone to. last: it never is.
   void go_to(Fiber& other, bool last = false) noexcept;
 
-  // For the thread sanitizer, to which a change of fibers orders nothing: what was done before release() is seen after
-  // acquire(), as when a thread begins or is joined.
-  void release() noexcept;
-  void acquire() noexcept;
-
  private:
   static void begin();
   void arrived() noexcept;
@@ -41,5 +36,10 @@ class Fiber {
   std::array<std::byte, 16> exceptions_{};  // what the runtime keeps of those being handled, for each thread
   void *fake_stack_ = nullptr, *tsan_ = nullptr;
 };
+
+// For the thread sanitizer, to which a change of fibers orders nothing: who acquires sees what was done before the same was
+// released, as when a thread begins or is joined, and where the system passes a packet on.
+void release(void* what) noexcept;
+void acquire(void* what) noexcept;
 
 }  // namespace forceshade::world

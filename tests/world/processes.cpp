@@ -87,7 +87,9 @@ struct ProcessCalls {
     const auto other = static_cast<std::size_t>(1 - end % 2);
     if (it.closed[other]) return false;
     const auto* bytes = static_cast<const std::byte*>(message);
+    acquire(&it);
     it.received[other].emplace_back(bytes, bytes + size);
+    release(&it);
     world().wake_all(&it);
     step();
     return true;
@@ -106,10 +108,12 @@ struct ProcessCalls {
   static system::Packets::Received receive(int end, void* message, std::size_t size, std::int64_t deadline) {
     using Received = system::Packets::Received;
     if (!waits(end, deadline, true)) return Received::nothing_yet;
+    acquire(&of(end));
     auto& received = of(end).received[static_cast<std::size_t>(end % 2)];
     if (received.empty() || received.front().size() != size) return Received::closed;
     std::memcpy(message, received.front().data(), size);
     received.pop_front();
+    release(&of(end));
     return Received::message;
   }
   static void close(int end) {

@@ -75,13 +75,13 @@ int World::begin(const char* name, std::function<void()> body) {
     its = nullptr;  // a thread destroys what it has run
     Thread& self = *threads_[static_cast<std::size_t>(number)];
     self.state = Thread::State::over;
-    self.fiber.release();
+    release(&self.fiber);
     for (const auto& other : threads_)
       if (other->joined == number) other->due = now_;
     go(choose(), true);
   }));
   threads_.back()->process = process();
-  threads_.back()->fiber.release();
+  release(&threads_.back()->fiber);
   return number;
 }
 
@@ -300,7 +300,7 @@ struct Calls {
       else
         w.wait(system::kForever, nullptr, thread);
     }
-    w.threads_[static_cast<std::size_t>(thread)]->fiber.acquire();
+    acquire(&w.threads_[static_cast<std::size_t>(thread)]->fiber);
   }
 };
 
