@@ -34,6 +34,7 @@ Batches::Batches(const Floats& positions, Floats& forces, Bytes* statuses, std::
       expect(statuses->shape(axis) == positions.shape(axis), "statuses of the shape of the positions without its last axis");
   }
   if (is_empty_) return;
+  count_ = static_cast<std::size_t>(positions.size()) / 3;
   std::vector<Axis> all;
   for (py::ssize_t axis = 0; axis + 1 < axes; ++axis) {
     const Axis next{static_cast<std::size_t>(positions.shape(axis)), positions.strides(axis), forces.strides(axis),

@@ -5,11 +5,15 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "bindings/c/parts.h"
+#include "bindings/python/interruptible.h"
 #include "forceshade.h"
 
 namespace forceshade::python {
@@ -50,6 +54,26 @@ class Batches {
     }
   }
 
+  // The same without the GIL, with which it is called, in parts of so many positions at most; Ctrl-C ends it behind the part
+  // that is being answered, as a py::error_already_set.
+  template <class Call>
+  void for_each_part(std::size_t most, const Call& call) const {
+    if (count_ <= most) {
+      const py::gil_scoped_release released;
+      return for_each(call);
+    }
+    interruptible([&](const std::atomic<bool>& stop) {
+      for_each([&](const forceshade_batch& batch) {
+        for (std::size_t begin = 0; begin < batch.count && !stop; begin += most) {
+          forceshade_batch part = c::part_of(batch, begin, std::min(most, batch.count - begin));
+          part.size = batch.size;
+          part.threads = batch.threads;
+          call(part);
+        }
+      });
+    });
+  }
+
  private:
   static constexpr std::ptrdiff_t kFloat = sizeof(float);
 
@@ -60,6 +84,7 @@ class Batches {
   };
 
   bool is_empty_ = false;
+  std::size_t count_ = 0;  // of all positions
   forceshade_batch first_{};
   std::vector<Axis> outer_;  // the axes before that of a batch
 };

@@ -39,7 +39,13 @@ py::list properties_of(const Subject& subject, int cases, std::uint64_t seed) {
   return all;
 }
 
-// The JSON of the certificate, whether every check held, and how it stands: "sufficient", what it lacks, and the remedy.
+// Its JSON, whether every check held, and how it stands: "sufficient", what it lacks, and the remedy.
+py::tuple standing_of(const properties::Certificate& certificate, const std::string& text) {
+  const properties::Assessment assessed = properties::assessed(certificate);
+  return py::make_tuple(text, certificate.held(), std::string(properties::name_of(assessed.standing)), assessed.lacks,
+                        assessed.remedy);
+}
+
 py::tuple certificate_of(const std::vector<const Subject*>& subjects, std::uint64_t points, int cases, std::uint64_t seed,
                          unsigned threads) {
   expect_arithmetic();
@@ -51,9 +57,13 @@ py::tuple certificate_of(const std::vector<const Subject*>& subjects, std::uint6
         options, [](std::string_view, double) {}, stop);
   });
   if (!certificate) throw Error("the certificate was stopped before its end");
-  const properties::Assessment assessed = properties::assessed(*certificate);
-  return py::make_tuple(properties::to_json(*certificate), certificate->held(),
-                        std::string(properties::name_of(assessed.standing)), assessed.lacks, assessed.remedy);
+  return standing_of(*certificate, properties::to_json(*certificate));
+}
+
+// The same of a certificate's file.
+py::tuple read_certificate(const std::string& path) {
+  const std::string text = properties::read_certificate(path);
+  return standing_of(properties::from_json(text, path), text);
 }
 
 void write(const std::string& path, const std::string& text) {
@@ -66,6 +76,7 @@ void write(const std::string& path, const std::string& text) {
 void add_checks(py::module_& module) {
   module.def("properties", &properties_of);
   module.def("certify", &certificate_of);
+  module.def("read_certificate", &read_certificate);
   module.def("points_of_kind", [](const std::string& kind) { return properties::points_of_kind(kind); });
   module.attr("usual_cases") = properties::kCases;  // what a device is driven with
   module.def("write_file", &write);

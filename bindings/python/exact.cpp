@@ -48,9 +48,8 @@ class Reference {
   // The exact forces rounded once; those of a mesh along a path from its beginning.
   void rounded(const Floats& positions, Floats& forces, Bytes& statuses) const {
     const Batches batches(positions, forces, &statuses);
-    const py::gil_scoped_release released;
     const auto answer = definition_.along_a_path();
-    batches.for_each([&](const forceshade_batch& batch) { exact::fill(batch, answer); });
+    batches.for_each_part(32, [&](const forceshade_batch& batch) { exact::fill(batch, answer); });
   }
 
  private:

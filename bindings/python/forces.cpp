@@ -37,7 +37,7 @@ PyObject* force_of_one(PyObject* self, PyObject* const* arguments, Py_ssize_t co
 
 PyMethodDef force_method{
     "force", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&force_of_one)), METH_FASTCALL | METH_KEYWORDS,
-    "force($self, x, y, z, /, *, rounding=None)\n--\n\n"
+    "force($self, x, y, z, *, rounding=None)\n--\n\n"
     "The force (N) at one position (mm), as a tuple of three floats.\n\n"
     "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
     "For many positions, forces() takes an array. A position that is not a number, or beyond 10 000 mm, gives no force.\n"};
@@ -48,9 +48,8 @@ std::size_t forces_of_many(const Subject& subject, const Floats& positions, Floa
   if (!subject.renderer.batch) throw Error(kNeedsSession);
   expect_arithmetic();
   const Batches batches(positions, forces, statuses ? &*statuses : nullptr, threads);
-  const py::gil_scoped_release released;
   std::size_t invalid = 0;
-  batches.for_each([&](const forceshade_batch& batch) { invalid += c::forces_of(subject, batch); });
+  batches.for_each_part(kPart, [&](const forceshade_batch& batch) { invalid += c::forces_of(subject, batch); });
   return invalid;
 }
 

@@ -7,11 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "bindings/python/errors.h"
 #include "bindings/python/subject.h"
-#include "forceshade/bad_input.h"
 #include "forceshade/checks.h"
-#include "forceshade/recording.h"
 
 namespace py = pybind11;
 using namespace forceshade;
@@ -26,13 +23,11 @@ PYBIND11_MODULE(_forceshade, module) {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
-    } catch (const python::Error& refused) {
-      error(refused.what());
+    } catch (const py::builtin_exception&) {
+      throw;
     } catch (const std::domain_error& undecided) {
       error(undecided.what());
-    } catch (const files::BadInput& refused) {
-      error(refused.what());
-    } catch (const recorder::RecordingError& refused) {
+    } catch (const std::runtime_error& refused) {
       error(refused.what());
     }
   });

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers of Python as binary32, without rounding them unasked.
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include "bindings/python/subject.h"
 
@@ -57,30 +59,41 @@ bool read_float(PyObject* number, const char* name, const char* unit, bool is_ro
 bool read_position(PyObject* const* arguments, Py_ssize_t count, PyObject* names, float (&position)[3]) noexcept {
   bool is_rounded = false;
   const Py_ssize_t named = names == nullptr ? 0 : PyTuple_GET_SIZE(names);
-  if (count != 3 || named > 1) {
+  constexpr const char* kNames[]{"x", "y", "z"};
+  PyObject *given[3]{}, *rounding = Py_None;
+  for (Py_ssize_t i = 0; i < std::min<Py_ssize_t>(count, 3); ++i) given[i] = arguments[i];
+  for (Py_ssize_t i = 0; i < named; ++i) {
+    const char* const name = PyUnicode_AsUTF8(PyTuple_GET_ITEM(names, i));
+    if (name == nullptr) return false;
+    const auto axis =
+        std::find_if(std::begin(kNames), std::end(kNames), [&](const char* one) { return std::strcmp(one, name) == 0; }) -
+        std::begin(kNames);
+    if (axis == 3 && std::strcmp(name, "rounding") != 0) {
+      PyErr_Format(PyExc_TypeError, "expected the keywords x, y, z and rounding, got %s", name);
+      return false;
+    }
+    if (axis < 3 && given[axis] != nullptr) {
+      PyErr_Format(PyExc_TypeError, "%s: expected it once, got it by its place and by its name", name);
+      return false;
+    }
+    (axis == 3 ? rounding : given[axis]) = arguments[count + i];
+  }
+  if (count > 3 || given[0] == nullptr || given[1] == nullptr || given[2] == nullptr) {
     PyErr_Format(PyExc_TypeError,
                  "expected three numbers x, y, z in mm, and at most rounding=\"nearest\" behind them; got %zd arguments%s",
                  count + named, count == 1 ? "; forces() takes arrays of positions" : "");
     return false;
   }
-  if (named == 1) {
-    const char* const name = PyUnicode_AsUTF8(PyTuple_GET_ITEM(names, 0));
-    if (name == nullptr) return false;
-    if (std::strcmp(name, "rounding") != 0) {
-      PyErr_Format(PyExc_TypeError, "expected the keyword rounding, got %s", name);
-      return false;
-    }
-    PyObject* const rounding = arguments[count];
+  if (rounding != Py_None) {
     const bool is_text = PyUnicode_Check(rounding);
-    if (rounding != Py_None && (!is_text || PyUnicode_CompareWithASCIIString(rounding, "nearest") != 0)) {
+    if (!is_text || PyUnicode_CompareWithASCIIString(rounding, "nearest") != 0) {
       PyErr_Format(is_text ? PyExc_ValueError : PyExc_TypeError, "rounding: expected \"nearest\" or None, got %R", rounding);
       return false;
     }
-    is_rounded = rounding != Py_None;
+    is_rounded = true;
   }
-  constexpr const char* kNames[]{"x", "y", "z"};
   for (int axis = 0; axis < 3; ++axis)
-    if (!read_float(arguments[axis], kNames[axis], "mm", is_rounded, position[axis])) return false;
+    if (!read_float(given[axis], kNames[axis], "mm", is_rounded, position[axis])) return false;
   return true;
 }
 

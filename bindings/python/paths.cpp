@@ -27,9 +27,8 @@ std::size_t advance(const Subject& subject, py::array states, const Floats& posi
       (states.flags() & py::array::c_style) == 0)
     throw py::value_error("states: expected one for each position, without gaps");
   auto* next = static_cast<PathState*>(states.mutable_data());
-  const py::gil_scoped_release released;
   std::size_t invalid = 0;
-  batches.for_each([&](const forceshade_batch& batch) {
+  batches.for_each_part(kPart, [&](const forceshade_batch& batch) {
     invalid += c::advance(subject, batch, [next](std::size_t i) -> PathState& { return next[i]; });
     next += batch.count;
   });

@@ -50,7 +50,7 @@ PyObject* step(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyO
 
 PyMethodDef step_method{
     "step", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&step)), METH_FASTCALL | METH_KEYWORDS,
-    "step($self, x, y, z, /, *, rounding=None)\n--\n\n"
+    "step($self, x, y, z, *, rounding=None)\n--\n\n"
     "The force (N) at the next position of the path (mm), as a tuple of three floats.\n\n"
     "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
     "`status` then says what the position was. Raises forceshade.Error while another thread is in this session.\n"};
@@ -60,9 +60,8 @@ std::size_t steps(Session& session, const Floats& positions, Floats& forces, std
   entered.or_throw();
   expect_arithmetic();
   const Batches batches(positions, forces, statuses ? &*statuses : nullptr);
-  const py::gil_scoped_release released;
   std::size_t invalid = 0;
-  batches.for_each([&](const forceshade_batch& batch) {
+  batches.for_each_part(4096, [&](const forceshade_batch& batch) {
     invalid += c::answer_each(batch, [&](const Eigen::Vector3f& position, std::size_t) noexcept {
       const fast::Evaluation answer = session.path.step(position);
       session.status = c::status_of(answer);

@@ -36,12 +36,15 @@ T* object_of(PyObject* self) noexcept {
   return held.holder_constructed() ? held.value_ptr<T>() : nullptr;
 }
 
-// Three coordinates and whether they may be rounded, of a call (x, y, z, *, rounding=None). False and a Python error where
-// they are none.
+// Three coordinates and whether they may be rounded, of a call (x, y, z, *, rounding=None), each by its place or its name.
+// False and a Python error where they are none.
 bool read_position(PyObject* const* arguments, Py_ssize_t count, PyObject* names, float (&position)[3]) noexcept;
 
 // (x, y, z) of floats.
 PyObject* tuple_of(const float* force) noexcept;
+
+// The positions that are answered between two looks for Ctrl-C: some ms of work.
+inline constexpr std::size_t kPart = std::size_t{1} << 18U;
 
 // What each file adds to the module.
 void add_subjects(pybind11::module_& module);

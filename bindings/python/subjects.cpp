@@ -168,6 +168,19 @@ py::dict parameters_of(const Identity& identity) {
   return all;
 }
 
+// Rows of three of a mesh, where they lie, which `owner` keeps alive.
+template <class Number>
+py::object rows_of(const std::vector<std::array<Number, 3>>& rows, const py::object& owner) {
+  py::array_t<Number> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}}, rows.empty() ? nullptr : rows[0].data(),
+                            owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+const mesh::TriangleMesh& mesh_of(const Subject& subject) {
+  return std::get<MeshRendering>(subject.description.what).mesh();
+}
+
 }  // namespace
 
 Subject::Subject(Description what) : c::Subject(built(c::build(what))), description(std::move(what)) {}
@@ -182,6 +195,9 @@ void add_subjects(py::module_& module) {
     for (const LawName& law : kLaws) names.append(std::string(law.name));
     return names;
   });
+  module.attr("usual_radius") = subjects::kUsualRadius;  // as the command has them
+  module.attr("usual_width") = subjects::kUsualWidth;
+  module.attr("usual_stiffness") = subjects::kUsualStiffness;
   module.def("law_of", &law_of);
   module.def("map_of_samples", &map_of_samples);
   module.def("map_of_picture", &map_of_picture);
@@ -205,6 +221,10 @@ void add_subjects(py::module_& module) {
   subject.def_property_readonly("_digest", [](const Subject& its) { return its.identity.digest; });
   subject.def_property_readonly("_words", [](const Subject& its) { return parameters_in_words(its.identity); });
   subject.def_property_readonly("_parameters", [](const Subject& its) { return parameters_of(its.identity); });
+  subject.def_property_readonly(
+      "_vertices", [](const py::object& its) { return rows_of(mesh_of(its.cast<const Subject&>()).vertices, its); });
+  subject.def_property_readonly(
+      "_faces", [](const py::object& its) { return rows_of(mesh_of(its.cast<const Subject&>()).triangles, its); });
   add_forces(module, subject);
   add_paths(subject);
 }

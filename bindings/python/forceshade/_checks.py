@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import operator
 import os
 from typing import Any, NamedTuple, Sequence
 
 from . import _forceshade
-from ._subject import File, Subject
+from ._subject import File, Subject, path_of
 
 
 class PropertyResult(NamedTuple):
@@ -36,6 +37,33 @@ class Certificate(NamedTuple):
     """What gathers it: a command."""
     contents: dict[str, Any]
     """What its file holds: certificate/schema.md."""
+
+    @classmethod
+    def read(cls, file: File) -> Certificate:
+        """That of a file, which certify() or the command wrote. Raises OSError where it cannot be opened, and Error, with the key
+        and what was expected, where it is no certificate."""
+        return _certificate(*_forceshade.read_certificate(path_of(file)))
+
+    def __repr__(self) -> str:
+        names = ", ".join(subject["name"] for subject in self.contents["subjects"])
+        return f"<Certificate of {names}: {self.standing}>"
+
+
+def _certificate(text: str, held: bool, standing: str, lacks: str, remedy: str) -> Certificate:
+    return Certificate(held, standing, lacks, remedy, json.loads(text))
+
+
+def _expect_room(path: str, overwrite: bool) -> None:
+    """That a file can be made there, which is known before the work and not after it."""
+    folder = os.path.dirname(path) or "."
+    if os.path.isdir(path):
+        raise IsADirectoryError(errno.EISDIR, "expected the name of a file, got that of a folder", path)
+    if os.path.lexists(path) and not overwrite:
+        raise FileExistsError(f"{path} is there already; expected another name, or overwrite=True")
+    if not os.path.isdir(folder):
+        raise FileNotFoundError(errno.ENOENT, "expected a folder that is there", folder)
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise PermissionError(errno.EACCES, "expected a folder in which a file can be made", folder)
 
 
 def _count(number: object, name: str, least: int, most: int) -> int:
@@ -85,17 +113,17 @@ def certify(
     threads: as many as this process may use processors, unless said. out: a file, into which the certificate goes as JSON; one
     that is there already is replaced only with overwrite=True.
 
-    The certificate is bound to this package's compiled code: library_digest(). Ctrl-C ends it. Raises FileExistsError,
-    ValueError for a number out of its range, and TypeError.
+    The certificate is bound to this package's compiled code: library_digest(). Ctrl-C ends it. Raises OSError before any work
+    where the file cannot be made, ValueError for a number out of its range, and TypeError.
     """
     all_of_them = [subjects] if isinstance(subjects, Subject) else [_expect_subject(subject) for subject in subjects]
     if not all_of_them:
         raise ValueError("expected one subject at least")
     usual = max(_forceshade.points_of_kind(subject._kind) for subject in all_of_them)
     path = None if out is None else os.fsdecode(os.fspath(out))
-    if path is not None and os.path.exists(path) and not overwrite:
-        raise FileExistsError(f"{path} is there already; expected another name, or overwrite=True")
-    text, held, standing, lacks, remedy = _forceshade.certify(
+    if path is not None:
+        _expect_room(path, overwrite)
+    made = _forceshade.certify(
         list(all_of_them),
         _count(usual if points is None else points, "points", 1, 2**62),
         _count(cases, "cases", 1, 2**31 - 1),
@@ -103,5 +131,5 @@ def certify(
         _count(len(os.sched_getaffinity(0)) if threads is None else threads, "threads", 1, 1024),
     )
     if path is not None:
-        _forceshade.write_file(path, text)
-    return Certificate(held, standing, lacks, remedy, json.loads(text))
+        _forceshade.write_file(path, made[0])
+    return _certificate(*made)

@@ -34,8 +34,8 @@ class RendererOfScenes(Protocol):
 
 @dataclass(frozen=True, repr=False)
 class Conformance:
-    """What conform() found. It is true where all that is applicable held, so that a test is `assert conform(...)`; as a text,
-    it says what did not hold."""
+    """What conform() found. It is true where all that is applicable held. As a text, it says all that did and did not hold. A
+    test is `conform(...).check()`."""
 
     held: bool
     applicable: bool
@@ -47,8 +47,22 @@ class Conformance:
     def __bool__(self) -> bool:
         return self.held
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         return self.words
+
+    def __repr__(self) -> str:
+        """In one short line, with the first that did not hold."""
+        failed = [line for line in self.words.splitlines() if line.startswith("FAILED")]
+        if not failed:
+            return f"<Conformance: {'held' if self.held else 'not applicable'}>"
+        return f"<Conformance: {failed[0]}{f', and {len(failed) - 1} more' if failed[1:] else ''}; check() says where>"
+
+    def check(self) -> Conformance:
+        """This, where all that is applicable held. Else raises AssertionError with all words: the first wrong positions, and the
+        lines to paste into a test."""
+        if not self.held:
+            raise AssertionError(self.words)
+        return self
 
 
 class _Function:

@@ -21,6 +21,9 @@ class Recording(NamedTuple):
     problems: list[str]
     """What keeps it from being a whole run as it was written, a sentence each; empty if it is whole."""
 
+    def __repr__(self) -> str:
+        return f"<Recording of {len(self.samples)} ticks, {'whole' if not self.problems else self.problems[0]}>"
+
 
 def read_recording(file: File, *, frame: bool = False) -> Recording:
     """The recording of a run, which forceshade drive --record writes.

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import enum
 from dataclasses import astuple, dataclass
+from fractions import Fraction
 
 import numpy as np
 import numpy.typing as npt
@@ -12,6 +13,7 @@ import numpy.typing as npt
 from . import _arrays, _forceshade
 from ._arrays import Floats, Rounding
 from ._subject import ANSWER, Status, Subject
+from ._subjects import Mesh
 
 
 class Place(enum.IntEnum):
@@ -105,6 +107,30 @@ class Session(_forceshade.Session):
         """What it remembers after the last step."""
         place, side, slipping, position, index, parameter = self._state()
         return State(Place(place), side, tuple(position), tuple(index), tuple(parameter), slipping)  # type: ignore[arg-type]
+
+    @property
+    def point(self) -> tuple[float, float, float] | None:
+        """Where the god-object of a mesh is after the last step, mm: each coordinate the binary64 number nearest to the exact one.
+        None before a valid position has come, and for a law or a height map, which have no god-object.
+
+        >>> import forceshade
+        >>> session = Session(forceshade.Mesh([[-8, -8, 0], [8, -8, 0], [8, 8, 0]], [[0, 1, 2]]))
+        >>> session.step(3, 1, 2), session.step(3, 1, -2), session.point
+        ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), (3.0, 1.0, 0.0))
+        """
+        at = self.state
+        if not isinstance(self._subject, Mesh) or at.place == Place.NOWHERE:
+            return None
+        if at.place == Place.IN_THE_OPEN:
+            return at.position
+        i, j = at.index
+        corners = {Place.AT_VERTEX: [i], Place.ON_EDGE: [i, j]}.get(at.place) or self._subject.faces[i]
+        a, *others = ([Fraction(float(x)) for x in self._subject.vertices[corner]] for corner in corners)
+        exact = list(a)
+        for other, share in zip(others, at.parameter):
+            exact = [at_axis + Fraction(share, 2**24) * (to - from_a) for at_axis, to, from_a in zip(exact, other, a)]
+        x, y, z = map(float, exact)
+        return x, y, z
 
     def resume(self, state: State) -> None:
         """Goes on from a state of the same subject. A state that is none of this mesh counts as that of a beginning."""

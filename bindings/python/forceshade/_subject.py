@@ -6,7 +6,7 @@ from __future__ import annotations
 import enum
 import numbers
 import os
-from typing import NamedTuple, SupportsFloat, Union
+from typing import Any, Callable, NamedTuple, SupportsFloat, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -91,10 +91,23 @@ def path_of(file: object) -> str:
         return path
 
 
+def remade(digest: str, make: Callable[..., Subject], arguments: tuple[Any, ...], options: dict[str, Any]) -> Subject:
+    """What was pickled, made again. Raises Error where a file that it was read from has changed since."""
+    made = make(*arguments, **options)
+    if made.digest != digest:
+        raise _forceshade.Error(f"{arguments[0]} has changed since this was pickled: expected the digest {digest}, got {made.digest}")
+    return made
+
+
 class Subject(_forceshade.Subject):
-    """A law, a height map or a mesh: Law, HeightMap and Mesh make one. It does not change; threads may share it."""
+    """A law, a height map or a mesh: Law, HeightMap and Mesh make one. It does not change; threads may share it.
+
+    Two are equal where each force of theirs is: of the same kind, parameters and digest, whatever files they came from. Pickled,
+    one takes its arrays with it, and of files their paths.
+    """
 
     _reference_of: _forceshade.Reference | None = None
+    _made_by: tuple[Callable[..., Subject], tuple[Any, ...], dict[str, Any]]
 
     @property
     def identity(self) -> Identity:
@@ -223,8 +236,20 @@ class Subject(_forceshade.Subject):
     def __deepcopy__(self, memo: object) -> Subject:
         return self
 
-    def __reduce__(self) -> str:
-        raise TypeError(f"a {type(self).__name__} cannot be pickled; expected it to be made again in the other process")
+    def __reduce__(self) -> tuple[Any, ...]:
+        return remade, (self._digest, *self._made_by)
+
+    def _what_it_is(self) -> tuple[Any, ...]:
+        name = self._name if self._kind == "law" else ""  # a map's or mesh's is that of a file
+        return self._kind, name, tuple(sorted(self._parameters.items())), self._digest
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Subject):
+            return NotImplemented
+        return self._what_it_is() == other._what_it_is()
+
+    def __hash__(self) -> int:
+        return hash(self._what_it_is())
 
     def _reference(self) -> _forceshade.Reference:
         if self._reference_of is None:

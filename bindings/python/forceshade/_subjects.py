@@ -3,17 +3,27 @@
 
 from __future__ import annotations
 
+import copy
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Union
+from typing import Any, Literal, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _exact, _forceshade
 from ._arrays import Rounding
-from ._subject import File, Quantity, Subject, length_of, path_of, stiffness_of, text_of, word_of
+from ._subject import File, Quantity, Subject, length_of, path_of, remade, stiffness_of, text_of, word_of
 
+LawName = Literal[
+    "wall", "cylinder", "bump-cylinder", "bump-1p", "bump-2p", "bump-3p", "bump-1p-shaded", "bump-2p-shaded", "bump-3p-shaded"
+]
+Interpolant = Literal["cubic-spline", "bilinear"]
+Edge = Literal["clamp", "tile"]
+Render = Literal["height-map", "height-map-shaded", "height-map-conservative"]
+Unit = Literal["mm", "m", "in"]
+Sides = Literal["front", "both"]
+Contact = Literal["direct", "sub-goal", "friction"]
 Friction = Union[float, tuple[float, float]]  # a coefficient, or a static and a dynamic one
 Materials = tuple[Sequence[Mapping[str, Any]], npt.ArrayLike]  # a list, and the number in it of each triangle
 
@@ -26,32 +36,34 @@ class Law(Subject):
     """One of the nine force laws of Morgenbesser and Srinivasan (1996): forceshade.laws() has their names.
 
     radius: R, mm, in [0.1, 10 000]. width: w, mm, the chord of the bump on the plane, in [0.001, 2 R]. stiffness: K, N/mm, in
-    [0.001, 1000].
+    [0.001, 1000]. Unless said, they are the command's: 15.24 mm, 25.4 mm and 0.5 N/mm.
 
     The wall takes the stiffness alone. A number stands for the nearest binary32 number, as on the command line, and a text may
     have a unit: "600mil", "500N/m".
 
-    Raises ValueError for an unknown law, a wrong unit, and a number outside its range; TypeError where one is missing.
+    Raises ValueError for an unknown law, a wrong unit, and a number outside its range.
 
     >>> Law("bump-1p", radius="600mil", width="1in", stiffness="500N/m")
     Law('bump-1p', radius=15.24, width=25.4, stiffness=0.5)
     """
 
     def __init__(
-        self, name: str, *, radius: Quantity | None = None, width: Quantity | None = None, stiffness: Quantity
+        self,
+        name: LawName,
+        *,
+        radius: Quantity | None = None,
+        width: Quantity | None = None,
+        stiffness: Quantity = _forceshade.usual_stiffness,
     ) -> None:
-        name = word_of(name, "law")
-        is_wall = name == "wall"
+        self._made_by = Law, (name,), {"radius": radius, "width": width, "stiffness": stiffness}
         for value, key in ((radius, "radius"), (width, "width")):
-            if is_wall and value is not None:
+            if name == "wall" and value is not None:
                 raise TypeError(f"the wall has no {key}; expected its stiffness alone")
-            if not is_wall and value is None and name in laws():
-                raise TypeError(f"{name} needs its {key} in mm; expected Law({name!r}, radius=..., width=..., stiffness=...)")
         super().__init__(
             _forceshade.law_of(
-                name,
-                1.0 if radius is None else length_of(radius, "radius"),
-                1.0 if width is None else length_of(width, "width"),
+                word_of(name, "law"),
+                length_of(_forceshade.usual_radius if radius is None else radius, "radius"),
+                length_of(_forceshade.usual_width if width is None else width, "width"),
                 stiffness_of(stiffness),
             )
         )
@@ -93,7 +105,7 @@ class HeightMap(Subject):
     middle is the origin. (A picture has the largest y in its first row: heights[::-1].)
     Or a file: a TOML file (docs/height-maps.md), which says all but the stiffness; or a greyscale PNG, TIFF or PFM picture or
     an NPY array, whose first row has the largest y, with its pitch and its `scale`: the height of white, or of 1, in mm.
-    stiffness: K, N/mm, in [0.001, 1000].
+    stiffness: K, N/mm, in [0.001, 1000]; 0.5 unless said.
     interpolant: "cubic-spline", which goes through the heights, or "bilinear". edge: beyond the samples, "clamp" or "tile".
     render: "height-map" (at the surface's own depth), "height-map-shaded" (at the plane's), or "height-map-conservative".
     rounding: "nearest" takes heights of other types than float32.
@@ -112,21 +124,23 @@ class HeightMap(Subject):
         self,
         heights: npt.ArrayLike | File,
         *,
-        stiffness: Quantity,
+        stiffness: Quantity = _forceshade.usual_stiffness,
         pitch: Quantity | None = None,
         scale: Quantity | None = None,
-        interpolant: str | None = None,
-        edge: str | None = None,
-        render: str | None = None,
+        interpolant: Interpolant | None = None,
+        edge: Edge | None = None,
+        render: Render | None = None,
         rounding: Rounding = None,
     ) -> None:
         given = {"pitch": pitch, "scale": scale, "interpolant": interpolant, "edge": edge, "render": render}
-        interpolant, edge, render = (
+        through, beyond, as_what = (
             usual if given[key] is None else word_of(given[key], key)
             for key, usual in (("interpolant", "cubic-spline"), ("edge", "clamp"), ("render", "height-map"))
         )
+        source: Any = heights
         if isinstance(heights, (str, os.PathLike)):
             path = path_of(heights)
+            source = os.path.abspath(path)
             if pitch is None and scale is None:
                 for key, value in given.items():
                     if value is not None:
@@ -137,19 +151,27 @@ class HeightMap(Subject):
                 raise TypeError("a picture needs pitch and scale, both in mm")
             else:
                 mm = length_of(pitch, "pitch"), length_of(scale, "scale")
-                description = _forceshade.map_of_picture(path, *mm, interpolant, edge, render, stiffness_of(stiffness))
+                description = _forceshade.map_of_picture(path, *mm, through, beyond, as_what, stiffness_of(stiffness))
         else:
             if pitch is None:
                 raise TypeError("heights need their pitch, mm between samples")
             if scale is not None:
                 raise TypeError("scale is that of a picture; heights are in mm")
-            samples = _arrays.as_floats(heights, "heights", rounding)
+            samples = source = _arrays.as_floats(heights, "heights", rounding).copy()
             if samples.ndim != 2:
                 raise ValueError(f"heights have the shape {samples.shape}; expected (rows, columns)")
+            samples.flags.writeable = False
             description = _forceshade.map_of_samples(
-                samples, length_of(pitch, "pitch"), interpolant, edge, render, stiffness_of(stiffness)
+                samples, length_of(pitch, "pitch"), through, beyond, as_what, stiffness_of(stiffness)
             )
+        self._made_by = HeightMap, (source,), {"stiffness": stiffness, **given}
         super().__init__(description)
+
+    @property
+    def heights(self) -> npt.NDArray[np.float32] | None:
+        """The heights (mm) that it was made of, (rows, columns), read-only; None where it was read from a file."""
+        source = self._made_by[1][0]
+        return source if isinstance(source, np.ndarray) else None
 
     def __repr__(self) -> str:
         return f"<HeightMap {self._name}: {self._words}>"
@@ -204,7 +226,7 @@ class Mesh(Subject):
     vertices: float32 (n, 3), mm. triangles: integers (m, 3), numbers of vertices from 0; (b - a) x (c - a) points to the front.
     Or a file instead of both, OFF, OBJ, PLY or STL, with its `unit`: "mm", "m" or "in"; its shading may be "texture:FILE.toml",
     with the length `texture_scale` of one unit of its coordinates.
-    stiffness: K, N/mm, in [0.001, 1000]. sides: which block, "front" or "both"; "front" for a closed mesh and "both" for
+    stiffness: K, N/mm, in [0.001, 1000]; 0.5 unless said. sides: which block, "front" or "both"; "front" for a closed mesh and "both" for
     another, unless said. shading: "vertex" (usual), "edge" or "none" (usual with sub-goal). contact: "direct", "sub-goal" or
     "friction", which is usual where a coefficient of friction is above 0.
     friction: a coefficient of friction, or a pair (static, dynamic), for the whole mesh: 0, inf, or 2**-10 to 1024.
@@ -227,11 +249,11 @@ class Mesh(Subject):
         vertices: npt.ArrayLike | File,
         triangles: npt.ArrayLike | None = None,
         *,
-        stiffness: Quantity,
-        unit: str | None = None,
-        sides: str | None = None,
+        stiffness: Quantity = _forceshade.usual_stiffness,
+        unit: Unit | None = None,
+        sides: Sides | None = None,
         shading: str | None = None,
-        contact: str | None = None,
+        contact: Contact | None = None,
         crease: Quantity | None = None,
         texture_scale: Quantity | None = None,
         self_intersecting: bool = False,
@@ -241,7 +263,20 @@ class Mesh(Subject):
     ) -> None:
         if friction is not None and materials is not None:
             raise TypeError("friction is that of the whole mesh; expected friction or materials, got both")
-        options = {"sides": sides, "shading": shading, "contact": contact}
+        made_by = {
+            "stiffness": stiffness,
+            "unit": unit,
+            "sides": sides,
+            "shading": shading,
+            "contact": contact,
+            "crease": crease,
+            "texture_scale": texture_scale,
+            "self_intersecting": self_intersecting,
+            "friction": friction,
+            "materials": copy.deepcopy(materials),
+        }
+        source: tuple[str, ...] = ()
+        options: dict[str, Any] = {"sides": sides, "shading": shading, "contact": contact}
         for key, value in options.items():
             if value is not None:
                 word_of(value, key)
@@ -250,6 +285,7 @@ class Mesh(Subject):
                 raise TypeError("a file has its own triangles; expected Mesh(file, ...)")
             if unit is None:
                 raise TypeError('a mesh file does not say its unit; expected unit="mm", "m" or "in"')
+            source = (os.path.abspath(path_of(vertices)),)
             options = {"mesh": path_of(vertices), "unit": word_of(unit, "unit"), **options}
             options["stiffness"] = text_of(stiffness, "stiffness", '"500N/m"')
             if crease is not None:
@@ -285,7 +321,22 @@ class Mesh(Subject):
                 stiffness_of(stiffness),
                 *_materials(friction, materials),
             )
+        self._made_by = Mesh, source, made_by
         super().__init__(description)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        make, source, options = self._made_by
+        return remade, (self.digest, make, source or (self.vertices, self.faces), options)
+
+    @property
+    def vertices(self) -> npt.NDArray[np.float32]:
+        """(n, 3), mm; read-only. A coordinate below 2^-30 mm in size is 0."""
+        return self._vertices
+
+    @property
+    def faces(self) -> npt.NDArray[np.uint32]:
+        """The triangles, (m, 3): the numbers of their vertices, from 0; read-only."""
+        return self._faces
 
     def __repr__(self) -> str:
         return f"<Mesh {self._name}: {self._words}>"
@@ -305,6 +356,7 @@ def read_subject(file: File) -> Law | HeightMap | Mesh:
     else:
         made = HeightMap.__new__(HeightMap)
     _forceshade.Subject.__init__(made, description)
+    made._made_by = read_subject, (os.path.abspath(path_of(file)),), {}
     return made
 
 

@@ -71,6 +71,52 @@ def test_ctrl_c_ends_a_certificate(bump):
     assert forceshade.certify(bump, points=100, cases=2).held  # and the next one goes on
 
 
+class Stopped(Exception):
+    """Raised in the place of KeyboardInterrupt by a signal that comes after some time of the processor, whatever else it does."""
+
+
+def stopped_after(seconds, call, *arguments):
+    def stop(number, frame):
+        raise Stopped
+
+    before = signal.signal(signal.SIGVTALRM, stop)
+    try:
+        signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+        with pytest.raises(Stopped):
+            call(*arguments)
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)
+
+
+def test_a_signal_ends_what_is_computed_for_long(tetrahedron):
+    """Its last rows are then those that were there, for they were never answered."""
+    at = np.ones((3_000_000, 3), np.float32)
+    at[::2] *= -1
+    forces, statuses = np.full(at.shape, 7, np.float32), np.full(len(at), 7, np.uint8)
+    reference = forceshade._forceshade.Reference(forceshade.HeightMap(at[:9] + np.ones((9, 3), np.float32), pitch=9))
+    stopped_after(0.02, reference.rounded, at, forces, statuses)
+    assert forces[-1, 0] == statuses[-1] == 7 and statuses[0] != 7
+    session = forceshade.Session(tetrahedron)
+    stopped_after(0.02, lambda: session.steps(at, out=forces))
+    assert forces[-1, 0] == 7 and forces[0, 0] != 7
+    assert session.steps(at[:1]).shape == (1, 3)  # and it goes on
+
+
+def test_where_no_file_can_be_made_is_known_before_the_work(bump, tmp_path):
+    """A work of 10^18 points, which nobody would wait for."""
+    (tmp_path / "loose").symlink_to("nowhere")
+    for path, kind, words in [
+        (tmp_path / "none" / "c.json", FileNotFoundError, "expected a folder that is there"),
+        (tmp_path, IsADirectoryError, "expected the name of a file, got that of a folder"),
+        (tmp_path / "loose", FileExistsError, "is there already"),
+        ("/proc/c.json", OSError, "expected a folder in which a file can be made"),
+    ]:
+        if path == "/proc/c.json" and os.access("/proc", os.W_OK):
+            continue  # root may write everywhere
+        refused(kind, words, forceshade.certify, bump, points=10**18, out=path)
+
+
 def test_one_certificate_at_a_time(bump):
     held = []
     threads = [threading.Thread(target=lambda: held.append(forceshade.certify(bump, points=500, cases=5).held)) for _ in range(3)]

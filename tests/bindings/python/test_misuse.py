@@ -5,7 +5,6 @@ import copy
 import ctypes
 import os
 import pathlib
-import pickle
 import subprocess
 import sys
 import threading
@@ -96,7 +95,7 @@ def test_one_position(bump):
         refused(ValueError, "z is 16777217.0, which binary32 does not hold", call, 0, 0, 2**24 + 1)
         refused(TypeError, "expected three numbers x, y, z in mm", call, 1, 2)
         refused(TypeError, "forces() takes arrays of positions", call, [1, 2, 3])
-        refused(TypeError, "expected the keyword rounding, got out", call, 1, 2, 3, out=3)
+        refused(TypeError, "expected the keywords x, y, z and rounding, got out", call, 1, 2, 3, out=3)
         refused(ValueError, "rounding: expected \"nearest\" or None, got 'up'", call, 1, 2, 3, rounding="up")
         refused(TypeError, 'rounding: expected "nearest" or None, got 1', call, 1, 2, 3, rounding=1)
     refused(ValueError, "rounding: expected \"nearest\" or None, got 'up'", bump.forces, [[1, 2, 3]], rounding="up")
@@ -115,7 +114,6 @@ def test_laws():
     refused(ValueError, 'got "nan"', law, "wall", stiffness=float("nan"))
     refused(ValueError, 'stiffness: expected a stiffness such as 0.5, 0.5N/mm or 500N/m, got "1mm"', law, "wall", stiffness="1mm")
     refused(TypeError, "radius: expected a number or a text such as", law, "bump-1p", **{**good, "radius": [1]})
-    refused(TypeError, "bump-1p needs its radius in mm", law, "bump-1p", width=3, stiffness=1)
     refused(TypeError, "the wall has no width", law, "wall", width=3, stiffness=1)
     refused(TypeError, "unexpected keyword argument 'diameter'", law, "wall", diameter=3, stiffness=1)
     refused(forceshade.Error, "the wall has no geometry", law("wall", stiffness=1).geometry)
@@ -182,7 +180,6 @@ def test_a_subject_whose_init_has_not_run():
 
 def test_copies(bump):
     assert copy.copy(bump) is bump and copy.deepcopy([bump])[0] is bump
-    refused(TypeError, "a Law cannot be pickled", pickle.dumps, bump)
     refused(TypeError, "a Session cannot be pickled or copied", copy.copy, forceshade.Session(bump))
 
 

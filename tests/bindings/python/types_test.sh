@@ -17,9 +17,11 @@ status: forceshade.Status = forceshade.Session(law).status
 END
 cd "$scratch"
 MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache program.py
-# A mistake is one.
-sed -i 's/stiffness=0.5/stifness=0.5/' program.py
-if MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache program.py; then
-  echo "expected mypy to find a keyword that does not exist"
-  exit 1
-fi
+# A mistake is one: a keyword that does not exist, a law that does not exist.
+for mistake in 's/stiffness=0.5/stifness=0.5/' 's/"wall"/"walls"/'; do
+  sed "$mistake" program.py > mistake.py
+  if MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache mistake.py; then
+    echo "expected mypy to find the mistake of $mistake"
+    exit 1
+  fi
+done

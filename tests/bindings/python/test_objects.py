@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Subjects, sessions and results as objects of Python: equal, pickled, printed, read again."""
+
+import os
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import ROOT, TETRAHEDRON
+from test_conform import DECLARES, WALL, wall
+from test_misuse import refused
+
+import forceshade
+
+MILD = np.random.default_rng(3).random((5, 6), np.float32)
+TILES = dict(pitch=0.5, stiffness=0.3, interpolant="bilinear", edge="tile")
+ROUGH = dict(materials=([{"friction": 0.5}, {"stiffness": 2, "friction": (0.25, 0.125)}], [0, 1, 1, 0]))
+
+
+def subjects():
+    yield forceshade.Law("bump-2p")
+    yield forceshade.HeightMap(MILD, **TILES)
+    yield forceshade.HeightMap(ROOT / "examples/leather.toml")
+    yield forceshade.HeightMap(ROOT / "examples/leather.png", pitch="0.1mm", scale="0.5mm", render="height-map-shaded")
+    yield forceshade.Mesh(*TETRAHEDRON, shading="edge", crease="30deg")
+    yield forceshade.Mesh(*TETRAHEDRON, **ROUGH)
+
+
+@pytest.mark.parametrize("subject", subjects(), ids=lambda subject: repr(subject))
+def test_a_pickled_subject_is_equal_and_gives_the_same_forces(subject):
+    again = pickle.loads(pickle.dumps(subject))
+    assert type(again) is type(subject) and again is not subject
+    assert again == subject and hash(again) == hash(subject) and again.identity == subject.identity
+    path = np.random.default_rng(5).uniform(-3, 3, (300, 3)).astype(np.float32)
+    assert (forceshade.Session(again).answers(path) == forceshade.Session(subject).answers(path)).all()
+
+
+def test_a_pickled_subject_goes_to_another_process(tmp_path):
+    (tmp_path / "map").write_bytes(pickle.dumps(forceshade.HeightMap(MILD, **TILES)))
+    program = "import pickle, sys; print(pickle.load(open(sys.argv[1], 'rb')).force(x=0, y=0, z=0))"
+    ran = subprocess.run([sys.executable, "-c", program, tmp_path / "map"], capture_output=True, text=True, cwd="/")
+    assert ran.stdout.strip() == str(forceshade.HeightMap(MILD, **TILES).force(0, 0, 0)), ran.stderr
+
+
+def test_a_pickled_subject_of_a_file_that_has_changed_is_refused(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    np.save("map.npy", MILD)
+    pickled = pickle.dumps(forceshade.HeightMap("map.npy", pitch=1, scale=1))
+    monkeypatch.chdir("/")
+    assert pickle.loads(pickled).stiffness == 0.5
+    np.save(tmp_path / "map.npy", 2 * MILD)
+    refused(forceshade.Error, "map.npy has changed since this was pickled: expected the digest ", pickle.loads, pickled)
+    (tmp_path / "map.npy").unlink()
+    with pytest.raises(FileNotFoundError):
+        pickle.loads(pickled)
+
+
+def test_what_is_equal():
+    law, make = forceshade.Law, forceshade.Mesh
+    assert law("bump-1p") == law("bump-1p", radius="600mil", width="1in", stiffness="500N/m")
+    assert law("bump-1p") != law("bump-1p", stiffness=0.25) and law("bump-1p") != law("bump-2p") and law("wall") != "wall"
+    assert make(*TETRAHEDRON) == make(*TETRAHEDRON) and make(*TETRAHEDRON) != make(*TETRAHEDRON, shading="none")
+    assert len({make(*TETRAHEDRON), make(*TETRAHEDRON), law("wall"), law("wall")}) == 2
+    assert forceshade.HeightMap(MILD, **TILES) != forceshade.HeightMap(2 * MILD, **TILES)
+
+
+def test_a_map_is_equal_whatever_file_it_came_from(tmp_path):
+    for name in ("one.npy", "two.npy"):
+        np.save(tmp_path / name, MILD)
+    one, two = (forceshade.HeightMap(tmp_path / name, pitch=1, scale=1) for name in ("one.npy", "two.npy"))
+    assert one == two and one.identity != two.identity
+
+
+def test_coordinates_have_names(bump, tetrahedron):
+    assert bump.force(z=-0.5, x=3, y=0) == bump.force(3, 0, z=-0.5) == bump.force(3, 0, -0.5)
+    assert bump.force(0.1, y=0, z=-0.1, rounding="nearest") == bump.force(0.1, 0, -0.1, rounding="nearest")
+    steps = [forceshade.Session(tetrahedron).step(*by_place, **by_name) for by_place, by_name in [((1, 1, 1), {}), ((1,), {"z": 1, "y": 1})]]
+    assert steps[0] == steps[1]
+    for call in (bump.force, forceshade.Session(bump).step):
+        refused(TypeError, "x: expected it once, got it by its place and by its name", call, 1, 2, 3, x=1)
+        refused(TypeError, "expected three numbers x, y, z in mm", call, x=1, z=2)
+        refused(TypeError, "expected three numbers x, y, z in mm", call, 1, 2, 3, 4)
+        refused(TypeError, "y: expected a number in mm, got '1'", call, 1, z=3, y="1")
+
+
+def test_arrays_of_a_mesh_and_of_a_map(tmp_path):
+    mesh = forceshade.Mesh(*TETRAHEDRON)
+    assert (mesh.vertices == TETRAHEDRON[0]).all() and (mesh.faces == TETRAHEDRON[1]).all()
+    vertices, faces = mesh.vertices, mesh.faces
+    assert vertices.dtype == np.float32 and faces.dtype == np.uint32
+    del mesh  # they keep it
+    assert vertices.sum() == np.sum(TETRAHEDRON[0])
+    for array in (vertices, faces):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    heights = MILD.copy()
+    its = forceshade.HeightMap(heights, **TILES)
+    heights[0, 0] = 9
+    assert (its.heights == MILD).all() and not its.heights.flags.writeable
+    assert forceshade.HeightMap(ROOT / "examples/leather.toml").heights is None
+    (tmp_path / "one.off").write_text("OFF\n3 1 0\n0 0 0\n2 0 0\n0 3 0\n3 0 1 2\n")
+    assert forceshade.Mesh(tmp_path / "one.off", unit="m").vertices.tolist() == [[0, 0, 0], [2000, 0, 0], [0, 3000, 0]]
+
+
+def test_the_god_object_has_a_point():
+    mesh = forceshade.Mesh([[-8, -8, 0], [8, -8, 0], [8, 8, 0]], [[0, 1, 2]], shading="none")
+    session = forceshade.Session(mesh)
+    assert session.point is None and forceshade.Session(forceshade.Law("wall")).point is None
+    for at, point, place in [((3, 1, 2), (3, 1, 2), "IN_THE_OPEN"), ((3, 1, -2), (3, 1, 0), "IN_TRIANGLE")]:
+        session.step(*at)
+        assert session.state.place.name == place and session.point == point
+
+
+def test_the_spring_of_a_mesh_ends_at_the_point():
+    """The force without shading is K (g - p), but for the grid of 2^-24 of a triangle on which g is."""
+    vertices, faces = np.float32(TETRAHEDRON[0]), np.array(TETRAHEDRON[1])
+    room = forceshade.Mesh(vertices, faces[:, ::-1], shading="none", stiffness=0.5)  # felt from inside, so that it has corners
+    session = forceshade.Session(room)
+    session.step(*map(float, vertices.mean(axis=0)))
+    seen = set()
+    span = np.ptp(vertices)
+    for at in np.random.default_rng(7).uniform(-span / 2, span, (400, 3)).astype(np.float32):
+        force, state = session.step(*map(float, at)), session.state
+        seen.add(state.place.name)
+        assert np.allclose(force, (np.array(session.point) - at) / 2, rtol=0, atol=1e-6), (at, state)
+    assert seen == {"IN_THE_OPEN", "IN_TRIANGLE", "ON_EDGE", "AT_VERTEX"}
+
+
+def test_a_certificate_is_read_again(tmp_path):
+    path = tmp_path / "certificate.json"
+    made = forceshade.certify([forceshade.Law("wall"), forceshade.Law("bump-1p")], points=500, cases=5, out=path)
+    assert forceshade.Certificate.read(path) == made
+    assert repr(made) == "<Certificate of wall, bump-1p: insufficient>"
+    path.write_text("{}")
+    refused(forceshade.Error, "expected a forceshade certificate", forceshade.Certificate.read, path)
+    refused(FileNotFoundError, "No such file", forceshade.Certificate.read, tmp_path / "none.json")
+
+
+def test_a_wrong_renderer_says_so_in_a_line_and_all_of_it_on_demand():
+    right = forceshade.conform(wall, WALL, declares=DECLARES, points=500)
+    assert right.check() is right and repr(right) == "<Conformance: held>"
+    wrong = forceshade.conform(lambda at: 2 * wall(at), WALL, declares=DECLARES, points=500)
+    assert repr(wrong).startswith("<Conformance: FAILED: ") and len(repr(wrong)) < 200 and "\n" not in repr(wrong)
+    with pytest.raises(AssertionError) as caught:
+        wrong.check()
+    assert str(caught.value) == str(wrong) == wrong.words and "to paste into a test" in wrong.words
+
+
+def test_pytest_shows_where_a_renderer_is_wrong(tmp_path):
+    (tmp_path / "test_mine.py").write_text(
+        "import forceshade\n"
+        "from test_conform import DECLARES, WALL, wall\n"
+        "def test_wall():\n"
+        "    forceshade.conform(lambda at: 2 * wall(at), WALL, declares=DECLARES, points=500).check()\n"
+    )
+    words = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", f"--rootdir={tmp_path}", "test_mine.py"]
+    path = {"PYTHONPATH": ":".join(sys.path[1:] + [str(ROOT / "tests/bindings/python")])}
+    ran = subprocess.run(words, capture_output=True, text=True, cwd=tmp_path, env={**os.environ, **path})
+    assert ran.returncode == 1 and "the simplest beyond it, to paste into a test:" in ran.stdout, ran.stdout
