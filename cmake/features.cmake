@@ -9,7 +9,11 @@
 #   certificates   certificates are read, and digests are made: libcsv, OpenSSL's libcrypto, nlohmann_json
 #   exact-side     the exact side, the command, experiments, Python, devices that speak JSON: more packages. It brings all of the above
 set(known device-loop subject-files image-files csv-files certificates exact-side)
-set(FORCESHADE_FEATURES ${known} CACHE STRING "Which of ${known} to build; empty for none")
+set(usual ${known})
+if(NOT PROJECT_IS_TOP_LEVEL)
+  set(usual device-loop)  # forceshade::fast and forceshade::device, as find_package(forceshade) without components has them
+endif()
+set(FORCESHADE_FEATURES ${usual} CACHE STRING "Which of ${known} to build; empty for none")
 if("exact-side" IN_LIST FORCESHADE_FEATURES)
   set(FORCESHADE_FEATURES ${known})
 endif()

@@ -8,8 +8,9 @@ endfunction()
 
 # The libraries are static, and a plugin, a module of Python or a game engine is a shared object. No function of theirs is meant
 # to be replaced by another one at run time, so that calls within a file may still be inlined.
+# Nor is any of them a symbol of that shared object, where two of them could take each other's.
 function(forceshade_position_independent name)
-  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_compile_options(${name} PRIVATE -fno-semantic-interposition)
 endfunction()
 
@@ -78,7 +79,11 @@ function(forceshade_compile_options name)
   foreach(seen IN LISTS forceshade_sees_${module})
     target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/links/${seen})
   endforeach()
-  target_include_directories(${name} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  if(PROJECT_IS_TOP_LEVEL)
+    target_include_directories(${name} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  else()
+    target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR}/include)
+  endif()
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_compile_options(${name} PUBLIC -ffp-contract=off PRIVATE -Wall -Wextra -Wconversion)
   # A translation unit takes less than 1 GB: g++ need not collect what it no longer uses, which took a tenth of its time.

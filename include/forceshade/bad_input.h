@@ -10,6 +10,10 @@
 //
 // Not promised: the words. What comes from a user or a file may hold any bytes in them.
 
+#if __cplusplus < 202002L
+#error "forceshade is in C++20: expected -std=c++20 or later"
+#endif
+
 #include <stdexcept>
 #include <string>
 

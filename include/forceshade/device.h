@@ -20,6 +20,10 @@
 // Not promised: what a device does after a fault but to carry out zero force; and the models that can be simulated. The
 // devices: docs/device.md, docs/phantom.md, docs/simulation.md.
 
+#if __cplusplus < 202002L
+#error "forceshade is in C++20: expected -std=c++20 or later"
+#endif
+
 #include <Eigen/Core>
 #include <array>
 #include <atomic>

@@ -14,6 +14,10 @@
 //
 // Not promised: the order of the kinds in Shape; more of them may come in a new version (docs/versions.md).
 
+#if __cplusplus < 202002L
+#error "forceshade is in C++20: expected -std=c++20 or later"
+#endif
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

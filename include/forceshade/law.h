@@ -16,6 +16,10 @@
 //
 // Source: Morgenbesser and Srinivasan (1996), chapter 4.
 
+#if __cplusplus < 202002L
+#error "forceshade is in C++20: expected -std=c++20 or later"
+#endif
+
 #include <array>
 #include <charconv>
 #include <optional>

@@ -92,6 +92,24 @@ libraries=$(dirname "$pc")
 # shellcheck disable=SC2086
 "$compiler" -std=c++20 $flags "$source/plugin_loader.cpp" -o "$scratch/plugin_loader" -ldl
 "$scratch/plugin_loader" "$scratch/plugin.so"
+# What is left are templates of the C++ library with types of this one.
+! nm -D -C --defined-only "$scratch/plugin.so" | grep -E '^[0-9a-f]+ . ((vtable|typeinfo|typeinfo name) for )?forceshade::' ||
+  fail "the plugin shows functions of the libraries in it"
+
+echo "== the sources inside another project"
+cmake -S "$source/inside" -B "$scratch/inside" -G Ninja -DFORCESHADE_SOURCES="$source/../.." -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log" 2>&1 || { cat "$scratch/configure.log"; exit 1; }
+! grep -E '^(BUILD_TESTING|CMAKE_INSTALL_LIBDIR|CPACK_[A-Z_]*):' "$scratch/inside/CMakeCache.txt" || fail "it sets what belongs to the other project"
+! ninja -C "$scratch/inside" -t commands all | grep -E '/tests/[a-z_]*/CMakeFiles|/apps/|/python/' || fail "the other project builds more than it links"
+object=$(ninja -C "$scratch/inside" -t targets all | sed -n 's/^\([^ ]*consumer\.cpp\.o\):.*/\1/p')
+# The last command compiles the consumer; those before it compile the libraries, once more.
+mkdir -p "$(dirname "$scratch/inside/$object")"
+ninja -C "$scratch/inside" -t commands "$object" | tail -n 1 > "$scratch/command"
+(cd "$scratch/inside" && sh "$scratch/command") > "$scratch/log" 2>&1 || { cat "$scratch/log"; fail "its headers are not found"; }
+[ -s "$scratch/inside/$object" ] || fail "the consumer was not compiled"
+# shellcheck disable=SC2046  # flags are words
+echo '#include <forceshade/fast.h>' | "$compiler" -std=c++17 -fsyntax-only $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -x c++ - 2>&1 |
+  grep -q 'forceshade is in C++20: expected -std=c++20 or later' || fail "a program in C++17 gets no reason"
 
 echo "== headers"
 # The public headers and nothing else are installed, each compiles by itself from the installed tree, and so does its example.
@@ -117,6 +135,14 @@ while read -r header; do
   "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Werror -Wno-unused ${eigen//-I/-isystem} -I"$include" "$scratch/example.cpp" ||
     fail "the example of $header does not compile"
 done < "$scratch/public"
+
+echo "== uninstall"
+mkdir "$scratch/uninstall"
+find "$scratch/by-pc" -type f > "$scratch/uninstall/install_manifest.txt"
+(cd "$scratch/uninstall" && cmake -P "$source/../../cmake/uninstall.cmake") > "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
+[ -z "$(find "$scratch/by-pc" -type f)" ] || fail "uninstall leaves files"
+! (cd "$scratch/uninstall" && cmake -P "$source/../../cmake/uninstall.cmake") > "$scratch/log" 2>&1 || fail "nothing was installed, and uninstall does not say so"
+grep -q 'expected install_manifest.txt in the build folder' "$scratch/log" || { cat "$scratch/log"; fail "uninstall does not say why"; }
 
 echo "== the rest"
 [ -s "$prefix/share/doc/forceshade/LICENSE" ] || fail "no licence file is installed"
