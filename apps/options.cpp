@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "apps/documentation.h"
-#include "files/quantity.h"
 #include "files/shell.h"
 #include "files/suggestion.h"
 #include "rendering/subjects/file.h"
@@ -156,13 +155,13 @@ CLI::Option* add_stiffness(CLI::App& command, std::string& value, const std::str
 }
 
 CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::string& help, NumberRange degrees,
-                       std::function<void(double)> keep) {
+                       std::function<void(double, const files::Angle&)> keep) {
   const std::string range = written(degrees.least) + " to " + written(degrees.most);
   const auto read = [=](const std::string& text) {
     const double angle = files::parse_angle(name, text);
     if (!(angle >= degrees.least && angle <= degrees.most))
       throw CLI::ValidationError(name, "expected an angle from " + range + " degrees, got \"" + text + '"');
-    keep(angle);
+    keep(angle, files::exact_angle(name, text));
   };
   return command.add_option_function<std::string>(name, read, help)->type_name("ANGLE (" + range + ")");
 }

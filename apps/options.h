@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "files/quantity.h"
+
 namespace forceshade::apps {
 
 // What options are for; --help shows them under these titles, in this order.
@@ -46,9 +48,9 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, const std::s
 // unless the option is given.
 CLI::Option* add_length(CLI::App& command, const std::string& name, std::string& value, const std::string& help);
 CLI::Option* add_stiffness(CLI::App& command, std::string& value, const std::string& help);
-// In degrees, or with a unit.
+// In degrees, or with a unit: the nearest binary64 number of degrees, and the angle as it was typed.
 CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::string& help, NumberRange degrees,
-                       std::function<void(double)> keep);
+                       std::function<void(double, const files::Angle&)> keep);
 
 // `value` is what it is unless the option is given, and the help says so.
 template <std::integral T>

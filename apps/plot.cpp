@@ -233,7 +233,7 @@ void add_plot(CLI::App& app, int&) {
                        "standard input")
           ->type_name("FILE")};
   const auto turn = [&](const char* name, double& degrees, const char* help, double most) {
-    of_a_mesh.push_back(add_angle(*command, name, help, {-most, most}, [&degrees](double given) {
+    of_a_mesh.push_back(add_angle(*command, name, help, {-most, most}, [&degrees](double given, const files::Angle&) {
                           degrees = given;
                         })->default_str(files::shortest(degrees)));
   };

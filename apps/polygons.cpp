@@ -40,7 +40,8 @@ void print_figure_5_5() {
 
 struct PolygonsOptions {
   std::string json, height_map, from = "-12.7mm", to = "12.7mm", out;
-  double theta_critical = 0;
+  reference::RationalAngle theta_critical = 0;
+  double theta_critical_degrees = 0;  // nearest
 };
 
 void of_bump(const PolygonsOptions& options, const Parameters& bump) {
@@ -50,7 +51,7 @@ void of_bump(const PolygonsOptions& options, const Parameters& bump) {
   if (!options.json.empty())
     write_file(options.json, nlohmann::ordered_json{{"radius_mm", static_cast<double>(bump.radius)},
                                                     {"width_mm", static_cast<double>(bump.width)},
-                                                    {"theta_critical_deg", options.theta_critical},
+                                                    {"theta_critical_deg", options.theta_critical_degrees},
                                                     {"subtended_deg", all},
                                                     {"polygons", polygons},
                                                     {"subtended_each_deg", each}}
@@ -66,9 +67,10 @@ void of_bump(const PolygonsOptions& options, const Parameters& bump) {
 }
 
 // Every piece between knots that were rounded to binary32 still turns by less than theta-critical, surely.
-bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots, double theta_critical) {
+bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots,
+                  const reference::RationalAngle& theta_critical) {
   for (std::size_t i = 1; i < knots.size(); ++i)
-    if (!(reference::Profile(map.parts, knots[i - 1].x, knots[i].x).most_turning() < theta_critical)) return false;
+    if (reference::Profile(map.parts, knots[i - 1].x, knots[i].x).polygons_needed(theta_critical).polygons > 1) return false;
   return true;
 }
 
@@ -84,7 +86,7 @@ void of_height_map(const PolygonsOptions& options) {
     const double turning = profile.most_turning();
     if (!options.json.empty())
       write_file(options.json, nlohmann::ordered_json{{"height_map", options.height_map},
-                                                      {"theta_critical_deg", options.theta_critical},
+                                                      {"theta_critical_deg", options.theta_critical_degrees},
                                                       {"turning_deg", turning},
                                                       {"polygons", polygons},
                                                       {"surely_fewest", is_fewest},
@@ -126,7 +128,10 @@ void add_polygons(CLI::App& app, int&) {
              "the map that shades its polygons, a TOML file for --height-map of other commands", {".toml"})
       ->needs(height_map);
   add_angle(*command, "--theta-critical", "each polygon turns by less than this", {reference::kLeastThetaCritical, 180},
-            [options](double degrees) { options->theta_critical = degrees; })
+            [options](double degrees, const files::Angle& exact) {
+              options->theta_critical = {exact.number.fraction(), exact.is_radians};
+              options->theta_critical_degrees = degrees;
+            })
       ->required();
   add_json(*command, options->json, "the answer");
   command->callback([options, bump_options] {

@@ -1,63 +1,93 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "files/quantity.h"
 
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "forceshade/bad_input.h"
 
 namespace forceshade::files {
 namespace {
 
-// One of the unit is numerator/denominator of the base unit.
+// One of the unit is so many of the base unit: a decimal number.
 struct Unit {
-  std::string_view name;
-  long double numerator, denominator;
+  std::string_view name, size;
 };
 
-constexpr std::array kLengths{Unit{"", 1, 1},      Unit{"mm", 1, 1},  Unit{"mil", 254, 10000},
-                              Unit{"in", 254, 10}, Unit{"cm", 10, 1}, Unit{"m", 1000, 1}};
-constexpr std::array kStiffnesses{Unit{"", 1, 1}, Unit{"N/mm", 1, 1}, Unit{"N/m", 1, 1000}};
-// The only one that is not exact: a radian is rounded to a long double.
-constexpr std::array kAngles{Unit{"", 1, 1}, Unit{"deg", 1, 1}, Unit{"rad", 180, std::numbers::pi_v<long double>}};
+constexpr std::array kLengths{Unit{"", "1"},      Unit{"mm", "1"},  Unit{"mil", "0.0254"},
+                              Unit{"in", "25.4"}, Unit{"cm", "10"}, Unit{"m", "1000"}};
+constexpr std::array kStiffnesses{Unit{"", "1"}, Unit{"N/mm", "1"}, Unit{"N/m", "0.001"}};
+constexpr const char *kLength = "a length such as 15.24, 15.24mm, 600mil, 0.6in, 2.54cm or 0.01m",
+                     *kStiffness = "a stiffness such as 0.5, 0.5N/mm or 500N/m",
+                     *kAngle = "an angle such as 30, 30deg or 0.5rad";
 
-// Rounded once, to the Real nearest to the quantity.
-template <class Real, std::size_t kCount>
-Real parse(const std::string& name, const std::string& text, const std::array<Unit, kCount>& units, const char* expected) {
-  const auto refuse = [&] { return BadInput(name + ": expected " + expected + ", got \"" + text + "\""); };
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || !std::isfinite(number)) throw refuse();
-  std::string_view suffix(rest, static_cast<std::size_t>(end - rest));
-  while (suffix.starts_with(' ')) suffix.remove_prefix(1);
-  for (const Unit& unit : units) {
-    if (suffix != unit.name) continue;
-    if (unit.numerator != unit.denominator)
-      return static_cast<Real>(static_cast<long double>(number) * unit.numerator / unit.denominator);
-    Real nearest = 0;  // read again: rounding to binary64 first could land on the wrong side of a tie
-    if (std::from_chars(text.data(), rest, nearest).ec != std::errc{}) throw refuse();
-    return nearest;
-  }
-  throw refuse();
+BadInput refusal(const std::string& name, const std::string& expected, const std::string& text) {
+  return BadInput(name + ": expected " + expected + ", got \"" + text + "\"");
 }
+
+// The number and the word behind it.
+std::pair<Decimal, std::string_view> parts_of(const std::string& name, const std::string& text, const char* expected) {
+  std::string_view rest = text;
+  const auto number = Decimal::take(rest);
+  if (!number || !std::isfinite(number->nearest<double>())) throw refusal(name, expected, text);
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
+  return {*number, rest};
+}
+
+template <std::size_t kCount>
+Decimal parse(const std::string& name, const std::string& text, const std::array<Unit, kCount>& units, const char* expected) {
+  const auto [number, suffix] = parts_of(name, text, expected);
+  const auto* const unit = std::ranges::find(units, suffix, &Unit::name);
+  if (unit == units.end()) throw refusal(name, expected, text);
+  return number * *Decimal::of(unit->size);
+}
+
+float rounded(const std::string& name, const std::string& text, const Decimal& exact, const char* expected) {
+  const auto nearest = exact.nearest<float>();
+  if (!std::isfinite(nearest)) throw refusal(name, expected, text);
+  return nearest;
+}
+
+// 180/pi lies above this and below the decimal whose last digit is one more.
+constexpr std::string_view kDegrees =
+    "57."
+    "2957795130823208767981548141051703324054724665643215491602438612028471483215526324409689958511109441"
+    "8622338163286489328144826460124831503606826786341194212252638809746726792630798870289311076793826144"
+    "2638263158209610460487020506444259656841120171912057738566280431284962624203376187937297623870790340";
 
 }  // namespace
 
+Decimal exact_length(const std::string& name, const std::string& text) {
+  return parse(name, text, kLengths, kLength);
+}
+
 float parse_length(const std::string& name, const std::string& text) {
-  return parse<float>(name, text, kLengths, "a length such as 15.24, 15.24mm, 600mil, 0.6in, 2.54cm or 0.01m");
+  return rounded(name, text, exact_length(name, text), kLength);
 }
 
 float parse_stiffness(const std::string& name, const std::string& text) {
-  return parse<float>(name, text, kStiffnesses, "a stiffness such as 0.5, 0.5N/mm or 500N/m");
+  return rounded(name, text, parse(name, text, kStiffnesses, kStiffness), kStiffness);
+}
+
+Angle exact_angle(const std::string& name, const std::string& text) {
+  const auto [number, suffix] = parts_of(name, text, kAngle);
+  if (suffix == "rad") return {number, true};
+  if (suffix.empty() || suffix == "deg") return {number, false};
+  throw refusal(name, kAngle, text);
 }
 
 double parse_angle(const std::string& name, const std::string& text) {
-  return parse<double>(name, text, kAngles, "an angle such as 30, 30deg or 0.5rad");
+  const Angle angle = exact_angle(name, text);
+  if (!angle.is_radians) return angle.number.nearest<double>();
+  std::string above(kDegrees);
+  ++above.back();
+  const auto low = (angle.number * *Decimal::of(kDegrees)).nearest<double>(),
+             high = (angle.number * *Decimal::of(above)).nearest<double>();
+  if (low == high && std::isfinite(low)) return low;
+  throw refusal(name, kAngle, text);
 }
 
 std::vector<std::string> at_commas(const std::string& text) {

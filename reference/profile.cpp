@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "reference/enclosed_angle.h"
 #include "reference/energy/slope_and_curvature.h"
 #include "reference/heights/sum.h"
 #include "reference/position.h"
@@ -19,10 +20,6 @@ constexpr std::size_t kMostPieces = 20'000;
 
 Enclosure between(double low, double high) {
   return {Multiprecision(low), Multiprecision(high)};
-}
-
-Enclosure degrees(const Enclosure& radians) {
-  return radians * 180 / acos(Enclosure(-1));
 }
 
 // A stretch of the section, without kinks.
@@ -68,7 +65,7 @@ struct Profile::Pieces {
     }
     Enclosure sum(0);
     for (const Piece& one : all) sum += one.turning;
-    turning = degrees(sum);
+    turning = in_degrees(sum);
   }
 
   // Halves what turns both ways, as long as that could matter: around an inflexion what is not known shrinks by 4 each time.
@@ -127,10 +124,10 @@ double Profile::most_turning() const {
   return mpfr_get_d(Multiprecision(upper(pieces_->turning)).backend().data(), MPFR_RNDU);
 }
 
-Profile::Needed Profile::polygons_needed(double theta_critical) const {
+Profile::Needed Profile::polygons_needed(const RationalAngle& theta_critical) const {
   const std::lock_guard lock(exact_arithmetic);
   set_precision(kBits);
-  const Enclosure shares = pieces_->turning / Enclosure(theta_critical);
+  const Enclosure shares = pieces_->turning / enclosed_degrees(theta_critical);
   const Multiprecision low = floor(lower(shares)), high = floor(upper(shares));
   if (high >= 1e9) throw std::invalid_argument("the section needs a thousand million polygons or more");
   return {high.convert_to<unsigned>() + 1, low == high};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "forceshade/height_map.h"
+#include "reference/theta_critical.h"
 
 namespace forceshade::reference {
 
@@ -28,8 +29,8 @@ class Profile {
     unsigned polygons;  // each of as many equal shares of the turning is surely less than theta-critical
     bool is_fewest;     // surely; false means that one fewer would have shares within 1e-18 degrees of it or at it
   };
-  // theta_critical: degrees, at least kLeastThetaCritical.
-  Needed polygons_needed(double theta_critical) const;
+  // theta_critical: at least kLeastThetaCritical.
+  Needed polygons_needed(const RationalAngle& theta_critical) const;
 
   // The ends of up to 20 000 `polygons`, pieces that turn equally, each at the binary32 nearest to where it belongs; heights
   // rounded likewise.

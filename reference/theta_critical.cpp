@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 
+#include "reference/enclosed_angle.h"
 #include "reference/laws/slow_geometry.h"
 #include "reference/numbers/decimal.h"
 
@@ -11,8 +12,7 @@ namespace forceshade::reference {
 namespace {
 
 Enclosure enclosing_degrees(const Parameters& bump) {
-  // acos(-1) is π, enclosed at the precision in force.
-  return enclosing_theta(bump) * 3 * 180 / acos(Enclosure(-1));
+  return in_degrees(enclosing_theta(bump) * 3);
 }
 
 // Niven (1956): the arcsine of a rational number in (0, 1] is a rational number of degrees only for 1/2 and 1.
@@ -35,14 +35,21 @@ std::string subtended_degrees(const Parameters& bump, unsigned polygons, unsigne
       });
 }
 
-unsigned polygons_needed(const Parameters& bump, double theta_critical) {
+RationalAngle::RationalAngle(double degrees) : number(Fraction(degrees).str()) {}
+
+unsigned polygons_needed(const Parameters& bump, const RationalAngle& theta_critical) {
   const std::lock_guard lock(exact_arithmetic);
   const auto rational = rational_degrees(bump);
+  // A whole number of parts is possible here alone. An irrational number of degrees is no multiple of a rational one, and
+  // the arcsine of an algebraic number other than 0 none of a rational number of radians (Lindemann).
+  if (rational && !theta_critical.is_radians) {
+    const Fraction parts = Fraction(*rational) / number_of(theta_critical);
+    return boost::multiprecision::mpz_int(numerator(parts) / denominator(parts)).convert_to<unsigned>() + 1;
+  }
   for (unsigned bits = 128;; bits *= 2) {
     set_precision(bits);
     const Enclosure degrees = rational ? Enclosure(*rational) : enclosing_degrees(bump);
-    const Enclosure parts = degrees / Enclosure(theta_critical);
-    // A whole number of parts, which only a rational angle can make, divides to a point.
+    const Enclosure parts = degrees / enclosed_degrees(theta_critical);
     const Multiprecision low = floor(lower(parts)), high = floor(upper(parts));
     if (low == high) return low.convert_to<unsigned>() + 1;
   }

@@ -4,6 +4,7 @@
 // long as the part of the cylinder that it stands for subtends less than some angle.
 
 #include <string>
+#include <utility>
 
 #include "forceshade/law.h"
 
@@ -13,9 +14,19 @@ namespace forceshade::reference {
 // degrees, correctly rounded to `digits`. Figure 5-5 of the thesis has it for one, two and three.
 std::string subtended_degrees(const Parameters& bump, unsigned polygons, unsigned digits);
 
-// The fewest equal parts of which each subtends less than `theta_critical`, degrees in [kLeastThetaCritical, 180]. Decided
+// An angle that is a rational number of degrees or of radians, exactly.
+struct RationalAngle {
+  RationalAngle(double degrees);  // NOLINT(google-explicit-constructor): every binary64 number is rational
+  // "3/10"
+  RationalAngle(std::string number_, bool is_radians_) : number(std::move(number_)), is_radians(is_radians_) {}
+
+  std::string number;
+  bool is_radians = false;
+};
+
+// The fewest equal parts of which each subtends less than `theta_critical`, from kLeastThetaCritical to 180 degrees. Decided
 // exactly.
 inline constexpr double kLeastThetaCritical = 1e-6;
-unsigned polygons_needed(const Parameters& bump, double theta_critical);
+unsigned polygons_needed(const Parameters& bump, const RationalAngle& theta_critical);
 
 }  // namespace forceshade::reference

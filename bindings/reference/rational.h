@@ -9,7 +9,7 @@
 namespace forceshade::exact {
 
 // "p/q" with a denominator that is not 0 and no zeros in front, of "3/4", "-0.75" or "7.5e-1". Nothing for another text, for
-// one of more than 10 000 characters, and for an exponent beyond 10 000.
+// one of more than 10 000 characters, for an exponent above 10 000, and for more than 20 000 digits behind the point.
 std::optional<std::string> rational_of(std::string_view text);
 
 }  // namespace forceshade::exact

@@ -60,7 +60,7 @@ class Run {
   void expect_meaning_of_tolerance() const {
     const Hello& its = found_.hello;
     const bool is_force = its.answer == Answer::force && its.newtons == 1;
-    if (is_force || options_.tolerance.unit != Unit::ulp || options_.tolerance.value >= 1) return;
+    if (is_force || options_.tolerance.unit != Unit::ulp || !options_.tolerance.value.is_zero()) return;
     throw files::BadInput(
         "--tolerance: expected at least 1 ulp, or N or %, for a renderer whose answers are no forces in N, since these are "
         "rounded when they are made such");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/multiprecision/gmp.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 
@@ -44,6 +45,15 @@ int order(const Bounds& a, const Bounds& b) {
   return a.high <= b.low ? -1 : a.low > b.high ? 1 : 0;
 }
 
+using Rational = boost::multiprecision::mpq_rational;
+
+// The square of a tolerance in N, or of a share, of 1.
+Rational square_of(const Tolerance& tolerance) {
+  Rational value(tolerance.value.fraction());
+  mpq_canonicalize(value.backend().data());
+  return tolerance.unit == Unit::newton ? Rational(value * value) : Rational(value * value / 10000);
+}
+
 // The sign of |answer - exact|² less the square of the tolerance, from so many digits; 0 where they are too few to know it.
 int sign_of_excess(const Tolerance& tolerance, const Eigen::Vector3f& answer, const std::array<std::string, 3>& force,
                    unsigned digits) {
@@ -56,18 +66,23 @@ int sign_of_excess(const Tolerance& tolerance, const Eigen::Vector3f& answer, co
     size += exact * exact;
     size_off += (2 * abs(exact) + off) * off;
   }
-  const Real square = tolerance.unit == Unit::newton ? Real(tolerance.value) * tolerance.value
-                                                     : size * tolerance.value * tolerance.value / 10000;
-  const Real square_off = tolerance.unit == Unit::newton ? Real(0) : Real(size_off * tolerance.value * tolerance.value / 10000);
+  const Rational most = square_of(tolerance);
+  const Real share = Real(numerator(most)) / Real(denominator(most));
+  const Real square = tolerance.unit == Unit::newton ? share : Real(size * share);
+  const Real square_off = tolerance.unit == Unit::newton ? Real(0) : Real(size_off * share);
   const Real excess = difference - square, off = (difference_off + square_off) * 2;
   return excess > off ? 1 : excess < -off ? -1 : 0;
 }
 
 // With the rounded force in the place of the exact one.
 bool is_within_rounded(const Tolerance& tolerance, const Eigen::Vector3f& answer, const Eigen::Vector3f& rounded) {
-  const double most =
-      tolerance.unit == Unit::newton ? tolerance.value : tolerance.value / 100 * rounded.cast<double>().stableNorm();
-  return (answer.cast<double>() - rounded.cast<double>()).stableNorm() <= most;
+  Rational difference = 0, size = 0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const Rational exact(static_cast<double>(rounded[axis])), by = exact - Rational(static_cast<double>(answer[axis]));
+    difference += by * by;
+    size += exact * exact;
+  }
+  return difference <= (tolerance.unit == Unit::newton ? square_of(tolerance) : Rational(size * square_of(tolerance)));
 }
 
 }  // namespace
@@ -93,12 +108,13 @@ bool is_within(const Tolerance& tolerance, const Eigen::Vector3f& answer, const 
                const Digits& digits) {
   const Distance found = distance(answer, rounded);
   if (found.ulps == kNoNumber) return false;
-  if (tolerance.unit == Unit::ulp) return static_cast<double>(found.ulps) <= tolerance.value;
+  const auto value = tolerance.value.nearest<double>();
+  if (tolerance.unit == Unit::ulp) return static_cast<double>(found.ulps) <= value;
   if (rounded.status != Status::contact && tolerance.unit == Unit::percent) return found.ulps == 0;
-  constexpr double kDown = 1 - 1e-15, kUp = 1 + 1e-15;
-  const Bounds most = tolerance.unit == Unit::newton ? Bounds{tolerance.value, tolerance.value}
-                                                     : Bounds{tolerance.value / 100 * found.exact_newtons.low * kDown,
-                                                              tolerance.value / 100 * found.exact_newtons.high * kUp};
+  constexpr double kDown = 1 - 1e-15, kUp = 1 + 1e-15;  // four roundings
+  const Bounds most = tolerance.unit == Unit::newton
+                          ? Bounds{value * kDown, value * kUp}
+                          : Bounds{value / 100 * found.exact_newtons.low * kDown, value / 100 * found.exact_newtons.high * kUp};
   if (const int sure = order(found.newtons, most); sure != 0) return sure < 0;
   for (unsigned count = kFewDigits; count <= kMostDigits; count *= 5) {
     const auto force = digits(count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/tolerance.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -16,27 +17,25 @@ constexpr double kMostUlps = 0x1p32;  // more than there are binary32 numbers be
 }  // namespace
 
 std::optional<Tolerance> tolerance_of(std::string_view text) {
-  Tolerance tolerance;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), tolerance.value);
-  if (error != std::errc() || !std::isfinite(tolerance.value) || std::signbit(tolerance.value)) return std::nullopt;
-  std::string_view unit = text.substr(static_cast<std::size_t>(end - text.data()));
-  while (unit.starts_with(' ')) unit.remove_prefix(1);
-  for (const auto& [known, name] : kNamesOfUnits)
-    if (unit == name) {
-      tolerance.unit = known;
-      const bool is_possible =
-          known != Unit::ulp || (tolerance.value <= kMostUlps && tolerance.value == std::floor(tolerance.value));
-      return is_possible ? std::optional(tolerance) : std::nullopt;
-    }
-  return std::nullopt;
+  const auto value = files::Decimal::take(text);
+  // Neither infinite in binary64 nor 0 there alone: an exact number of any exponent would fill the memory.
+  if (!value || value->is_negative() || !std::isfinite(value->nearest<double>())) return std::nullopt;
+  if (!value->is_zero() && value->nearest<double>() == 0) return std::nullopt;
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  const auto* const unit = std::ranges::find(kNamesOfUnits, text, &std::pair<Unit, std::string_view>::second);
+  if (unit == kNamesOfUnits.end()) return std::nullopt;
+  if (unit->first == Unit::ulp && !(value->is_whole() && value->nearest<double>() <= kMostUlps)) return std::nullopt;
+  return Tolerance{unit->first, *value};
 }
 
 std::string words_of(const Tolerance& tolerance) {
-  if (tolerance.unit == Unit::ulp && tolerance.value == 0) return "correctly rounded";
+  if (tolerance.unit == Unit::ulp && tolerance.value.is_zero()) return "correctly rounded";
   std::array<char, 32> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), tolerance.value);
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), tolerance.value.nearest<double>()).ptr;
+  std::string number(digits.data(), end);
+  if (files::Decimal::of(number) != tolerance.value) number = tolerance.value.text();
   for (const auto& [known, name] : kNamesOfUnits)
-    if (known == tolerance.unit) return std::string(digits.data(), end) + ' ' + std::string(name);
+    if (known == tolerance.unit) return number + ' ' + std::string(name);
   return "";
 }
 

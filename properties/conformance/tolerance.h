@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "files/decimal.h"
+
 namespace forceshade::conformance {
 
 // ulp: how many binary32 numbers an answer may be away from the correctly rounded force, in each component. newton: how long
@@ -15,7 +17,7 @@ enum class Unit { ulp, newton, percent };
 
 struct Tolerance {
   Unit unit = Unit::ulp;
-  double value = 0;  // 0 ulp is correctly rounded
+  files::Decimal value = {};  // as it was typed, exactly; 0 ulp is correctly rounded
 };
 
 // "4 ulp", "1e-6 N", "0.1 %", also without the space. A number of ulp is whole. Nothing where it is none of these.

@@ -25,14 +25,15 @@ using Words = std::span<const std::pair<std::string_view, T>>;
 // One table of the file, read key by key.
 class Table {
  public:
-  Table(const fs::path& file, const toml::table& table) : file_(file), table_(table) {}
+  Table(const fs::path& file, const TomlDocument& document, const toml::table& table)
+      : file_(file), document_(document), table_(table) {}
 
   float number(std::string_view key, std::optional<float> otherwise = std::nullopt) {
     const toml::node* node = find(key, otherwise.has_value());
     if (!node) return *otherwise;
-    const auto value = node->value<double>();  // a whole number, too
+    const auto value = document_.binary32(*node);
     if (!value) fail(*node, key, "a number");
-    return static_cast<float>(*value);
+    return *value;
   }
 
   // A scale of 0, or one so small that every height would be read as 0, leaves nothing of a grid.
@@ -65,10 +66,11 @@ class Table {
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
       const toml::array* pair = (*list)[i].as_array();
       const auto number = [&](std::size_t k) {
-        return pair != nullptr && pair->size() == 2 ? (*pair)[k].value<double>() : std::nullopt;
+        return pair != nullptr && pair->size() == 2 ? document_.binary32((*pair)[k]) : std::nullopt;
       };
-      if (!number(0) || !number(1)) fail((*list)[i], key, "pairs of numbers [x, height]");
-      all.push_back({static_cast<float>(*number(0)), static_cast<float>(*number(1))});
+      const auto x = number(0), height = number(1);
+      if (!x || !height) fail((*list)[i], key, "pairs of numbers [x, height]");
+      all.push_back({*x, *height});
     }
     if (list == nullptr) fail(*node, key, "a list of pairs [x, height]");
     return all;
@@ -115,6 +117,7 @@ class Table {
   }
 
   const fs::path& file_;
+  const TomlDocument& document_;
   const toml::table& table_;
   std::set<std::string, std::less<>> read_;
 };
@@ -146,8 +149,8 @@ height::Shape shape(Table& table, const fs::path& file) {
       [&] { return height::Polygons{table.knots("knots_mm")}; }, [&] { return grid(table, file); });
 }
 
-height::Part part(const fs::path& file, const toml::table& table) {
-  Table keys(file, table);
+height::Part part(const fs::path& file, const TomlDocument& document, const toml::table& table) {
+  Table keys(file, document, table);
   height::Part part{shape(keys, file), keys.flag("negated")};
   keys.expect_no_other();
   return part;
@@ -156,11 +159,20 @@ height::Part part(const fs::path& file, const toml::table& table) {
 // 16 parts and 16 surfaces of 1025 knots each, at 40 bytes a knot, take a third of it.
 constexpr std::size_t kLargestFile = 4 << 20;
 
-toml::table parsed(const fs::path& file) {
-  auto root = parse_toml_file(file, kLargestFile);
-  if (const auto* fault = std::get_if<TomlFault>(&root))
+TomlDocument parsed(const fs::path& file) {
+  auto document = parse_toml_file(file, kLargestFile);
+  if (const auto* fault = std::get_if<TomlFault>(&document))
     throw Error(file, (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
-  return std::get<toml::table>(std::move(root));
+  return std::get<TomlDocument>(std::move(document));
+}
+
+// The numbers of a copy of what a document has, rounded, so that they are what they are read as.
+void round_decimals(toml::node& copy, const toml::node& original, const TomlDocument& document) {
+  if (const toml::table* table = original.as_table())
+    for (const auto& [key, value] : *table) round_decimals(*copy.as_table()->get(key.str()), value, document);
+  if (const toml::array* list = original.as_array())
+    for (std::size_t i = 0; i < list->size(); ++i) round_decimals((*copy.as_array())[i], (*list)[i], document);
+  if (auto* number = copy.as_floating_point()) number->get() = static_cast<double>(*document.binary32(original));
 }
 
 }  // namespace
@@ -175,7 +187,8 @@ std::uint32_t PartLines::of(std::string parameter) const {
 }
 
 Lines lines_of_parts(const fs::path& file) {
-  const toml::table root = parsed(file);
+  const TomlDocument document = parsed(file);
+  const toml::table& root = document.root();
   const auto lines = [&](const char* list) {
     std::vector<PartLines> all;
     const toml::array* parts = root[list].as_array();
@@ -191,12 +204,12 @@ Lines lines_of_parts(const fs::path& file) {
 }
 
 Spec read_spec(const fs::path& file) {
-  const toml::table root = parsed(file);
-  Table keys(file, root);
+  const TomlDocument document = parsed(file);
+  Table keys(file, document, document.root());
   std::array<std::pair<std::string_view, height::Mode>, height::kModes.size()> renderings;
   for (std::size_t i = 0; i < renderings.size(); ++i) renderings[i] = {height::kModes[i].name, height::kModes[i].mode};
   Spec spec{{}, keys.word<height::Mode>("render", renderings)};
-  for (const auto& [key, node] : root) {
+  for (const auto& [key, node] : document.root()) {
     if (key.str() == "render") continue;
     const bool is_surface = key.str() == "surface";
     const toml::array* parts = key.str() == "part" || is_surface ? node.as_array() : nullptr;
@@ -207,7 +220,7 @@ Spec read_spec(const fs::path& file) {
       throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
     for (const toml::node& element : *parts) {
       if (!element.is_table()) keys.fail(element, key.str(), "a table");
-      (is_surface ? spec.map.surface : spec.map.parts).push_back(part(file, *element.as_table()));
+      (is_surface ? spec.map.surface : spec.map.parts).push_back(part(file, document, *element.as_table()));
     }
   }
   if (spec.map.parts.empty()) throw Error(file, "expected at least one [[part]], got none");
@@ -215,7 +228,9 @@ Spec read_spec(const fs::path& file) {
 }
 
 std::string shading_polygons(const fs::path& file, const std::vector<height::Knot>& knots, const fs::path& directory) {
-  toml::table root = parsed(file);
+  const TomlDocument document = parsed(file);
+  toml::table root = document.root();
+  round_decimals(root, document.root(), document);
   for (toml::node& part : *root["part"].as_array())
     if (auto grid = part.as_table()->at_path("file"); grid.is_string()) {
       const fs::path from = fs::absolute(file).parent_path() / *grid.value<std::string>();

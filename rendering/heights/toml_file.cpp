@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
+#include "files/decimal.h"
 #include "files/file_kind.h"
 #include "files/printable.h"
-#include "files/shortest.h"
 #include "rendering/heights/nesting.h"
 
 namespace forceshade::heights {
@@ -59,9 +61,76 @@ std::string words_of_syntax_error(std::string description) {
   return "expected " + std::string(expected) + " (" + description + ')';
 }
 
+using Place = std::pair<std::uint32_t, std::uint32_t>;  // line and column, from 1
+
+void add_places_of_decimals(const toml::node& node, std::vector<Place>& places) {
+  if (const toml::table* table = node.as_table())
+    for (const auto& [key, value] : *table) add_places_of_decimals(value, places);
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& value : *list) add_places_of_decimals(value, places);
+  if (node.is_floating_point()) places.emplace_back(node.source().begin.line, node.source().begin.column);
+}
+
+bool begins_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80;
+}
+
+// The word of a number at the beginning of the text, without underscores and a + in front.
+std::string number_at(std::string_view text) {
+  std::string word(text.substr(0, text.find_first_not_of("+-_.0123456789eEinfa")));
+  std::erase(word, '_');
+  return word.starts_with('+') ? word.substr(1) : word;
+}
+
 }  // namespace
 
-std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path& file, std::size_t most_bytes) {
+// A column counts the characters of UTF-8.
+TomlDocument::TomlDocument(const std::string& text, const std::filesystem::path& file)
+    : root_(toml::parse(text, file.string())) {
+  std::vector<Place> places;
+  add_places_of_decimals(root_, places);
+  std::ranges::sort(places);
+  Place here{1, 0};
+  auto next = places.begin();
+  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size() && next != places.end(); ++i) {
+    if (begins_character(text[i])) ++here.second;
+    if (here == *next) decimals_.emplace(*next++, number_at(std::string_view(text).substr(i)));
+    if (text[i] == '\n') here = {here.first + 1, 0};
+  }
+}
+
+std::string TomlDocument::number(const toml::node& node) const {
+  if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
+  const auto rounded = node.value_exact<double>();
+  if (!rounded) return "";
+  const auto found = decimals_.find({node.source().begin.line, node.source().begin.column});
+  const std::string text = found == decimals_.end() ? "" : found->second;
+  const auto exact = files::Decimal::of(text);
+  if (std::isfinite(*rounded) ? !exact || exact->nearest<double>() != *rounded : text.empty())
+    throw std::logic_error("a number of a TOML file is not where toml++ says that it is");
+  return text;
+}
+
+std::optional<float> TomlDocument::binary32(const toml::node& node) const {
+  const auto rounded = node.value<double>();  // of a whole number, too
+  if (!rounded || !std::isfinite(*rounded)) return rounded;
+  return files::Decimal::of(number(node))->nearest<float>();
+}
+
+std::string TomlDocument::words_of_scalars(const toml::node& node) const {
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  if (const std::string text = number(node); !text.empty()) return text;
+  std::string all;
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& each : *list) {
+      const std::string one = each.is_array() ? "" : words_of_scalars(each);
+      if (one.empty()) return "";
+      all += (all.empty() ? "" : ",") + one;
+    }
+  return all;
+}
+
+std::variant<TomlDocument, TomlFault> parse_toml_file(const std::filesystem::path& file, std::size_t most_bytes) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return TomlFault{0, "cannot be opened: " + std::generic_category().message(errno)};
   std::string text;
@@ -74,8 +143,8 @@ std::variant<toml::table, TomlFault> parse_toml_file(const std::filesystem::path
   return parse_toml(text, file, most_bytes);
 }
 
-std::variant<toml::table, TomlFault> parse_toml(const std::string& text, const std::filesystem::path& file,
-                                                std::size_t most_bytes) {
+std::variant<TomlDocument, TomlFault> parse_toml(const std::string& text, const std::filesystem::path& file,
+                                                 std::size_t most_bytes) {
   if (text.size() > most_bytes) return TomlFault{0, "expected at most " + std::to_string(most_bytes) + " bytes, got more"};
   if (const std::string kind = files::binary_kind(text); !kind.empty())
     return TomlFault{0, "expected a TOML file, got " + kind};
@@ -83,7 +152,7 @@ std::variant<toml::table, TomlFault> parse_toml(const std::string& text, const s
     return TomlFault{*line, "expected at most " + std::to_string(kMostBrackets) + " brackets within each other and " +
                                 std::to_string(kMostDots) + " dots in a key, got more"};
   try {
-    return toml::parse(text, file.string());
+    return TomlDocument(text, file);
   } catch (const toml::parse_error& error) {
     if (const std::string kind = files::text_kind(text); !kind.empty() && kind != files::kTomlFile)
       return TomlFault{0, "expected a TOML file, got " + kind};
@@ -100,20 +169,6 @@ std::string words_of_value(const toml::node& node) {
       words << "a list or table";
   });
   return words.str();
-}
-
-std::string words_of_scalars(const toml::node& node) {
-  if (const auto text = node.value_exact<std::string>()) return *text;
-  if (const auto whole = node.value_exact<std::int64_t>()) return std::to_string(*whole);
-  if (const auto number = node.value_exact<double>()) return files::shortest(*number);
-  std::string all;
-  if (const toml::array* list = node.as_array())
-    for (const toml::node& each : *list) {
-      const std::string one = each.is_array() ? "" : words_of_scalars(each);
-      if (one.empty()) return "";
-      all += (all.empty() ? "" : ",") + one;
-    }
-  return all;
 }
 
 std::vector<std::string> keys_beside(const toml::table& table, const std::set<std::string, std::less<>>& read) {

@@ -10,20 +10,24 @@ namespace {
 
 struct Format {
   std::string_view ending;
-  LoadedMesh (*read)(const std::filesystem::path& file, Unit unit);
+  LoadedMesh (*read)(const std::filesystem::path& file, const FileUnits& units);
 };
 constexpr std::array kFormats{Format{".obj", &read_obj}, Format{".off", &read_off}, Format{".ply", &read_ply},
                               Format{".stl", &read_stl}};
 
 }  // namespace
 
-LoadedMesh load_with_corners(const std::filesystem::path& file, Unit unit) {
+LoadedMesh load_in_units(const std::filesystem::path& file, const FileUnits& units) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const Format& format : kFormats)
-    if (format.ending == ending) return format.read(file, unit);
+    if (format.ending == ending) return format.read(file, units);
   throw Error(file, "has a name of no known format; expected a name that ends in .obj, .off, .ply or .stl");
+}
+
+LoadedMesh load_with_corners(const std::filesystem::path& file, Unit unit) {
+  return load_in_units(file, {.length = unit});
 }
 
 TriangleMesh load(const std::filesystem::path& file, Unit unit) {

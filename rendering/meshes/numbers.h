@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "files/decimal.h"
 #include "forceshade/meshes.h"
 
 namespace forceshade::mesh {
@@ -14,8 +15,11 @@ inline constexpr float kLargest = 1e4F, kSmallest = 0x1p-30F;  // mm, of a coord
 // The coordinate in mm that a decimal such as -1.5e3 stands for, whatever the locale; a + may stand in front. Infinite where
 // binary32 cannot hold it, NaN of "nan". Nothing if the word is not a number from its first character to its last.
 std::optional<float> from_decimal(std::string_view word, Unit unit);
+// The same in a unit of so many mm.
+std::optional<float> from_decimal(std::string_view word, const files::Decimal& unit);
 
 // The coordinate in mm that a binary number stands for.
 float from_binary(double number, Unit unit);
+float from_binary(double number, const files::Decimal& unit);
 
 }  // namespace forceshade::mesh

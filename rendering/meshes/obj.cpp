@@ -35,7 +35,7 @@ std::string_view part_of(std::string_view& word) {
 
 class Reader {
  public:
-  Reader(const std::filesystem::path& file, Unit unit) : file_(file), unit_(unit), lines_(file) {}
+  Reader(const std::filesystem::path& file, const FileUnits& units) : file_(file), units_(units), lines_(file) {}
 
   LoadedMesh read() {
     while (lines_.next_with_words()) read_line(whole_line());
@@ -63,16 +63,16 @@ class Reader {
     const std::string_view keyword = words.next();
     if (keyword == "v") {
       Vertex vertex;
-      for (float& x : vertex) x = coordinate_of(lines_, words.next(), unit_);
+      for (float& x : vertex) x = coordinate_of(lines_, words.next(), units_.length);
       builder_.vertices.push_back(vertex);  // a weight or a colour may follow
     } else if (keyword == "vn") {
       Normal normal;
       for (float& x : normal) x = component_of(lines_, words.next());
       builder_.normals.push_back(normal);
     } else if (keyword == "vt") {
-      const float u = component_of(lines_, words.next());
+      const float u = component_of(lines_, words.next(), units_.texture);
       const std::string_view v = words.next();
-      builder_.texture.push_back({u, v.empty() ? 0.0F : component_of(lines_, v)});
+      builder_.texture.push_back({u, v.empty() ? 0.0F : component_of(lines_, v, units_.texture)});
     } else if (keyword == "f") {
       read_face(words);
     } else if (keyword == "usemtl") {
@@ -112,7 +112,7 @@ class Reader {
   }
 
   std::filesystem::path file_;
-  Unit unit_;
+  const FileUnits& units_;
   Lines lines_;
   Builder builder_;
   std::string joined_;
@@ -121,8 +121,8 @@ class Reader {
 
 }  // namespace
 
-LoadedMesh read_obj(const std::filesystem::path& file, Unit unit) {
-  return Reader(file, unit).read();
+LoadedMesh read_obj(const std::filesystem::path& file, const FileUnits& units) {
+  return Reader(file, units).read();
 }
 
 }  // namespace forceshade::mesh

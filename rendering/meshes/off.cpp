@@ -53,7 +53,7 @@ Header header_of(Lines& lines, const std::filesystem::path& file) {
 
 }  // namespace
 
-LoadedMesh read_off(const std::filesystem::path& file, Unit unit) {
+LoadedMesh read_off(const std::filesystem::path& file, const FileUnits& units) {
   Lines lines(file);
   const Header header = header_of(lines, file);
   Builder builder;
@@ -63,7 +63,7 @@ LoadedMesh read_off(const std::filesystem::path& file, Unit unit) {
     if (!lines.next_with_words()) throw lines.ended("vertex " + std::to_string(i) + " of " + std::to_string(header.vertices));
     Words words(lines.line());
     Vertex vertex;
-    for (float& x : vertex) x = coordinate_of(lines, words.next(), unit);
+    for (float& x : vertex) x = coordinate_of(lines, words.next(), units.length);
     builder.vertices.push_back(vertex);
     if (header.has_normals) {
       Normal normal;
@@ -74,7 +74,7 @@ LoadedMesh read_off(const std::filesystem::path& file, Unit unit) {
     if (header.has_texture) {
       std::array<std::string_view, 2> last;
       for (std::string_view word = words.next(); !word.empty(); word = words.next()) last = {last[1], word};
-      builder.texture.push_back({component_of(lines, last[0]), component_of(lines, last[1])});
+      builder.texture.push_back({component_of(lines, last[0], units.texture), component_of(lines, last[1], units.texture)});
     }
   }
   std::vector<Corner> corners;

@@ -18,7 +18,7 @@ using namespace ply;
 // The numbers of the body, of which those of both kinds are read in the same order.
 class TextBody {
  public:
-  TextBody(Lines& lines, Unit unit) : lines_(lines), unit_(unit) {}
+  TextBody(Lines& lines, const FileUnits& units) : lines_(lines), units_(units) {}
 
   void begin(const Element& element, std::uint64_t i) {
     if (!lines_.next()) throw lines_.ended(element.name + ' ' + std::to_string(i) + " of " + std::to_string(element.count));
@@ -27,8 +27,9 @@ class TextBody {
   void end() {
     if (const std::string_view more = words_.next(); !more.empty()) throw lines_.unexpected("the end of the line", more);
   }
-  float coordinate(const Type&) { return coordinate_of(lines_, words_.next(), unit_); }
-  float component(const Type&) { return component_of(lines_, words_.next()); }
+  float coordinate(const Type&) { return coordinate_of(lines_, words_.next(), units_.length); }
+  float component(const Type&, const files::Decimal& unit = 1) { return component_of(lines_, words_.next(), unit); }
+  float texture(const Type& type) { return component(type, units_.texture); }
   std::uint64_t whole(const Type&, std::uint64_t most, const std::string& what) {
     const std::string_view word = words_.next();
     const auto number = whole_number(word);
@@ -58,19 +59,30 @@ class TextBody {
 
  private:
   Lines& lines_;
-  Unit unit_;
+  const FileUnits& units_;
   Words words_{""};
 };
 
 class BinaryBody {
  public:
-  BinaryBody(const std::filesystem::path& file, std::uint64_t begin, std::endian order, Unit unit)
-      : bytes_(file, begin, order), unit_(unit), begin_(begin) {}
+  BinaryBody(const std::filesystem::path& file, std::uint64_t begin, std::endian order, const FileUnits& units)
+      : bytes_(file, begin, order), units_(units), begin_(begin) {}
 
   void begin(const Element&, std::uint64_t) { begin_ = bytes_.position(); }
   void end() {}
-  float coordinate(const Type& type) { return within(type.take(bytes_), unit_); }
-  float component(const Type& type) { return within(type.take(bytes_), Unit::mm); }
+  float coordinate(const Type& type) {
+    const double number = type.take(bytes_);
+    const auto kept = mesh::coordinate(from_binary(number, units_.length));
+    if (!kept) throw error(refusal_of_coordinate(words_of(number), units_.length));
+    return *kept;
+  }
+  float component(const Type& type, const files::Decimal& unit = 1) {
+    const double number = type.take(bytes_);
+    const auto kept = mesh::coordinate(from_binary(number, unit));
+    if (!kept) throw error(refusal_of_component(words_of(number), unit));
+    return *kept;
+  }
+  float texture(const Type& type) { return component(type, units_.texture); }
   std::uint64_t whole(const Type& type, std::uint64_t most, const std::string& what) {
     const double number = type.take(bytes_);
     if (!(number >= 0 && number <= static_cast<double>(most)))
@@ -93,14 +105,8 @@ class BinaryBody {
   static std::uint64_t line() { return 0; }
 
  private:
-  float within(double number, Unit unit) const {
-    const auto kept = mesh::coordinate(from_binary(number, unit));
-    if (!kept) throw error("expected a number within 10000 mm, got " + words_of(number));
-    return *kept;
-  }
-
   Bytes bytes_;
-  Unit unit_;
+  const FileUnits& units_;
   std::uint64_t begin_;
 };
 
@@ -132,8 +138,8 @@ void read_vertices(Body& body, const Element& element, Builder& builder) {
         case Role::nx: normal[0] = body.component(type); break;
         case Role::ny: normal[1] = body.component(type); break;
         case Role::nz: normal[2] = body.component(type); break;
-        case Role::u: texture[0] = body.component(type); break;
-        case Role::v: texture[1] = body.component(type); break;
+        case Role::u: texture[0] = body.texture(type); break;
+        case Role::v: texture[1] = body.texture(type); break;
         default: skip_property(body, property);
       }
     }
@@ -173,8 +179,8 @@ void read_faces(Body& body, const Element& element, Builder& builder) {
         body.expect_numbers(count, type);
         if (count % 2 != 0) throw body.error("has an odd number of numbers for the points of the texture");
         for (std::uint64_t k = 0; k < count / 2; ++k) {
-          const float u = body.component(type);
-          texture.push_back({u, body.component(type)});
+          const float u = body.texture(type);
+          texture.push_back({u, body.texture(type)});
         }
       } else if (property.role == Role::material) {
         builder.materials.begin(std::to_string(body.integer(type)));
@@ -217,14 +223,14 @@ LoadedMesh read_body(Body& body, const PlyHeader& header, const std::filesystem:
 
 }  // namespace
 
-LoadedMesh read_ply(const std::filesystem::path& file, Unit unit) {
+LoadedMesh read_ply(const std::filesystem::path& file, const FileUnits& units) {
   Lines lines(file);
   const PlyHeader header = read_header(lines, file);
   if (header.is_text) {
-    TextBody body(lines, unit);
+    TextBody body(lines, units);
     return read_body(body, header, file);
   }
-  BinaryBody body(file, lines.position(), header.order, unit);
+  BinaryBody body(file, lines.position(), header.order, units);
   return read_body(body, header, file);
 }
 

@@ -88,15 +88,29 @@ float coordinate_of(const Lines& lines, std::string_view word, Unit unit) {
   const std::optional<float> number = from_decimal(word, unit);
   if (!number) throw lines.unexpected("a coordinate", word);
   const std::optional<float> kept = coordinate(*number);
-  if (!kept) throw lines.unexpected("a coordinate within 10000 mm", word);
+  if (!kept) throw lines.error(refusal_of_coordinate(in_quotes(word), unit));
   return *kept;
 }
 
-float component_of(const Lines& lines, std::string_view word) {
-  const std::optional<float> number = from_decimal(word, Unit::mm);
+float component_of(const Lines& lines, std::string_view word, const files::Decimal& unit) {
+  const std::optional<float> number = from_decimal(word, unit);
   const std::optional<float> kept = number ? coordinate(*number) : std::nullopt;
-  if (!kept) throw lines.unexpected("a number within 10000", word);
+  if (!kept) throw lines.error(refusal_of_component(word.empty() ? "the end of the line" : in_quotes(word), unit));
   return *kept;
+}
+
+std::string refusal_of_coordinate(const std::string& got, Unit unit) {
+  const std::string refusal = "expected a coordinate within 10000 mm, got ";
+  if (unit == Unit::mm) return refusal + got;
+  std::string number = got;
+  std::erase(number, '"');
+  return refusal + number + ' ' + std::string(kUnitNames[static_cast<std::size_t>(unit)]) +
+         "; a small mesh that lies far away has to be moved in its file, because a scene moves it only after that";
+}
+
+std::string refusal_of_component(const std::string& got, const files::Decimal& unit) {
+  if (unit.is_one()) return "expected a number within 10000, got " + got;
+  return "expected a point of the texture within 10000 mm, got " + got + " times " + unit.text() + " mm";
 }
 
 std::optional<std::uint64_t> whole_number(std::string_view word) {

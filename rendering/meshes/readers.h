@@ -13,13 +13,14 @@
 
 #include "forceshade/meshes.h"
 #include "rendering/meshes/lines.h"
+#include "rendering/meshes/load.h"
 
 namespace forceshade::mesh {
 
-LoadedMesh read_obj(const std::filesystem::path& file, Unit unit);
-LoadedMesh read_off(const std::filesystem::path& file, Unit unit);
-LoadedMesh read_ply(const std::filesystem::path& file, Unit unit);
-LoadedMesh read_stl(const std::filesystem::path& file, Unit unit);
+LoadedMesh read_obj(const std::filesystem::path& file, const FileUnits& units);
+LoadedMesh read_off(const std::filesystem::path& file, const FileUnits& units);
+LoadedMesh read_ply(const std::filesystem::path& file, const FileUnits& units);
+LoadedMesh read_stl(const std::filesystem::path& file, const FileUnits& units);
 
 // More of either no file may have, so that three times the number fits in 32 bits.
 inline constexpr std::uint64_t kMost = std::uint64_t{1} << 28;
@@ -89,8 +90,12 @@ std::optional<float> coordinate(float number);
 
 // A coordinate of a vertex. Throws Error.
 float coordinate_of(const Lines& lines, std::string_view word, Unit unit);
-// A component of a normal or of a point of the texture, without a unit, with the limits of a coordinate. Throws Error.
-float component_of(const Lines& lines, std::string_view word);
+// A component of a normal, without a unit, or of a point of the texture in units of so many mm, with the limits of a
+// coordinate. Throws Error.
+float component_of(const Lines& lines, std::string_view word, const files::Decimal& unit = 1);
+// What a message says of a number, `got`, that is no coordinate within 10000 mm, and of one that is no component.
+std::string refusal_of_coordinate(const std::string& got, Unit unit);
+std::string refusal_of_component(const std::string& got, const files::Decimal& unit);
 // Decimal digits alone. Nothing where the word is no number below 2^64.
 std::optional<std::uint64_t> whole_number(std::string_view word);
 

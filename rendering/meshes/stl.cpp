@@ -44,8 +44,7 @@ LoadedMesh read_binary(const std::filesystem::path& file, Unit unit, std::uint64
         const std::uint64_t place = bytes.position();
         const float number = bytes.take<float>();
         const auto kept = coordinate(from_binary(static_cast<double>(number), unit));
-        if (!kept)
-          throw bytes.error(place, "expected a coordinate within 10000 mm, got " + words_of(static_cast<double>(number)));
+        if (!kept) throw bytes.error(place, refusal_of_coordinate(words_of(static_cast<double>(number)), unit));
         x = *kept;
       }
     bytes.skip(2);  // what some programs use for a colour
@@ -137,14 +136,14 @@ bool is_text(std::string_view head) {
 }  // namespace
 
 // The size decides: a file of the size that it declares is binary.
-LoadedMesh read_stl(const std::filesystem::path& file, Unit unit) {
+LoadedMesh read_stl(const std::filesystem::path& file, const FileUnits& units) {
   const std::uint64_t size = size_of(file);
   std::uint64_t triangles = 0;
   if (size >= kHead) {
     triangles = Bytes(file, kHead - 4, std::endian::little).take<std::uint32_t>();
-    if (size == kHead + kTriangle * triangles) return read_binary(file, unit, triangles);
+    if (size == kHead + kTriangle * triangles) return read_binary(file, units.length, triangles);
   }
-  if (is_text(head_of(file))) return Text(file, unit).read();
+  if (is_text(head_of(file))) return Text(file, units.length).read();
   if (size < kHead) throw Error(file, "is no STL file: expected the word solid, or 84 bytes and more");
   throw Error(file, "byte 80: declares " + std::to_string(triangles) + " triangles, which take " +
                         std::to_string(kHead + kTriangle * triangles) + " bytes; the file has " + std::to_string(size));

@@ -60,22 +60,6 @@ struct BoundedNumber {
   double reach() const { return error + 0x1p-52 * std::fabs(value); }
 };
 
-// In mm.
-std::vector<Points> scaled_points(const std::vector<Points>& points, float scale) {
-  std::vector<Points> all = points;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (TexturePoint& point : all[i])
-      for (float& number : point) {
-        const double exact = static_cast<double>(number) * static_cast<double>(scale);  // of 48 bits
-        const std::optional<float> kept = coordinate(static_cast<float>(exact));
-        if (!kept)
-          throw std::invalid_argument(face(i) + " has a point of the texture at " + words_of(exact) +
-                                      " mm; expected one within 10000 mm");
-        number = *kept;
-      }
-  return all;
-}
-
 // 1 where the triangle is as in the texture, -1 where it is turned over there, 0 where it has no area there.
 int orientation(const Points& points) {
   const auto in_plane = [](const TexturePoint& p) { return Vertex{p[0], p[1], 0}; };
@@ -201,13 +185,10 @@ class Gradients {
 
 }  // namespace
 
-CornerTextures corner_textures(const CheckedMesh& checked, const std::vector<Points>& points, float scale,
-                               double crease_degrees) {
+CornerTextures corner_textures(const CheckedMesh& checked, const std::vector<Points>& points, double crease_degrees) {
   const TriangleMesh& mesh = checked.mesh();
   if (points.size() != mesh.triangles.size()) throw std::invalid_argument("expected points of the texture for each face");
-  if (!(scale >= 0.001F && scale <= 10000)) throw std::invalid_argument("expected a scale of 0.001 to 10000 mm");
-  const std::vector<Points> in_mm = scaled_points(points, scale);
-  return Gradients(mesh, in_mm, crease_degrees).run();
+  return Gradients(mesh, points, crease_degrees).run();
 }
 
 }  // namespace forceshade::mesh

@@ -8,8 +8,7 @@
 
 namespace forceshade::mesh {
 
-// points: of each corner of each triangle, in the file's units; scale: mm for one such unit, 10^-3 to 10^4. A coordinate is the
-// binary32 number of mm nearest to number times scale, and 0 below 2^-30 mm in size.
+// points: of each corner of each triangle, in mm, each number within 10^4 and 0 or at least 2^-30 in size.
 //
 // The gradients of a corner are means over the triangles around its vertex, weighted by their areas: of those that are joined
 // to the corner's own triangle over edges at the vertex that do not separate. An edge separates if its triangles turn by more
@@ -17,9 +16,9 @@ namespace forceshade::mesh {
 // component is the binary32 number nearest to the exact one, ties to even, and 0 below 2^-30 in size; one that 1280 bits do not
 // separate from a tie is taken for the tie.
 //
-// Throws std::invalid_argument, with the number of the face, where a triangle has no area in the texture, a point is beyond
-// 10^4 mm, a component of a gradient is above 1000, or the scale is outside its range.
-CornerTextures corner_textures(const CheckedMesh& mesh, const std::vector<std::array<TexturePoint, 3>>& points, float scale,
+// Throws std::invalid_argument, with the number of the face, where a triangle has no area in the texture or a component of a
+// gradient is above 1000.
+CornerTextures corner_textures(const CheckedMesh& mesh, const std::vector<std::array<TexturePoint, 3>>& points,
                                double crease_degrees = 180);
 
 }  // namespace forceshade::mesh

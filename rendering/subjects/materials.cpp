@@ -101,7 +101,7 @@ class Reader {
 
   // "7" or "0-99", or the number 7.
   void add_faces(const toml::node& node) {
-    const std::string text = node.is_array() ? "" : heights::words_of_scalars(node);
+    const std::string text = node.is_array() ? "" : in_.document().words_of_scalars(node);
     const char* const end = text.data() + text.size();
     std::uint32_t first = 0, last = 0;
     auto [at, error] = std::from_chars(text.data(), end, first);

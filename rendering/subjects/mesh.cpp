@@ -10,6 +10,7 @@
 #include "files/shortest.h"
 #include "forceshade/heights.h"
 #include "forceshade/meshes.h"
+#include "rendering/meshes/load.h"
 #include "rendering/meshes/texture.h"
 #include "rendering/subjects/height_map.h"
 #include "rendering/subjects/materials.h"
@@ -55,9 +56,14 @@ std::string words_of_friction(const Options& options) {
   return files::shortest(material.static_friction) + ',' + files::shortest(material.dynamic_friction);
 }
 
-std::optional<float> texture_scale(const Options& options) {
+// Millimetres, exact: a number of a point of the texture is rounded after it was multiplied with them.
+std::optional<files::Decimal> texture_scale(const Options& options) {
   if (!options.has("texture-scale")) return std::nullopt;
-  return files::parse_length(options.name("texture-scale"), options.value("texture-scale"));
+  const std::string name = options.name("texture-scale"), text = options.value("texture-scale");
+  const files::Decimal scale = files::exact_length(name, text);
+  const auto nearest = scale.nearest<float>();
+  if (nearest >= 0.001F && nearest <= 10000) return scale;
+  throw BadInput(name + ": expected a length of 0.001 to 10000 mm, got \"" + text + '"');
 }
 
 mesh::CheckedMesh checked(const Options& options, Unchecked& unchecked, const Monitor& monitor) {
@@ -87,8 +93,7 @@ void read_texture(const Options& options, const std::vector<std::array<mesh::Tex
     throw BadInput(mesh_file +
                    ": has no texture coordinates at some or all corners; expected them beside --shading texture:FILE: vt of an "
                    "OBJ file, s and t or u and v or texcoord of a PLY file, or ST of an OFF file");
-  const std::optional<float> scale = texture_scale(options);
-  if (!scale)
+  if (!options.has("texture-scale"))
     throw BadInput(
         "--texture-scale is required beside --shading texture:FILE: expected the length of one unit of the texture "
         "coordinates, such as 1mm, for no mesh file says it");
@@ -99,7 +104,7 @@ void read_texture(const Options& options, const std::vector<std::array<mesh::Tex
     throw BadInput(file + ": has a surface to measure the depth from; expected none, for the depth is that of the mesh");
   rendering.texture.map = std::move(spec.map);
   try {
-    rendering.texture.corners = mesh::corner_textures(rendering.checked, points, *scale, crease_degrees(options));
+    rendering.texture.corners = mesh::corner_textures(rendering.checked, points, crease_degrees(options));
   } catch (const std::invalid_argument& error) {
     throw BadInput(mesh_file + ": cannot be textured: " + error.what());
   }
@@ -154,7 +159,8 @@ MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& 
   if (!options.has("unit"))
     throw BadInput("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
   const auto load = [&]() -> Unchecked {
-    mesh::LoadedMesh loaded = mesh::load_with_corners(options.value("mesh"), unit_named(options.value("unit")));
+    mesh::LoadedMesh loaded = mesh::load_in_units(
+        options.value("mesh"), {unit_named(options.value("unit")), texture_scale(options).value_or(files::Decimal(1))});
     mesh::Materials materials = read_materials(options, loaded);
     const auto words = [lines = std::move(loaded.lines)](const mesh::Findings& findings) { return findings.words(lines); };
     return {std::move(loaded), std::move(materials), words};
@@ -165,7 +171,7 @@ MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& 
 std::vector<std::pair<std::string, std::string>> written_mesh(const Options& options, bool with_folders) {
   const auto file_name = [&](const std::string& path) { return with_folders ? path : fs::path(path).filename().string(); };
   const std::string shading = shading_of(options), contact = contact_of(options);
-  const std::optional<float> scale = texture_scale(options);
+  const auto scale = texture_scale(options);
   return {{"mesh", file_name(options.value("mesh"))},
           {"unit", options.value("unit")},
           {"sides", options.value("sides")},
@@ -174,7 +180,7 @@ std::vector<std::pair<std::string, std::string>> written_mesh(const Options& opt
           {"contact", contact == name_of(mesh::kUsualContact) ? "" : contact},
           {"friction", options.has("friction") ? words_of_friction(options) : ""},
           {"materials", file_name(options.value("materials"))},
-          {"texture-scale", scale ? files::shortest(*scale) + "mm" : ""},
+          {"texture-scale", scale ? scale->text() + "mm" : ""},
           {"self-intersecting", options.is_true("self-intersecting") ? "true" : ""},
           {"crease", files::shortest(crease_degrees(options)) + "deg"}};
 }

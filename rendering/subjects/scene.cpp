@@ -53,7 +53,7 @@ class SceneReader {
     Options all;
     for (const auto& [key, node] : in_.root())
       if (key.str() != "object" && key.str() != "rate")
-        all.add(option_of(std::string(key.str()), node, in_.file(), keys, "scene"));
+        all.add(option_of(std::string(key.str()), node, in_.document(), in_.file(), keys, "scene"));
     for (const Option& one : given) all.add(one);
     expect_consistent(all, Laws::one);
     if (is_texture(all.value("shading")))
@@ -109,7 +109,7 @@ class SceneReader {
     for (const auto& [key, node] : table) {
       if (key.str() == "name" || key.str() == "motion") continue;
       if (key.str() != "repeats") {
-        made.options.add(option_of(std::string(key.str()), node, in_.file(), keys, "subject"));
+        made.options.add(option_of(std::string(key.str()), node, in_.document(), in_.file(), keys, "subject"));
       } else if (const auto flag = node.value_exact<bool>()) {
         repeats = *flag;
       } else {
@@ -174,7 +174,7 @@ class SceneReader {
     if (list == nullptr || list->size() != size) in_.fail(node, key, expected, node);
     std::vector<std::string> words;
     for (const toml::node& each : *list) {
-      words.push_back(each.is_array() ? "" : heights::words_of_scalars(each));
+      words.push_back(each.is_array() ? "" : in_.document().words_of_scalars(each));
       if (words.back().empty()) in_.fail(each, key, expected, each);
     }
     return words;

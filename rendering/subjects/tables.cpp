@@ -14,22 +14,22 @@ namespace forceshade::subjects {
 
 namespace fs = std::filesystem;
 
-toml::table table_in(std::variant<toml::table, heights::TomlFault> parsed, const std::string& file) {
+heights::TomlDocument document_in(std::variant<heights::TomlDocument, heights::TomlFault> parsed, const std::string& file) {
   if (const auto* fault = std::get_if<heights::TomlFault>(&parsed))
     throw BadInput(file + ": " + (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
-  return std::get<toml::table>(std::move(parsed));
+  return std::get<heights::TomlDocument>(std::move(parsed));
 }
 
 std::string beside(const fs::path& file, const std::string& name) {
   return (file.parent_path() / name).string();
 }
 
-Option option_of(const std::string& key, const toml::node& node, const fs::path& file, const std::vector<std::string>& keys,
-                 const std::string& whose) {
+Option option_of(const std::string& key, const toml::node& node, const heights::TomlDocument& document, const fs::path& file,
+                 const std::vector<std::string>& keys, const std::string& whose) {
   const std::string place = file.string() + ": line " + std::to_string(node.source().begin.line);
   if (std::ranges::find(keys, key) == keys.end())
     throw BadInput(place + ": unknown key " + key + "; expected keys of a " + whose + files::suggestion(key, keys));
-  Option option{key, heights::words_of_scalars(node), place + ": " + key};
+  Option option{key, document.words_of_scalars(node), place + ": " + key};
   if (is_flag(key)) {
     const auto flag = node.value_exact<bool>();
     option.value = !flag ? "" : *flag ? "true" : "false";
@@ -64,7 +64,7 @@ void Tables::expect_keys(const toml::table& table, const std::vector<std::string
 }
 
 std::vector<const toml::table*> Tables::tables_of(const std::string& key) const {
-  const toml::node* const list = root_.get(key);
+  const toml::node* const list = root().get(key);
   if (list == nullptr) return {};
   if (!list->is_array_of_tables()) fail(*list, key, "[[" + key + "]]", *list);
   std::vector<const toml::table*> tables;
@@ -84,7 +84,7 @@ std::string Tables::text_of(const toml::table& table, std::string_view key, std:
 mesh::Material Tables::material_of(const toml::table& table) const {
   mesh::Material made;
   const auto words = [&](const char* key, const toml::node& node, const char* expected) {
-    const std::string text = heights::words_of_scalars(node);
+    const std::string text = document_.words_of_scalars(node);
     if (text.empty()) fail(node, key, expected, node);
     return text;
   };

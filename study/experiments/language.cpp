@@ -51,8 +51,8 @@ Labels labels(TomlTable& root) {
 }  // namespace
 
 Language read_language(const std::filesystem::path& file) {
-  const toml::table root = parsed_toml(file);
-  TomlTable table(file, root);
+  const heights::TomlDocument document = parsed_toml(file);
+  TomlTable table(file, document);
   Language language;
   language.name = table.text("language");
   language.matching = heading(table, "matching");

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 // The domain of the laws (docs/laws.md): 0.1 mm to 10 m for a radius, 0.001 mm to twice the radius for a width.
 constexpr Mil kLeastRadius = 4, kLargestRadius = 393'700, kLargestWidth = 787'400;
-constexpr double kLeastStiffness = 1e-3, kLargestStiffness = 1e3;  // N/mm
+constexpr float kLeastStiffness = 1e-3F, kLargestStiffness = 1e3F;  // N/mm
 constexpr int kMostRepetitions = 1000, kMostTrials = 100'000, kMostRadiusSteps = 10'000;
 
 constexpr std::array<std::pair<std::string_view, Experiment>, 2> kExperiments{
@@ -251,8 +251,8 @@ std::vector<Bump> Protocol::bumps() const {
 }
 
 Protocol read_protocol(const fs::path& file, const fs::path& folder, Files files) {
-  const toml::table root = parsed_toml(file);
-  TomlTable table(file, root);
+  const heights::TomlDocument document = parsed_toml(file);
+  TomlTable table(file, document);
   const Beside where{folder.empty() ? file.parent_path() : folder, files};
   Protocol protocol;
   protocol.file = file;
@@ -260,7 +260,7 @@ Protocol read_protocol(const fs::path& file, const fs::path& folder, Files files
   protocol.name = table.text("name");
   protocol.language = where.folder / table.text("language");
   protocol.width = table.whole("width_mil", 1, kLargestWidth);
-  protocol.stiffness = static_cast<float>(table.number("stiffness_N_per_mm", kLeastStiffness, kLargestStiffness));
+  protocol.stiffness = table.number("stiffness_N_per_mm", kLeastStiffness, kLargestStiffness);
   protocol.practice_trials = table.whole("practice_trials", 0, kMostRepetitions, 0);
   protocol.trials_before_break = table.whole("trials_before_break", 0, kMostTrials, 0);
   protocol.resume = table.word<Resume>("resume", kResumes);

@@ -6,7 +6,6 @@
 
 #include "files/printable.h"
 #include "files/suggestion.h"
-#include "rendering/heights/toml_file.h"
 #include "study/experiments/error.h"
 
 namespace forceshade::experiments {
@@ -22,13 +21,13 @@ std::string range_of(auto least, auto largest) {
 
 }  // namespace
 
-toml::table parsed_toml(const std::filesystem::path& file) {
+heights::TomlDocument parsed_toml(const std::filesystem::path& file) {
   auto root = heights::parse_toml_file(file, kLargestToml);
   if (const auto* fault = std::get_if<heights::TomlFault>(&root)) {
     const std::string reason = files::printable(fault->reason);
     throw fault->line == 0 ? Error(file, reason) : Error(file, fault->line, reason);
   }
-  return std::get<toml::table>(std::move(root));
+  return std::get<heights::TomlDocument>(std::move(root));
 }
 
 const toml::node* TomlTable::find(std::string_view key, bool is_optional) {
@@ -60,9 +59,9 @@ int TomlTable::whole(std::string_view key, int least, int largest, std::optional
   return static_cast<int>(*value);
 }
 
-double TomlTable::number(std::string_view key, double least, double largest) {
+float TomlTable::number(std::string_view key, float least, float largest) {
   const toml::node* node = find(key, false);
-  const auto value = node->value<double>();  // a whole number, too
+  const auto value = document_.binary32(*node);
   if (!value || !(*value >= least && *value <= largest)) fail(*node, key, "a number, " + range_of(least, largest));
   return *value;
 }
@@ -128,7 +127,7 @@ std::vector<std::string> TomlTable::texts(std::string_view key, std::size_t leas
 TomlTable TomlTable::table(std::string_view key) {
   const toml::node* node = find(key, false);
   if (!node->is_table()) fail(*node, key, "a table");
-  return {file_, *node->as_table()};
+  return {file_, document_, *node->as_table()};
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) {
@@ -138,7 +137,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
   std::vector<TomlTable> all;
   for (const toml::node& element : *list) {
     if (!element.is_table()) fail(element, key, "a list of tables such as [{ law = \"wall\" }]");
-    all.emplace_back(file_, *element.as_table());
+    all.push_back({file_, document_, *element.as_table()});
   }
   return all;
 }

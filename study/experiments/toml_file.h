@@ -3,8 +3,6 @@
 // A TOML file of an experiment, read key by key; whatever is wrong is said with file, line and key. Included by source files
 // alone.
 
-#include <toml++/toml.h>
-
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -15,11 +13,12 @@
 #include <vector>
 
 #include "files/suggestion.h"
+#include "rendering/heights/toml_file.h"
 
 namespace forceshade::experiments {
 
 // Throws Error: a file that cannot be opened, is longer than 1 MiB, nests too deep or is no TOML.
-toml::table parsed_toml(const std::filesystem::path& file);
+heights::TomlDocument parsed_toml(const std::filesystem::path& file);
 
 template <class T>
 using Words = std::span<const std::pair<std::string_view, T>>;
@@ -27,11 +26,14 @@ using Words = std::span<const std::pair<std::string_view, T>>;
 // One table of the file. What a call throws is an Error.
 class TomlTable {
  public:
-  TomlTable(const std::filesystem::path& file, const toml::table& table) : file_(file), table_(table) {}
+  // The document outlives this.
+  TomlTable(const std::filesystem::path& file, const heights::TomlDocument& document)
+      : TomlTable(file, document, document.root()) {}
 
   bool has(std::string_view key) const { return table_.contains(key); }
   int whole(std::string_view key, int least, int largest, std::optional<int> otherwise = std::nullopt);
-  double number(std::string_view key, double least, double largest);
+  // The nearest binary32 number.
+  float number(std::string_view key, float least, float largest);
   // UTF-8 that a screen may show; may_have_lines: line feeds are allowed.
   std::string text(std::string_view key, bool may_have_lines = false);
   // A list of at least one whole number, each once.
@@ -64,12 +66,16 @@ class TomlTable {
   [[noreturn]] void fail(std::string_view key, const std::string& reason) const;
 
  private:
+  TomlTable(const std::filesystem::path& file, const heights::TomlDocument& document, const toml::table& table)
+      : file_(file), document_(document), table_(table) {}
+
   const toml::node* find(std::string_view key, bool is_optional);
   [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected,
                          const std::string& suggestion = "") const;
 
   std::filesystem::path file_;
-  const toml::table& table_;  // of the file's, which outlives this
+  const heights::TomlDocument& document_;
+  const toml::table& table_;  // of the document
   std::set<std::string, std::less<>> read_;
 };
 

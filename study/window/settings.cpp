@@ -91,8 +91,8 @@ std::string font_of(experiments::TomlTable& table, const fs::path& folder) {
 }  // namespace
 
 Settings read_settings(const fs::path& file) {
-  const toml::table root = experiments::parsed_toml(file);
-  experiments::TomlTable table(file, root);
+  const heights::TomlDocument document = experiments::parsed_toml(file);
+  experiments::TomlTable table(file, document);
   Settings settings;
   settings.is_fullscreen = table.flag("fullscreen", settings.is_fullscreen);
   settings.monitor = table.whole("monitor", 1, 16, settings.monitor);

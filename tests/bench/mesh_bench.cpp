@@ -208,7 +208,7 @@ mesh::Texture texture_of(const mesh::CheckedMesh& checked) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform(-0.05F, 0.05F);
   for (std::uint32_t i = 0; i < grid.columns * grid.rows; ++i) grid.values.push_back(uniform(random));
-  return {mesh::corner_textures(checked, mesh::texture_from_above(checked.mesh()), 1),
+  return {mesh::corner_textures(checked, mesh::texture_from_above(checked.mesh())),
           {{{std::make_shared<const height::Grid>(std::move(grid))}}}};
 }
 

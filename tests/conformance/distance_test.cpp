@@ -56,6 +56,32 @@ TEST(is_within, decides_a_distance_that_equals_the_tolerance) {
   EXPECT_FALSE(is_within({Unit::ulp, 15}, answer, exact, half));
 }
 
+// Answers that are off by just so much as a decimal tolerance allows, of exact forces of 1000 and 1000000 N; a hair less is
+// less.
+TEST(is_within, decides_a_decimal_tolerance_exactly) {
+  int cases = 0;
+  for (const float size : {1000.0F, 1000000.0F})
+    for (int tenths = 1; tenths <= 400; ++tenths) {
+      const auto answer = static_cast<float>(static_cast<double>(size) + static_cast<double>(size) / 1000 * tenths);
+      const reference::Rounded exact = contact({0, 0, size});
+      const auto digits_of_force = [size](unsigned) {
+        return std::optional<std::array<std::string, 3>>{{"0", "0", std::to_string(static_cast<long>(size))}};
+      };
+      const std::string percent = std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10);
+      const std::string newtons = std::to_string(tenths) + (size == 1000 ? "" : "000");
+      const files::Decimal less = *files::Decimal::of("0.999999999999999999999999999999");
+      for (const auto& [text, unit] : {std::pair(percent, Unit::percent), {newtons, Unit::newton}})
+        for (const Digits& digits : {Digits(digits_of_force), kNone}) {
+          const Tolerance just{unit, *files::Decimal::of(text)}, hair_less{unit, just.value * less};
+          EXPECT_TRUE(is_within(just, {0, 0, answer}, exact, digits)) << text << words_of(just);
+          EXPECT_FALSE(is_within(hair_less, {0, 0, answer}, exact, digits)) << text << words_of(just);
+          ++cases;
+        }
+    }
+  std::printf("  %d cases\n", cases);
+  EXPECT_GT(cases, 3000);
+}
+
 // What is nearest to the exact force is not the exact force: its own error counts in N.
 TEST(is_within, takes_the_exact_force_and_not_the_rounded_one) {
   const auto law = std::get<reference::Law>(reference::Law::build(LawId::bump_2p, {15.24F, 25.4F, 0.5F}));

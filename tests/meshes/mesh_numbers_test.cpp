@@ -3,7 +3,6 @@
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>
-#include <mpfr.h>
 
 #include <array>
 #include <bit>
@@ -13,6 +12,7 @@
 #include <random>
 
 #include "rendering/meshes/numbers.h"
+#include "tests/support/rational.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -21,28 +21,13 @@ constexpr std::array<Unit, 3> kUnits{Unit::mm, Unit::m, Unit::in};
 
 // The binary32 number nearest to number times unit, ties to even.
 float nearest(const mpq_class& number, Unit unit) {
-  const mpq_class scaled = number * (unit == Unit::mm ? mpq_class(1) : unit == Unit::m ? mpq_class(1000) : mpq_class(127, 5));
-  // 300 bits rounded to odd, then to 24, are as one rounding: what is left out is a bit that is set.
-  mpfr_t wide;
-  mpfr_init2(wide, 300);
-  const int inexact = mpfr_set_q(wide, scaled.get_mpq_t(), MPFR_RNDZ);
-  if (inexact != 0 && mpfr_min_prec(wide) < 300) {
-    if (mpfr_sgn(wide) > 0)
-      mpfr_nextabove(wide);
-    else
-      mpfr_nextbelow(wide);
-  }
-  const float result = mpfr_get_flt(wide, MPFR_RNDN);
-  mpfr_clear(wide);
-  return result;
+  const mpq_class factor = unit == Unit::mm ? mpq_class(1) : unit == Unit::m ? mpq_class(1000) : mpq_class(127, 5);
+  return tests::nearest<float>(number * factor);
 }
 
 // A number of digits with a point in them, and an exponent.
 mpq_class rational(const std::string& digits, int behind_point, int exponent, bool is_negative) {
-  mpz_class number(digits, 10), power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent - behind_point)));
-  mpq_class result = exponent >= behind_point ? mpq_class(number * power) : mpq_class(number, power);
-  result.canonicalize();
+  const mpq_class result = tests::decimal(digits, exponent - behind_point);
   return is_negative ? mpq_class(-result) : result;
 }
 
@@ -79,6 +64,29 @@ TEST(mesh_numbers, as_decimals_are_rounded_once_in_every_unit) {
   std::printf("%llu numbers; rounding inches twice would be wrong for %llu\n", static_cast<unsigned long long>(cases),
               static_cast<unsigned long long>(twice));
   EXPECT_GT(twice, 100U);
+}
+
+// A point of a texture: a decimal number, or one of binary64, times a length that is typed.
+TEST(mesh_numbers, of_a_texture_are_rounded_once_in_every_unit) {
+  std::mt19937_64 random(11);
+  int twice = 0;
+  for (const auto& [text, unit] : {std::pair("25.4", mpq_class(127, 5)),
+                                   {"0.3", mpq_class(3, 10)},
+                                   {"1", mpq_class(1)},
+                                   {"7.00000000000000000001", tests::decimal("700000000000000000001", -20)}}) {
+    const files::Decimal scale = *files::Decimal::of(text);
+    for (int i = 0; i < 4000; ++i) {
+      const tests::NearTie one = tests::near_tie(random, unit);
+      const auto expected = tests::nearest<float>(one.number * unit);
+      ASSERT_EQ(from_decimal(one.text, scale), expected) << one.text << " in " << text;
+      const double as_binary = std::stod(one.text);
+      ASSERT_EQ(from_binary(as_binary, scale), tests::nearest<float>(mpq_class(as_binary) * unit))
+          << one.text << " in " << text;
+      if (std::stof(one.text) * scale.nearest<float>() != expected) ++twice;
+    }
+  }
+  std::printf("  %d of 16000 would be wrong if rounded twice\n", twice);
+  EXPECT_GT(twice, 1000);
 }
 
 TEST(mesh_numbers, as_binary_numbers_are_rounded_once_in_every_unit) {

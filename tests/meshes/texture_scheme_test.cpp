@@ -181,7 +181,7 @@ MeshRendering textured(mesh::TriangleMesh triangles, const std::vector<std::arra
           mesh::Sides::front,
           mesh::Shading::texture_scheme,
           kStiffness,
-          {mesh::corner_textures(checked, points, 1), std::move(map)}};
+          {mesh::corner_textures(checked, points), std::move(map)}};
 }
 
 fast::MeshSession session_of(const MeshRendering& of) {
@@ -310,11 +310,18 @@ TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_sea
   expect_all({"within a triangle", "over an edge of a chart", "over a seam"});
 }
 
-std::string refusal(const std::vector<std::array<mesh::TexturePoint, 3>>& points, float scale) {
+std::vector<std::array<mesh::TexturePoint, 3>> scaled(std::vector<std::array<mesh::TexturePoint, 3>> points, float scale) {
+  for (auto& corners : points)
+    for (mesh::TexturePoint& point : corners)
+      for (float& number : point) number *= scale;
+  return points;
+}
+
+std::string refusal(const std::vector<std::array<mesh::TexturePoint, 3>>& points) {
   const auto checked =
       std::get<mesh::CheckedMesh>(mesh::check({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}}));
   try {
-    mesh::corner_textures(checked, points, scale);
+    mesh::corner_textures(checked, points);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -325,15 +332,14 @@ TEST(texture_scheme, gradients_are_those_of_the_map_and_what_cannot_be_laid_over
   const std::array<mesh::TexturePoint, 3> first{{{0, 0}, {1, 0}, {1, 1}}}, second{{{0, 0}, {1, 1}, {0, 1}}};
   const mesh::TriangleMesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const auto checked = std::get<mesh::CheckedMesh>(mesh::check(square));
-  for (const auto& corners : mesh::corner_textures(checked, {first, second}, 3))
+  for (const auto& corners : mesh::corner_textures(checked, scaled({first, second}, 3)))
     for (const mesh::CornerTexture& corner : corners) {
       EXPECT_EQ(corner.gradient_x, (mesh::Normal{3, 0, 0}));
       EXPECT_EQ(corner.gradient_y, (mesh::Normal{0, 3, 0}));
     }
   // The second triangle twice as fast along y, joined to the first at one corner only: a seam.
   const std::array<mesh::TexturePoint, 3> other{{{0, 0}, {1, 1}, {0, 2}}}, apart{{{0, 0}, {2, 2}, {0, 2}}};
-  const auto joined = mesh::corner_textures(checked, {first, other}, 1),
-             split = mesh::corner_textures(checked, {first, apart}, 1);
+  const auto joined = mesh::corner_textures(checked, {first, other}), split = mesh::corner_textures(checked, {first, apart});
   EXPECT_EQ(joined[0][0].gradient_y, joined[1][0].gradient_y);  // the mean of (0, 1) and (-1, 2)
   EXPECT_EQ(joined[0][0].gradient_y, (mesh::Normal{-0.5F, 1.5F, 0}));
   EXPECT_EQ(joined[0][1].gradient_y, (mesh::Normal{0, 1, 0}));
@@ -341,17 +347,15 @@ TEST(texture_scheme, gradients_are_those_of_the_map_and_what_cannot_be_laid_over
   EXPECT_EQ(split[1][0].gradient_y, (mesh::Normal{0, 2, 0}));
   // Turned over, with the same points along the common edge.
   const std::array<mesh::TexturePoint, 3> mirrored{{{0, 0}, {1, 1}, {2, 0}}};
-  EXPECT_EQ(mesh::corner_textures(checked, {first, mirrored}, 1)[0][0].gradient_y, (mesh::Normal{0, 1, 0}));
+  EXPECT_EQ(mesh::corner_textures(checked, {first, mirrored})[0][0].gradient_y, (mesh::Normal{0, 1, 0}));
   // 1 + 2^-24 is midway between two binary32 numbers.
-  const auto tie = mesh::corner_textures(checked, {{{{{-0x1p-24F, 0}, {1, 0}, {1, 1}}}, second}}, 1);
+  const auto tie = mesh::corner_textures(checked, {{{{{-0x1p-24F, 0}, {1, 0}, {1, 1}}}, second}});
   EXPECT_EQ(tie[0][1].gradient_x[0], 1);
 
   const std::array<mesh::TexturePoint, 3> line{{{0, 0}, {1, 1}, {2, 2}}};
-  EXPECT_EQ(refusal({first, line}, 1), "face 1 has no area in the texture: its three points lie on a line");
-  EXPECT_EQ(refusal({first, second}, 10000), "face 0 has a texture that goes by at 10000 mm/mm; expected 1000 at most");
-  EXPECT_EQ(refusal({first, other}, 9000), "face 1 has a point of the texture at 18000 mm; expected one within 10000 mm");
-  EXPECT_EQ(refusal({first, second}, 0), "expected a scale of 0.001 to 10000 mm");
-  EXPECT_EQ(refusal({first}, 1), "expected points of the texture for each face");
+  EXPECT_EQ(refusal({first, line}), "face 1 has no area in the texture: its three points lie on a line");
+  EXPECT_EQ(refusal(scaled({first, second}, 10000)), "face 0 has a texture that goes by at 10000 mm/mm; expected 1000 at most");
+  EXPECT_EQ(refusal({first}), "expected points of the texture for each face");
 }
 
 // A texture that a side cannot hold is refused by both.

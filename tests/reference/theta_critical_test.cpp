@@ -42,6 +42,20 @@ TEST(theta_critical, equality_needs_one_more_polygon) {
   EXPECT_EQ(polygons_needed(half_round, kLeastThetaCritical), 180'000'001U);  // 1e-6 in binary64 is a little less
 }
 
+// 0.1 in binary64 is a little more, 0.3 a little less.
+TEST(theta_critical, is_the_number_that_was_typed) {
+  const Parameters sixty{5, 5, 1}, half_round{12.7F, 25.4F, 1};
+  for (unsigned tenths = 1; tenths <= 1800; ++tenths) {
+    const RationalAngle typed(std::to_string(tenths) + "/10", false);
+    EXPECT_EQ(polygons_needed(sixty, typed), 600 / tenths + 1) << tenths;
+    EXPECT_EQ(polygons_needed(half_round, typed), 1800 / tenths + 1) << tenths;
+  }
+  EXPECT_EQ(polygons_needed(half_round, {"1/1000000", false}), 180'000'001U);
+  // 60 degrees are 1.0471975511965977461... rad.
+  EXPECT_EQ(polygons_needed(sixty, {"10471975511965977461/10000000000000000000", true}), 2U);
+  EXPECT_EQ(polygons_needed(sixty, {"10471975511965977462/10000000000000000000", true}), 1U);
+}
+
 TEST(theta_critical, fewest_polygons_are_enough_and_one_less_is_not) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> share(0.001F, 1);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -35,6 +36,22 @@ TEST(subject_file, names_a_law_with_its_parameters_in_their_units) {
   EXPECT_EQ(parameters_of(bump).width, 30.0F);
   EXPECT_EQ(parameters_of(bump).stiffness, 0.25F);
   EXPECT_EQ(bump.stiffness(), 0.25F);
+}
+
+// 1 + 2^-24 is the middle between two numbers of binary32; 10^-29 more is lost in binary64.
+TEST(subject_file, rounds_a_number_once) {
+  const std::string above = "1.00000005960464477539062500001", tie = "1.000_000_059_604_644_775_390_625";
+  const float next = std::nextafter(1.0F, 2.0F);
+  for (const auto& [text, expected] : {std::pair(above, next),
+                                       {tie, 1.0F},
+                                       {"+" + above, next},
+                                       {"10000.0000596046447753906250001e-4", next},
+                                       {'"' + above + "N/mm\"", next},
+                                       {"\"1000.00005960464477539062500001N/m\"", next},
+                                       {"1", 1.0F}}) {
+    const Description wall = read_text("# \u00e9\nlaw = \"wall\"\nstiffness = " + text + " # \u00e9\n", "its.toml");
+    EXPECT_EQ(parameters_of(wall).stiffness, expected) << text;
+  }
 }
 
 TEST(subject_file, has_the_thesis_bump_where_it_does_not_say) {

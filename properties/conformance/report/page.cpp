@@ -66,7 +66,7 @@ std::string statements(const Conformance& found, const Circumstances& circumstan
   if (all.cases > 0) {
     html += "Of " + plural(all.cases, "answer") + ", " + grouped(all.cases - all.wrong) +
             (all.cases - all.wrong == 1 ? " is" : " are") + " the exact force rounded to binary32 (nearest, ties to even)";
-    if (circumstances.options.tolerance.value > 0)
+    if (!circumstances.options.tolerance.value.is_zero())
       html += ", and " + grouped(all.cases - all.beyond) + (all.cases - all.beyond == 1 ? " is" : " are") +
               " within the tolerance, " + escaped(words_of(circumstances.options.tolerance));
     html = statement(html + '.');
