@@ -333,6 +333,31 @@ TEST(planted_defect, number_26_gravity_is_compensated_with_another_gravity) {
             (Names{kAir, kLost, kAttracts}));
 }
 
+// Five of the laws are active: the definition itself gives energy, and who renders it gives as much.
+TEST(planted_defect, none_is_a_law_that_gives_energy_itself) {
+  constexpr const char* kAdvice = "the definition itself gives ";
+  int active = 0;
+  for (const LawName& law : kLaws) {
+    const Description scene{std::string(law.name), DescribedLaw{law.id, {15.24F, 25.4F, 0.5F}}};
+    const auto declared = [](const char* claims, float more) {
+      return [=](Description&, Json& hello) -> Spoil {
+        hello["claims"] = claims;
+        hello["loop_energy_mJ"] = 0;
+        return [=](const Vector3f&, Vector3f& force, bool) { force.x() *= more; };
+      };
+    };
+    EXPECT_EQ(failures(scene, declared("definition", 1)), Names{}) << law.name;
+    const Conformance its = conform(scene, own_renderer(scene, declared("invariants", 1)), {.points = 100});
+    const auto energy = std::ranges::find(its.invariants, kEnergy, &Invariant::name);
+    ASSERT_NE(energy, its.invariants.end());
+    if (!energy->violation) continue;
+    ++active;
+    EXPECT_NE(energy->violation->find(kAdvice), std::string::npos) << *energy->violation;
+    EXPECT_TRUE(failures(scene, declared("definition", 1.5F)).contains(kEnergy)) << law.name << " gives more than it has to";
+  }
+  EXPECT_EQ(active, 5);
+}
+
 // Beside those of the page: it pushes more on the way out than on the way in.
 TEST(planted_defect, that_gives_energy_over_a_closed_path) {
   EXPECT_EQ(failures(kWall,

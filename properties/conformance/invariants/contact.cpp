@@ -104,7 +104,16 @@ Invariant first_force_opposes(const Trial& trial) {
   return invariant;
 }
 
-// Twice as many steps tell how exact the sum is.
+// What the definition itself gives along a path, rounded once in each place.
+double work_of_definition(const Trial& trial, const Path& path) {
+  const auto session = trial.subject.open_reference();
+  std::vector<Eigen::Vector3f> forces;
+  for (const Eigen::Vector3f& position : path) forces.push_back(session->step(position).force);
+  return work(path, forces);
+}
+
+// Twice as many steps tell how exact the sum is. Active laws, such as shaded ones, give energy: as much is allowed to who
+// claims to render the definition.
 Invariant loops_give_no_energy(const Trial& trial) {
   Invariant invariant{"a closed path gives no more energy than declared"};
   const auto declared = trial.renderer.hello().loop_energy;
@@ -123,11 +132,17 @@ Invariant loops_give_no_energy(const Trial& trial) {
       const double coarse = work_of(kLoopSteps), fine = work_of(2 * kLoopSteps);
       ++invariant.cases;
       trial.monitor.at(0.97);
-      if (!(fine <= *declared + 2 * std::abs(fine - coarse) + kLeastWork))
-        invariant.violated("in at " + show(approach.contact) + " mm, " + files::shortest(along) +
-                           " mm along x, out and back to " + show(approach.air) + " mm gives " + files::shortest(fine) +
-                           " mJ (" + files::shortest(coarse) +
-                           " mJ in half as many steps): a hand that goes round gets as much each time");
+      const double slack = 2 * std::abs(fine - coarse) + kLeastWork;
+      if (fine <= *declared + slack) continue;
+      const double its = work_of_definition(trial, loop(trial.renderer, approach, {along, 0, 0}, 2 * kLoopSteps));
+      if (trial.renderer.hello().claims_definition && fine <= its + slack) continue;
+      const bool is_active = its > *declared + kLeastWork;
+      invariant.violated("in at " + show(approach.contact) + " mm, " + files::shortest(along) +
+                         " mm along x, out and back to " + show(approach.air) + " mm gives " + files::shortest(fine) + " mJ (" +
+                         files::shortest(coarse) + " mJ in half as many steps): a hand that goes round gets as much each time" +
+                         (is_active ? "; the definition itself gives " + files::shortest(its) +
+                                          " mJ here: declare null, or at least the most that it gives"
+                                    : ""));
     }
   return invariant;
 }
