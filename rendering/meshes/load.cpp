@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "rendering/meshes/load.h"
+
 #include <algorithm>
 #include <cctype>
 

@@ -15,7 +15,7 @@ TEST(tolerance, is_a_number_with_its_unit) {
     const auto found = tolerance_of(text);
     ASSERT_TRUE(found) << text;
     EXPECT_EQ(found->unit, unit) << text;
-    EXPECT_EQ(found->value, value) << text;
+    EXPECT_EQ(found->value.nearest<double>(), value) << text;
     EXPECT_EQ(words_of(*found), words);
   }
 }

@@ -36,6 +36,7 @@ same() {  # flags...
   for file in $every; do compile "$place" fast/$file "$@" -ffp-contract=off; done
   mkdir "$place/meshes"
   for file in $checks; do compile "$place/meshes" rendering/meshes/$file "$@" -ffp-contract=off; done
+  compile "$place/meshes" files/decimal "$@" -ffp-contract=off
   compile "$place" tests/fast/same_bits "$@" -ffp-contract=off
   link "$place" "$@"
   SECONDS=0
