@@ -10,6 +10,7 @@
 #include "certificate/work.h"
 #include "forceshade/certificate.h"
 #include "forceshade/fast.h"
+#include "rendering/control_words.h"
 #include "system/system.h"
 
 namespace forceshade::properties {
@@ -54,6 +55,7 @@ std::optional<SubjectResult> checked(const CertifyOptions& options, std::size_t 
 }  // namespace
 
 std::optional<Certificate> certify(const CertifyOptions& options, const Progress& progress, const std::atomic<bool>& stop) {
+  const ExactArithmetic with_all_bits;
   if (const char* fault = fast::arithmetic_fault()) throw std::runtime_error(std::string("nothing can be certified: ") + fault);
   const auto start = std::chrono::steady_clock::now();
   Certificate certificate{current_build(), 0, {}, {}};

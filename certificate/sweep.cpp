@@ -6,10 +6,12 @@
 
 #include "certificate/sweep_unit.h"
 #include "forceshade/certify.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::properties {
 
 Sweeps continued(Sweeps sweeps, std::uint64_t count, unsigned threads) {
+  const ExactArithmetic with_all_bits;
   const auto start = std::chrono::steady_clock::now();
   const std::uint64_t end = std::min(sweeps.end, sweeps.next + count);
   std::vector<Tally> tallies(end - sweeps.next);

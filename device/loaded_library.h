@@ -2,9 +2,12 @@
 #pragma once
 // A vendor's shared library, found when the program runs: it builds and starts without.
 
+#include <concepts>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "rendering/control_words.h"
 
 namespace forceshade::device {
 
@@ -24,9 +27,32 @@ void load_first(const std::vector<std::string>& names, const LibraryWords& words
 // The file that the environment's variable names, or the usual names.
 std::vector<std::string> library_names(const char* variable, const std::vector<std::string>& usual);
 
+// A function of such a library. Whatever it does to this thread's control words, those are as before when it has returned: a
+// library that was linked with -ffast-math, or that rounds for itself, would else change the arithmetic of the servo loop.
+template <class Function>
+class LibraryFunction;
+template <class Result, class... Arguments>
+class LibraryFunction<Result (*)(Arguments...)> {
+ public:
+  using Pointer = Result (*)(Arguments...);
+
+  LibraryFunction() = default;
+  template <std::convertible_to<Pointer> Function>
+  LibraryFunction(const Function& function) : function_(function) {}  // NOLINT(google-explicit-constructor): it is one
+
+  Result operator()(Arguments... arguments) const {
+    const KeptControlWords kept;
+    return function_(arguments...);
+  }
+  Pointer pointer() const { return function_; }
+
+ private:
+  Pointer function_ = nullptr;
+};
+
 }  // namespace forceshade::device
 
 // For `take`: looks up the function of this name, and appends it to `missing` where it is not there.
-#define FORCESHADE_LOOK_UP(functions, library, function, missing)                                 \
-  functions.function = reinterpret_cast<decltype(functions.function)>(dlsym(library, #function)); \
-  if (!functions.function) missing.append(missing.empty() ? "" : ", ").append(#function);
+#define FORCESHADE_LOOK_UP(functions, library, function, missing)                                          \
+  functions.function = reinterpret_cast<decltype(functions.function)::Pointer>(dlsym(library, #function)); \
+  if (!functions.function.pointer()) missing.append(missing.empty() ? "" : ", ").append(#function);

@@ -11,6 +11,7 @@
 #include "properties/passivity.h"
 #include "properties/spread.h"
 #include "reference/energy.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::properties {
 
@@ -76,14 +77,17 @@ std::vector<float> witness_depths(const reference::Law& law) {
 }
 
 std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters) {
+  const ExactArithmetic with_all_bits;
   return std::make_unique<LawSubject>(law, parameters);
 }
 
 std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters, ForceAt force_at) {
+  const ExactArithmetic with_all_bits;
   return std::make_unique<LawSubject>(RenderedLaw{built_or_throw(reference::Law::build(law, parameters)), std::move(force_at)});
 }
 
 std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters, RenderLaw render) {
+  const ExactArithmetic with_all_bits;
   return std::make_unique<LawSubject>(law, parameters, std::move(render));
 }
 

@@ -8,6 +8,7 @@
 #include "properties/second_answer.h"
 #include "properties/words_of_violation.h"
 #include "rendering/breakdown.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::properties {
 namespace {
@@ -78,6 +79,7 @@ class Equivalence {
 
 std::vector<PropertyResult> run_properties(const Subject& subject, int cases, std::uint64_t seed, const PropertyDone& done,
                                            const OnCase& on_case, const std::atomic<bool>* stop) {
+  const ExactArithmetic with_all_bits;
   if (cases < 1) throw std::invalid_argument("cases of a property: expected 1 or more, got " + std::to_string(cases));
   const auto is_stopped = [&] { return stop != nullptr && *stop; };
   std::vector<PropertyResult> results;

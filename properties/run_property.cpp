@@ -11,6 +11,7 @@
 #include "properties/rendered.h"
 #include "properties/split_mix.h"
 #include "properties/words_of_violation.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::properties {
 namespace {
@@ -115,6 +116,7 @@ Generator<int> integers(int low, int high) {
 }
 
 PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed, const Property& property) {
+  const ExactArithmetic with_all_bits;
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(std::max(cases, 0)); ++i) {
     const std::uint64_t its = split_mix(seed, i);
     Case one(property, its, {});

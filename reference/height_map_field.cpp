@@ -14,6 +14,7 @@
 #include "reference/numbers/interval_ends.h"
 #include "reference/numbers/tie.h"
 #include "reference/position.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::reference {
 namespace {
@@ -141,11 +142,13 @@ bool is_transcendental(const HeightMap& map) {
 }  // namespace
 
 std::variant<HeightMapField, ParameterError> HeightMapField::build(HeightMap map, Mode mode, float stiffness) {
+  const ExactArithmetic with_all_bits;
   if (const auto error = first_error(map, mode, stiffness)) return *error;
   return HeightMapField(std::move(map), mode, stiffness);
 }
 
 Rounded HeightMapField::round_to_binary32(const Eigen::Vector3f& position) const {
+  const ExactArithmetic with_all_bits;
   if (!in_domain(position)) return {{0, 0, 0}, Status::invalid};
   const Point2 at{quantised(position.x()), quantised(position.y())};
   const double z = quantised(position.z());
@@ -164,6 +167,7 @@ Rounded HeightMapField::round_to_binary32(const Eigen::Vector3f& position) const
 }
 
 DecimalMapForce HeightMapField::decimal(const Eigen::Vector3f& position, unsigned digits) const {
+  const ExactArithmetic with_all_bits;
   if (!in_domain(position)) return {"0", "0", "0", Status::invalid};
   const Point2 at{quantised(position.x()), quantised(position.y())};
   const double z = quantised(position.z());
@@ -183,6 +187,7 @@ DecimalMapForce HeightMapField::decimal(const Eigen::Vector3f& position, unsigne
 }
 
 int HeightMapField::compare(const Eigen::Vector3f& position, std::size_t axis, const std::string& rational) const {
+  const ExactArithmetic with_all_bits;
   const ExponentialSum other{ExponentialSum::Rational(rational)};
   if (!in_domain(position)) return -other.sign();
   const std::lock_guard lock(exact_arithmetic);
@@ -192,6 +197,7 @@ int HeightMapField::compare(const Eigen::Vector3f& position, std::size_t axis, c
 }
 
 std::array<float, 2> HeightMapField::slopes(float x, float y) const {
+  const ExactArithmetic with_all_bits;
   const Point2 at{quantised(x), quantised(y)};
   const std::lock_guard lock(exact_arithmetic);
   if (!is_transcendental(map_)) try {
@@ -207,6 +213,7 @@ std::array<float, 2> HeightMapField::slopes(float x, float y) const {
 }
 
 HeightMapField::Estimate HeightMapField::estimate(const Eigen::Vector3f& position) const {
+  const ExactArithmetic with_all_bits;
   const Point2 at{quantised(position.x()), quantised(position.y())};
   const double z = quantised(position.z());
   const std::lock_guard lock(exact_arithmetic);

@@ -12,6 +12,7 @@
 #include "reference/numbers/enclosure192.h"
 #include "reference/numbers/tie.h"
 #include "reference/position.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::reference {
 
@@ -137,6 +138,7 @@ void set_precision(unsigned bits) {
 }
 
 DecimalGeometry geometry(const Parameters& p, unsigned digits) {
+  const ExactArithmetic with_all_bits;
   const std::lock_guard lock(exact_arithmetic);
   const BumpGeometry<Exact> exact = exact_geometry(p);
   const auto member = [&](Enclosure BumpGeometry<Enclosure>::*enclosed, Exact BumpGeometry<Exact>::*value) {
@@ -153,6 +155,7 @@ DecimalGeometry geometry(const Parameters& p, unsigned digits) {
 }
 
 std::variant<Law, ParameterError> Law::build(LawId id, const Parameters& p) {
+  const ExactArithmetic with_all_bits;
   if (const auto error = first_error(id, p)) return *error;
   Parameters used = p;
   if (!has_bump_geometry(id)) used.radius = used.width = 1;  // never looked at
@@ -170,6 +173,7 @@ const BumpGeometry<Ball64>& Law::geometry() const {
 }
 
 Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
+  const ExactArithmetic with_all_bits;
   if (!in_domain(position)) return {{0, 0, 0}, Status::invalid, Method::filter};
   const auto rounded = []<class N>(const std::optional<Facet>& facet, const Force<N>& force) -> Rounded {
     constexpr bool is_filter = std::is_same_v<N, Ball64>;
@@ -205,6 +209,7 @@ EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigne
 }
 
 DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) const {
+  const ExactArithmetic with_all_bits;
   if (!in_domain(position)) return {"0", "0", Status::invalid};
   const std::lock_guard lock(exact_arithmetic);
   const SlowForce force(id_, parameters_, Point(position));
@@ -219,6 +224,7 @@ DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) cons
 }
 
 int Law::compare(const Eigen::Vector3f& position, std::size_t axis, const std::string& rational) const {
+  const ExactArithmetic with_all_bits;
   const std::lock_guard lock(exact_arithmetic);
   const Exact other{CORE::BigRat(rational)};
   if (!in_domain(position)) return (Exact(0) - other).sign();
@@ -229,6 +235,7 @@ int Law::compare(const Eigen::Vector3f& position, std::size_t axis, const std::s
 }
 
 Law::Estimate Law::estimate(const Eigen::Vector3f& position) const {
+  const ExactArithmetic with_all_bits;
   const auto estimated = [](const std::optional<Facet>& facet, const auto& force) -> Estimate {
     return {*facet, {to_64_bits(force.x), to_64_bits(force.z), to_64_bits(force.magnitude)}};
   };

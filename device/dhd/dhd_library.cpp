@@ -32,7 +32,7 @@ std::vector<std::string> names_to_try() {
 
 std::string file_of(const Functions& functions) {
   Dl_info about{};
-  if (dladdr(reinterpret_cast<void*>(functions.dhdGetDeviceCount), &about) == 0 || !about.dli_fname) return "";
+  if (dladdr(reinterpret_cast<void*>(functions.dhdGetDeviceCount.pointer()), &about) == 0 || !about.dli_fname) return "";
   std::error_code none;
   const std::filesystem::path file = std::filesystem::canonical(about.dli_fname, none);
   return none ? "" : file.filename().string();

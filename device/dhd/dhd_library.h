@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "device/dhd/dhd_abi.h"
+#include "device/loaded_library.h"
 
 namespace forceshade::device::dhd {
 
 struct Functions {
 // NOLINTNEXTLINE(bugprone-macro-parentheses)
-#define FORCESHADE_MEMBER(name) decltype(&dhd::name) name;
+#define FORCESHADE_MEMBER(name) LibraryFunction<decltype(&dhd::name)> name;
   FORCESHADE_DHD_FUNCTIONS(FORCESHADE_MEMBER)
 #undef FORCESHADE_MEMBER
 };

@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "device/loaded_library.h"
 #include "device/phantom/hdapi_abi.h"
 
 namespace forceshade::device::hdapi {
 
 struct Functions {
 // NOLINTNEXTLINE(bugprone-macro-parentheses)
-#define FORCESHADE_MEMBER(name) decltype(&hdapi::name) name;
+#define FORCESHADE_MEMBER(name) LibraryFunction<decltype(&hdapi::name)> name;
   FORCESHADE_HDAPI_FUNCTIONS(FORCESHADE_MEMBER)
 #undef FORCESHADE_MEMBER
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fast/numbers/inline.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::fast {
 
@@ -15,8 +16,9 @@ FORCESHADE_INLINE double hidden(double value) {
   return copy;
 }
 
-// What this file's code, on this thread, does otherwise than IEEE 754 rounding to nearest; null if nothing was found.
-FORCESHADE_INLINE const char* arithmetic_fault_here() {
+// What this file's code, on this thread, does otherwise than IEEE 754 rounding to nearest; null if nothing was found. What it
+// computes raises exceptions, which must not trap.
+FORCESHADE_INLINE const char* arithmetic_fault_without_traps() {
   const double one = hidden(1), small = hidden(0x1p-54), larger = hidden(0x1.8p-53);
   if (one + small != 1 || -one - small != -1 || one + larger != 1 + 0x1p-52) return "rounding other than to nearest";
   const double least_normal = hidden(0x1p-1022), subnormal = hidden(0x1p-1074);
@@ -31,6 +33,22 @@ FORCESHADE_INLINE const char* arithmetic_fault_here() {
   if (std::fma(hidden(2 - 0x1p-27), hidden(2 - 0x1p-52), hidden(-4 + 0x1p-26 + 0x1p-51)) != 0x1p-79)
     return "fma that rounds twice (compile with -mfma)";
   return nullptr;
+}
+
+// The same, whether exceptions trap or not.
+FORCESHADE_INLINE const char* arithmetic_fault_here() {
+#if FORCESHADE_HAS_CONTROL_WORDS
+  const unsigned before = _mm_getcsr();
+  if ((before & kNoTraps) == kNoTraps) [[likely]]
+    return arithmetic_fault_without_traps();
+  _mm_setcsr(before | kNoTraps);
+  const char* fault = arithmetic_fault_without_traps();
+  asm volatile("" : "+r"(fault));  // known before exceptions trap again
+  _mm_setcsr(before);
+  return fault;
+#else
+  return arithmetic_fault_without_traps();
+#endif
 }
 
 }  // namespace forceshade::fast

@@ -14,6 +14,7 @@
 #include "properties/conformance/invariants/all.h"
 #include "properties/conformance/scene.h"
 #include "properties/conformance/timing.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -256,6 +257,7 @@ bool Conformance::held() const {
 
 Conformance conform(const Description& description, const OpenRenderer& open, const ConformOptions& options,
                     const Monitor& monitor) {
+  const ExactArithmetic with_all_bits;
   return Run(description, open, options, monitor).run();
 }
 

@@ -8,6 +8,7 @@
 #include "reference/meshes/force.h"
 #include "reference/meshes/schemes/all.h"
 #include "reference/position.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::reference {
 
@@ -32,6 +33,7 @@ struct GodObject::Parts {
 };
 
 std::variant<GodObject, ParameterError> GodObject::build(const MeshRendering& rendering) {
+  const ExactArithmetic with_all_bits;
   if (const auto error = first_error(rendering)) return *error;
   auto parts = std::make_shared<Parts>(rendering);
   auto scheme = meshes::scheme_of(rendering, parts->surface);
@@ -41,6 +43,7 @@ std::variant<GodObject, ParameterError> GodObject::build(const MeshRendering& re
 }
 
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {
+  const ExactArithmetic with_all_bits;
   if (!in_domain(Eigen::Vector3f(position.data()))) return {mesh::TickStatus::invalid, 0, {}, before};
   const meshes::Descended end = parts_->contact->move(before, position, most_moves);
   mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};
@@ -51,6 +54,7 @@ mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float
 }
 
 DecimalMapForce GodObject::decimal(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned digits) const {
+  const ExactArithmetic with_all_bits;
   DecimalMapForce none{"0", "0", "0", Status::invalid};
   if (!in_domain(Eigen::Vector3f(position.data()))) return none;
   const meshes::Descended end = parts_->contact->move(before, position, kMostMoves);

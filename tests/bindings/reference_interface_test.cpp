@@ -23,6 +23,7 @@
 #include "forceshade_reference.h"
 #include "tests/bindings/batches.h"
 #include "tests/bindings/references.h"
+#include "tests/support/set_control_words.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade {
@@ -294,6 +295,26 @@ TEST(reference_interface, finds_what_differs_from_the_exact_forces_bit_for_bit) 
   EXPECT_EQ(look(), std::pair(std::size_t{0}, std::size_t{0}));
   forceshade_subject_free(fast);
   forceshade_reference_free(exact);
+}
+
+// Whoever sets the x87 to 53 bits, as WSL 1 does, gets the same numbers, and finds it so afterwards.
+TEST(reference_interface, is_exact_whatever_the_control_words_of_the_caller_are) {
+  const auto all = [] {
+    const forceshade_reference bump = parsed(kBump);
+    std::vector<float> at, found(3 * 2000, 7);
+    for (int i = 0; i < 2000; ++i)
+      at.insert(at.end(), {-12 + 0.012F * static_cast<float>(i), 0, 0.5F - 0.001F * static_cast<float>(i % 700)});
+    std::vector<forceshade_status> status(2000, 99);
+    const forceshade_batch batch = batch_of(at, found, status);
+    EXPECT_EQ(forceshade_reference_forces(bump, &batch, nullptr), FORCESHADE_OK);
+    const std::string digits = decimals(bump, {3, 0, -0.5F}, 12);
+    forceshade_reference_free(bump);
+    return std::pair(found, digits);
+  };
+  const auto expected = all();
+  const tests::SetControlWords set({.x87 = tests::kX87Of53Bits});
+  EXPECT_EQ(all(), expected);
+  EXPECT_TRUE(set.are_still_set());
 }
 
 TEST(reference_interface, serves_many_threads_and_leaves_the_arithmetic_as_it_is) {

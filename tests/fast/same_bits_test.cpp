@@ -12,6 +12,7 @@
 
 #include "same_bits_heights.h"
 #include "same_bits_meshes.h"
+#include "tests/support/set_control_words.h"
 
 #if defined(__SSE2__)
 #include <immintrin.h>
@@ -116,6 +117,26 @@ TEST(same_bits, nothing_is_built_while_rounding_is_not_to_nearest) {
     const bool refused = is_refused();
     std::fesetround(FE_TONEAREST);
     EXPECT_TRUE(refused) << mode;
+  }
+}
+
+// The look raises exceptions itself; they do not trap, and what traps afterwards is as before.
+TEST(same_bits, the_look_at_the_arithmetic_works_where_exceptions_trap) {
+  for (const unsigned traps : {0x0080U, 0x0100U, 0x0200U, 0x0400U, 0x0800U, 0x1000U, 0x1F80U}) {
+    const char *fault = "", *rounded_up = "";
+    bool are_still_set = false;
+    {
+      const SetControlWords set({.mxcsr = kNoTraps & ~traps});
+      fault = fast::arithmetic_fault();
+      are_still_set = set.are_still_set();
+    }
+    {
+      const SetControlWords set({.mxcsr = 0x4000U | (kNoTraps & ~traps)});
+      rounded_up = fast::arithmetic_fault();
+    }
+    EXPECT_EQ(fault, nullptr) << traps;
+    EXPECT_TRUE(are_still_set) << traps;
+    if (FORCESHADE_HAS_CONTROL_WORDS) EXPECT_STREQ(rounded_up, "rounding other than to nearest") << traps;
   }
 }
 

@@ -7,6 +7,7 @@
 #include "properties/binary32.h"
 #include "properties/conformance/quantile.h"
 #include "properties/conformance/recordings/words.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -107,6 +108,7 @@ bool JudgedRecording::held() const {
 
 JudgedRecording judge_recording(const Measurements& measured, const std::optional<Description>& description,
                                 const RecordingOptions& options, const Monitor& monitor) {
+  const ExactArithmetic with_all_bits;
   Judging judging(measured, options, monitor);
   return description ? judging.with(*description) : judging.without_definition();
 }

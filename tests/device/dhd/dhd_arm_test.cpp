@@ -13,7 +13,9 @@
 #include "device/dhd/dhd_words.h"
 #include "device/dhd/usb.h"
 #include "forceshade/device.h"
+#include "forceshade/fast.h"
 #include "tests/device/dhd/fake.h"
+#include "tests/support/set_control_words.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::device::dhd {
@@ -50,6 +52,21 @@ class dhd_arm : public testing::Test {
   }
   Arm arm;
 };
+
+// One that was linked with -ffast-math changes it as it is loaded, another one in any call.
+TEST(dhd_library, leaves_the_arithmetic_of_its_callers_as_it_was) {
+  const ControlWords before = control_words();
+  const Functions loaded = load({CHANGES_ARITHMETIC});
+  EXPECT_EQ(control_words(), before);
+  EXPECT_EQ(fast::arithmetic_fault(), nullptr);
+  Functions its = loaded;
+  its.dhdGetDeviceCount = [] {
+    set_control_words({.mxcsr = 0x9FC0, .x87 = tests::kX87Of53Bits});
+    return 7;
+  };
+  EXPECT_EQ(its.dhdGetDeviceCount(), 7);
+  EXPECT_EQ(control_words(), before);
+}
 
 TEST_F(dhd_arm, has_the_axes_of_the_laws) {
   begin();
