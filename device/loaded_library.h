@@ -38,7 +38,8 @@ class LibraryFunction<Result (*)(Arguments...)> {
 
   LibraryFunction() = default;
   template <std::convertible_to<Pointer> Function>
-  LibraryFunction(const Function& function) : function_(function) {}  // NOLINT(google-explicit-constructor): it is one
+  constexpr LibraryFunction(const Function& function)
+      : function_(function) {}  // NOLINT(google-explicit-constructor): it is one
 
   Result operator()(Arguments... arguments) const {
     const KeptControlWords kept;

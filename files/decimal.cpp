@@ -68,6 +68,7 @@ Decimal::Decimal(double finite) : is_negative_(std::signbit(finite)) {
     for (int i = 0; i < kFives && power < 0; ++i, ++power) fives *= 5;
     digits_ = product(digits_, fives);
   }
+  *this = shortened();
 }
 
 std::optional<Decimal> Decimal::take(std::string_view& text) {

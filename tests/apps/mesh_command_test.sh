@@ -15,7 +15,7 @@ done
 expect 0 "held: a mesh of 1280 faces" -- mesh check icosphere.off --unit mm
 expect 0 "the fronts are outside" -- mesh info torus.off --unit mm
 expect 0 "box              -1270, -1270, -1270 to 1270, 1270, 1270 mm" -- mesh info cube.off --unit in
-expect 2 "a coordinate within 10000 mm, got \"-50\"" -- mesh check cube.off --unit m
+expect 2 "a coordinate within 10000 mm, got -50 m; a small mesh" -- mesh check cube.off --unit m
 expect 0 "" -- mesh make height-map --height-map "$examples/gaussian.toml" --size 20 --cells 8 --out map.off
 expect 0 "box              -10, -10, " -- mesh info map.off --unit mm
 expect 0 " to 10, 10, 3 mm" -- mesh info map.off --unit mm

@@ -42,7 +42,7 @@ TEST(hdapi_library, is_the_first_that_fits) {
   const Functions hd = load({"libNoSuchHD.so.9", "libm.so.6", STAND_IN_HD});
   void* const library = dlopen(STAND_IN_HD, RTLD_NOW | RTLD_NOLOAD);
   ASSERT_TRUE(library);
-  EXPECT_EQ(reinterpret_cast<void*>(hd.hdInitDevice), dlsym(library, "hdInitDevice"));
+  EXPECT_EQ(reinterpret_cast<void*>(hd.hdInitDevice.pointer()), dlsym(library, "hdInitDevice"));
 }
 
 // A file of its own, which only load() has opened.

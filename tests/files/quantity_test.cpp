@@ -97,6 +97,9 @@ TEST(decimal, is_exact) {
   EXPECT_TRUE(of("1.50e1").is_whole() && of("0.00").is_whole());
   EXPECT_FALSE(of("1.5").is_whole());
   for (const char* none : {"", "nan", "inf", "+1", " 1", "1 ", "1e", "0x1p3", "1,5"}) EXPECT_FALSE(Decimal::of(none)) << none;
+  EXPECT_TRUE(Decimal(1).is_one() && of("1").is_one());
+  EXPECT_FALSE(Decimal(10).is_one() || of("-1").is_one() || of("0.1").is_one());
+  EXPECT_EQ(Decimal(0.375).text(), "0.375");
   std::mt19937_64 random(3);
   for (int i = 0; i < 20000; ++i) {
     const double number = std::bit_cast<double>(random());

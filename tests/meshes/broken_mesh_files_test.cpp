@@ -176,7 +176,7 @@ TEST(broken_mesh_files, of_ply_are_refused_in_words) {
       {"a.ply", ply("binary_little_endian", kXyz + kOneFace, nulls + "\3" + std::string(8, '\0') + "\xFF\xFF\xFF\xFF"),
        "byte 205: expected the index of a vertex, 2 at most, got -1"},
       {"a.ply", ply("binary_big_endian", kXyz + kOneFace, std::string("\x7F\xC0\0\0", 4) + nulls),
-       "byte 166: expected a number within 10000 mm, got nan"},
+       "byte 166: expected a coordinate within 10000 mm, got nan"},
   });
 }
 

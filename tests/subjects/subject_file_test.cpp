@@ -45,7 +45,7 @@ TEST(subject_file, rounds_a_number_once) {
   for (const auto& [text, expected] : {std::pair(above, next),
                                        {tie, 1.0F},
                                        {"+" + above, next},
-                                       {"10000.0000596046447753906250001e-4", next},
+                                       {"10000.0005960464477539062500001e-4", next},
                                        {'"' + above + "N/mm\"", next},
                                        {"\"1000.00005960464477539062500001N/m\"", next},
                                        {"1", 1.0F}}) {
