@@ -14,6 +14,7 @@
 #include "apps/signals.h"
 #include "apps/terminal_attendant.h"
 #include "apps/trip_words.h"
+#include "device/passive_rate.h"
 #include "device/run/summary.h"
 #include "device/run/words.h"
 #include "files/output_file.h"
@@ -81,8 +82,14 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
   throw Interrupted(kNotBegun);
 }
 
+void warn_if_active(double stiffness, const device::Capabilities& capabilities, double rate) {
+  if (const std::string words = device::words_if_active(stiffness, capabilities, rate); !words.empty())
+    std::fprintf(stderr, "forceshade: %s\n", files::printable(words).c_str());
+}
+
 RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
   const device::Capabilities capabilities = device.capabilities();
+  warn_if_active(static_cast<double>(what.stiffness), capabilities, plan.run.servo.rate_hz);
   std::optional<LiveView> view;
   if (is_watched()) view.emplace(bar_of(capabilities));
   if (view) plan.run.servo.sinks.push_back(&*view);

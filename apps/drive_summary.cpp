@@ -83,10 +83,12 @@ void print(const ServoResult& result) {
   print_times("with the device", result.tick_us);
   if (!result.wakeup_us.histogram.empty()) print_times("wake-up latency", result.wakeup_us);
   std::printf("peak force        %.3f N\n", result.peak_force_N);
-  std::printf("energy            %.3f mJ given to the hand, %.3f mJ taken from it\n", result.energy_given_mJ(),
-              result.energy_taken_mJ());
-  print_safety(result);
   const device::PassivityAccount& account = result.account;
+  std::printf("energy            %.3f mJ given to the hand, %.3f mJ taken from it", result.energy_given_mJ(),
+              result.energy_taken_mJ());
+  if (account.dissipated > 0) std::printf("; the arm's friction took at least %.3f mJ of what was given", account.dissipated);
+  std::printf("\n");
+  print_safety(result);
   if (result.supervised)
     std::printf("passivity         %s: account %.3f mJ, lowest %.3f (bound %.3f); %zu ticks altered, by at most %.3f N\n",
                 words(result.passivity), account.balance, account.lowest_balance, -result.passivity_settings.epsilon,

@@ -20,11 +20,12 @@ namespace {
 }  // namespace
 
 PassivitySettings passivity_settings(const Capabilities& capabilities, double rate) noexcept {
-  constexpr double kStiffest = 1;  // N/mm: more than can be rendered on the devices there are
+  constexpr double kStiffest = 1;                            // N/mm: more than can be rendered on the devices there are
+  const double most_credit = SupervisorLimits{}.energy / 2;  // mJ
   const double step = longest_step(kFastestUnderForce, 1 / rate, static_cast<double>(capabilities.resolution));
   const double ahead = capabilities.latency ? 2 * step : step;
   return {.longest_step = step,
-          .epsilon = kStiffest * ahead * ahead,
+          .epsilon = std::min(kStiffest * ahead * ahead, most_credit),
           .friction = static_cast<double>(capabilities.friction) / 2,
           .latency = capabilities.latency,
           .period = 1 / rate};

@@ -15,7 +15,8 @@ namespace forceshade::device {
 
 // The settings for a hand no faster than kFastestUnderForce. Epsilon is twice what a wall of 1 N/mm needs in advance, so that
 // no softer one is altered when pressed slowly: it needs K δ for the next step (two steps, with latency) when ½K δ² was put
-// in. Half of the friction of the device's data sheet is counted.
+// in. It grows with the square of the period, to half of what the supervisor lets a hand owe and no further. Half of the
+// friction of the device's data sheet is counted.
 PassivitySettings passivity_settings(const Capabilities& capabilities, double rate) noexcept;
 
 class PassivityController {

@@ -45,7 +45,7 @@ Retraced Retrace::next(const Sample& sample) noexcept {
                                static_cast<double>(sample.wakeup_ns) / 1e9, (sample.device_state & Sample::kUnfinished) != 0);
   Retraced retraced;
   retraced.force = controller_.limited(reading, verdict.force);
-  if (supervisor_) supervisor_->commanded(retraced.force, controller_.account().forgiven);
+  if (supervisor_) supervisor_->commanded(retraced.force, controller_.account().owed());
   retraced.limited = verdict.limited.bits();
   retraced.altered = retraced.force != verdict.force;
   retraced.tripped = verdict.trip ? static_cast<std::uint8_t>(1 + static_cast<int>(*verdict.trip)) : 0;

@@ -202,7 +202,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
     verdict = supervisor_->supervise(reading, state, desired, evaluation.status, static_cast<double>(latency) / 1e9,
                                      evaluation.is_unfinished);
   const Eigen::Vector3f force = controller_->limited(reading, verdict.force);
-  if (supervisor_) supervisor_->commanded(force, controller_->account().forgiven);
+  if (supervisor_) supervisor_->commanded(force, controller_->account().owed());
   device_.allow(controller_->allowance());
   const std::optional<Fault> refused = device_.command(force);
   const std::int64_t commanded_at = system::now();

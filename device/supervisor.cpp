@@ -85,7 +85,7 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   }
   if (trip_) verdict.trip = trip_->rule;
   heat_ = heated(motor_, heat_, verdict.force.cast<double>().norm(), period_);
-  commanded(verdict.force, forgiven_);
+  commanded(verdict.force, owed_);
   memory_.position = reading.position;
   memory_.time = reading.time;
   memory_.late = late;
@@ -93,8 +93,9 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   return verdict;
 }
 
-void Supervisor::commanded(const Eigen::Vector3f& force, double forgiven) noexcept {
-  forgiven_ = forgiven;
+void Supervisor::commanded(const Eigen::Vector3f& force, double owed) noexcept {
+  owed_ = owed;
+  excused_ = std::min(excused_, owed);
   memory_.force = force;
   if (memory_.late_ticks == 0) memory_.punctual_force = force;
 }
@@ -107,7 +108,7 @@ void Supervisor::rearm() noexcept {
   trip_.reset();
   memory_ = Memory{};
   oscillation_ = OscillationWatch(limits_.resolution, period_);
-  excused_ = forgiven_;
+  excused_ = owed_;
 }
 
 int Supervisor::ticks_in(double seconds) const noexcept {
@@ -122,7 +123,7 @@ std::optional<Rule> Supervisor::trip_rule(const Reading& reading, const State& s
   if (late > limits_.watchdog_timeout || std::isnan(late)) return Rule::watchdog;
   if (memory_.late_ticks >= std::max(limits_.held_ticks + ticks_in(limits_.ramp_down), ticks_in(limits_.watchdog_timeout)))
     return memory_.behind;
-  if (forgiven_ - excused_ > limits_.forgiven) return Rule::energy;
+  if (owed_ - excused_ > limits_.energy) return Rule::energy;
   if (!memory_.position) return std::nullopt;
 
   // A late tick saw a longer step, and so did one whose device was late by its own clock; a tick that catches up is not held

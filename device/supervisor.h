@@ -37,10 +37,9 @@ class Supervisor {
   Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status, double late,
                     bool unfinished = false) noexcept;
 
-  // What was in the end commanded this tick, where that is not the verdict's force, and what the account has forgiven so far,
-  // in mJ. The next tick's rules go by what the hand was given: by what the device says it sent or, where it says nothing, by
-  // this.
-  void commanded(const Eigen::Vector3f& force, double forgiven = 0) noexcept;
+  // What was in the end commanded this tick, where that is not the verdict's force, and PassivityAccount::owed(), in mJ. The
+  // next tick's rules go by what the hand was given: by what the device says it sent or, where it says nothing, by this.
+  void commanded(const Eigen::Vector3f& force, double owed = 0) noexcept;
 
   std::optional<Trip> tripped() const noexcept { return trip_; }
 
@@ -70,7 +69,7 @@ class Supervisor {
   std::array<std::size_t, kRules> counts_{};
   Heat heat_;
   OscillationWatch oscillation_;
-  double forgiven_ = 0, excused_ = 0;  // mJ; of that, what rearm() excused
+  double owed_ = 0, excused_ = 0;  // mJ; of that, what rearm() excused
 
   // What rearm() forgets.
   struct Memory {

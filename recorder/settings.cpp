@@ -43,7 +43,7 @@ void for_each_number(Settings& settings, Visit visit) {
   visit("supervisor_frozen_s", limits.frozen);
   visit("supervisor_frozen_speed_mm_per_s", limits.frozen_speed);
   visit("supervisor_frozen_force_N", limits.frozen_force);
-  visit("supervisor_forgiven_mJ", limits.forgiven);
+  visit("supervisor_forgiven_mJ", limits.energy);
   visit("supervisor_ramp_down_s", limits.ramp_down);
   visit("supervisor_patience_s", limits.watchdog_timeout);
   visit("supervisor_felt_free_s", limits.felt_free);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "certificate/build.h"
+#include "device/passive_rate.h"
 #include "device/run/record.h"
 #include "device/run/summary.h"
 #include "device/run/words.h"
@@ -66,6 +67,8 @@ nlohmann::ordered_json summary(const Outcome& outcome, const Rendering& what, co
   json["placement"] = {{"origin_mm", {origin.x(), origin.y(), origin.z()}}, {"axes", axes_words(plan.servo.placement)}};
   json["device"] = {{"name", plan.device}};
   for (const auto& [what_it_is, words] : words_of(capabilities)) json["device"][what_it_is] = words;
+  const std::string warning = device::words_if_active(static_cast<double>(what.stiffness), capabilities, plan.servo.rate_hz);
+  json["warning"] = warning.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(warning);
   json.update(to_json(outcome.result));
   json["signal"] = signal.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(signal);
   json["last_ticks"] = last_ticks_json(outcome.last_ticks);

@@ -25,6 +25,12 @@ Model simulated_model(const std::string& name) {
   throw UnknownDevice("unknown model \"" + name + "\" to simulate: expected one of " + known);
 }
 
+// N·s/m at the tip, in the reset pose, in which the Jacobian is diagonal.
+double least_damping(const Model& model) noexcept {
+  const Eigen::Array3d levers(model.arm.upper_length, model.arm.upper_length, model.arm.fore_length);
+  return (model.viscous.array() / levers.square()).minCoeff();
+}
+
 }  // namespace
 
 Simulated::Simulated(const Model& model, std::optional<Operator> hand, const Options& options)
@@ -45,6 +51,7 @@ Capabilities Simulated::capabilities() const noexcept {
           .moves_an_arm = false,
           .latency = options_.latency,
           .friction = static_cast<float>(sheet.friction),
+          .damping = static_cast<float>(least_damping(model_)),
           .buttons = options_.buttons != nullptr ? Attendant::kButtons : 0};
 }
 

@@ -95,6 +95,7 @@ struct Capabilities {
   bool moves_an_arm = true;
   bool latency = false;  // a command acts through the period after the next reading, not up to it
   float friction = 0;    // N: the least at its tip, as a data sheet has it
+  float damping = 0;     // N·s/m: the least at its tip; 0: not known
   double highest_rate = std::numeric_limits<double>::infinity();  // Hz
   // What the device's own driver ends a run for: mm/s, N/s.
   double highest_speed = std::numeric_limits<double>::infinity(), highest_slew = std::numeric_limits<double>::infinity();

@@ -77,6 +77,7 @@ struct Rendering {
   Renderer renderer;
   // Ticks per second for which the motion of its objects was made, Hz: run() of run.h refuses another rate. None: any.
   std::optional<double> rate_hz = {};
+  float stiffness = 0;  // N/mm: the largest of what it renders; 0: not known
 };
 
 // By the fast path. The error names the first number that is outside its domain (docs/laws.md, docs/height-maps.md,

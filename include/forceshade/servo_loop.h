@@ -177,7 +177,7 @@ struct SupervisorLimits {
   double frozen = 0.02;                               // s without a change of any bit of the position ...
   double frozen_speed = 100;                          // ... mm/s, right after a step as fast as this
   double frozen_force = 0.5;                          // ... or N, after the force has changed by as much
-  double forgiven = 100;                              // mJ, in all: PassivityAccount::forgiven
+  double energy = 100;                                // mJ: the most that a hand may owe, PassivityAccount::owed()
   int held_ticks = 3;                                 // ticks in a row that may be late, with the force held
   double ramp_down = 0.02;                            // s, over which it then falls to zero
   double watchdog_timeout = 0.02;                     // s: the latest that a tick may be, and the longest that all may be
@@ -227,6 +227,10 @@ struct PassivityAccount {
 
   double net() const noexcept { return dissipated + forgiven - balance; }  // given to the hand, less taken from it
   double taken() const noexcept { return given - net(); }
+
+  // What the hand was given beyond what it put in, but for what the arm's friction took: of a device that nobody keeps passive,
+  // too.
+  double owed() const noexcept { return forgiven + (balance < 0 ? -balance : 0); }
 };
 
 // What was requested and granted; all of it for the calling thread, but for the memory.

@@ -96,6 +96,13 @@ same "" "$($watched 2>&1 | grep " Hz  late ")"
 # In a narrow terminal it is as narrow, so that it does not wrap.
 script -qec "stty cols 40; $watched" /dev/null | tr '\r' '\n' | sed 's/\x1b\[K//' | grep -a ' mJ$\| N ' > narrow.txt
 same 39 "$(awk '{ if (length($0) > most) most = length($0) } END { print (most <= 39 && most > 20) ? 39 : most }' narrow.txt)"
+# A stiffness that a slow loop cannot render passively: the words at the start, in the summary, and those of the rules.
+expect 0 "a stiffness of 2 N/mm at 100 Hz cannot be passive" -- "$forceshade" drive --law wall --stiffness 2 --rate 100 --uncertified --device simulated \
+  --seconds 6 --free-run --json slow.json
+also "premium-1.5 has 0.0108" "limited by oscillation" "; the arm's friction took at least"
+grep -q '"warning": "a stiffness of 2 N/mm at 100 Hz' slow.json || { echo "FAILED: the summary has no warning"; exit 1; }
+expect 3 "the supervisor stopped the run: energy" -- "$forceshade" drive --law wall --stiffness 3 --rate 100 --uncertified --device simulated \
+  --seconds 6 --free-run --passivity observer
 expect 0 "passivity         tank: account" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --free-run --passivity tank
 expect 2 "--passivity" -- drive --law wall --uncertified --passivity teapot
 expect 2 "dead-man button: expected none, because the device has no buttons" -- drive --law wall --uncertified --dead-man 1

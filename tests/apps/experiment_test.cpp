@@ -193,6 +193,17 @@ TEST(experiment, of_three_matches_goes_from_the_instructions_to_the_results) {
   EXPECT_EQ(twice.code, 2) << "a session that is over";
 }
 
+TEST(experiment, warns_of_a_stiffness_that_its_rate_cannot_render) {
+  const Lab lab;
+  std::string stiff = lab.read("classification.toml");
+  stiff.replace(stiff.find("mm = 0.5"), 8, "mm = 4");
+  lab.write("stiff.toml", stiff);
+  Running run(lab, run_of("stiff.toml"));
+  run.close_keys();
+  run.end();
+  EXPECT_NE(run.err().find("a stiffness of 4 N/mm at 1000 Hz cannot be passive"), std::string::npos) << run.err();
+}
+
 TEST(experiment, with_another_bump_in_its_list_is_refused_by_recompute) {
   const Lab lab;
   Running run(lab, run_of("classification.toml"));

@@ -14,21 +14,24 @@ namespace {
 
 constexpr double kResolution = 0.03;  // mm
 
-// A swinging axis: mm from the middle, Hz, N per mm; what is left of the size after a second.
+// A swinging axis: mm from the middle, Hz, N per mm; what is left of the size after a second. late: s, by which the force is
+// that of an earlier place; rate: Hz, of the loop.
 struct Swinging {
-  double size = 0.3, frequency = 40, stiffness = 1, left = 1;
+  double size = 0.3, frequency = 40, stiffness = 1, left = 1, late = 0, rate = 1000;
 };
 
 // The gain after so many seconds of it.
 double gain_after(double seconds, const Swinging& swinging, int axis = 2) {
-  OscillationWatch watch(kResolution, 0.001);
+  OscillationWatch watch(kResolution, 1 / swinging.rate);
   double gain = 1;
-  for (int tick = 0; tick < seconds * 1000; ++tick) {
-    const double time = 0.001 * tick;
+  for (int tick = 0; tick < seconds * swinging.rate; ++tick) {
+    const double time = tick / swinging.rate;
     Eigen::Vector3f position(1, 2, 3), force(0, 0, 0);
-    const double out = swinging.size * std::pow(swinging.left, time) * std::sin(2 * M_PI * swinging.frequency * time);
-    position[axis] += static_cast<float>(out);
-    force[axis] = static_cast<float>(1 - swinging.stiffness * out);
+    const auto out = [&](double at) {
+      return swinging.size * std::pow(swinging.left, at) * std::sin(2 * M_PI * swinging.frequency * at);
+    };
+    position[axis] += static_cast<float>(out(time));
+    force[axis] = static_cast<float>(1 - swinging.stiffness * out(time - swinging.late));
     gain = watch.next(position, force);
   }
   return gain;
@@ -52,6 +55,32 @@ TEST(oscillation, leaves_alone_what_is_slow_small_not_driven_or_dies_away) {
   // 0.7 within four swings of 12.5 ms is 8e-4 within a second.
   EXPECT_EQ(gain_after(5, {.size = 2, .left = 5e-4}), 1);
   EXPECT_LT(gain_after(0.3, {.size = 2, .left = 2e-3}), 0.72);
+}
+
+// A quarter of a cycle late, the force is the same at both turns.
+TEST(oscillation, sees_a_force_that_changes_between_turns_and_not_at_them) {
+  EXPECT_LT(gain_after(1, {.frequency = 40, .late = 1 / 160.0}), 0.3);
+  EXPECT_EQ(gain_after(5, {.frequency = 40, .stiffness = 0.15, .late = 1 / 160.0}), 1) << "0.09 N";
+}
+
+TEST(oscillation, forgets_a_force_that_changed_in_an_earlier_swing) {
+  OscillationWatch watch(kResolution, 0.001);
+  for (int tick = 0; tick < 1000; ++tick) {
+    const float out = 0.3F * std::sin(2 * static_cast<float>(M_PI) * 40 * 0.001F * static_cast<float>(tick));
+    ASSERT_EQ(watch.next({0, 0, out}, {0, 0, tick < 5 ? 0.0F : 1.0F}), 1) << tick;
+  }
+}
+
+// The limit cycles of a hand under late forces are at 16 to 21 Hz; what is not fed, or is as slow as a tremor, is left alone.
+TEST(oscillation, sees_what_late_forces_feed_at_every_rate_of_the_loop) {
+  for (const double rate : {100.0, 130.0, 200.0, 500.0, 1000.0, 4000.0}) {
+    EXPECT_LT(gain_after(1, {.size = 1, .frequency = 17, .late = 0.015, .rate = rate}), 0.75) << rate;
+    EXPECT_EQ(gain_after(5, {.size = 1, .frequency = 17, .rate = rate}), 1) << rate << " Hz: what is put in is given back";
+    EXPECT_EQ(gain_after(5, {.size = 1, .frequency = 12, .late = 0.015, .rate = rate}), 1) << rate << " Hz: tremor";
+  }
+  // π K A² is given in a cycle.
+  EXPECT_EQ(gain_after(5, {.size = 0.175, .frequency = 17, .late = 1 / 68.0}), 1);
+  EXPECT_LT(gain_after(5, {.size = 0.185, .frequency = 17, .late = 1 / 68.0}), 0.75);
 }
 
 TEST(oscillation, gives_the_force_back_after_some_seconds_of_quiet) {

@@ -268,6 +268,18 @@ TEST(passivity_controller, is_set_for_a_hand_at_a_metre_a_second_and_half_of_the
   }
 }
 
+// s is 10.06 mm at 100 Hz, whose square is 101 mJ.
+TEST(passivity_controller, lends_no_slow_loop_more_than_half_of_what_the_supervisor_allows) {
+  for (const bool latency : {false, true})
+    EXPECT_EQ(passivity_settings({.resolution = 0.03F, .latency = latency}, 100).epsilon, 50) << latency;
+  EXPECT_LT(passivity_settings({.resolution = 0.03F, .latency = true}, 290).epsilon, 50);
+}
+
+TEST(passivity_controller, counts_what_a_hand_owes_with_what_was_forgiven_and_never_below_nothing) {
+  EXPECT_EQ((PassivityAccount{.balance = -2, .forgiven = 3}.owed()), 5);
+  EXPECT_EQ((PassivityAccount{.balance = 2, .forgiven = 3}.owed()), 3) << "what is put in later is not set against it";
+}
+
 // Ten minutes at 1 kHz, against sums of twice the precision.
 TEST(passivity_controller, account_does_not_drift) {
   Hand hand(law_of(LawId::bump_3p_shaded), Kind::observer);

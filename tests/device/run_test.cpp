@@ -163,6 +163,7 @@ TEST(run_summary, says_what_was_rendered_where_and_what_ended_it) {
                                                     "driver": "a driver", "firmware": "a firmware"})"));
   EXPECT_EQ(json["ticks"], 18);
   EXPECT_EQ(json["signal"], "SIGINT");
+  EXPECT_EQ(json["warning"], nullptr);
   EXPECT_EQ(json["last_ticks"].size(), 1U);
   plan.digest.reset();
   const ordered_json bare = summary(outcome, wall(), plan, {});

@@ -244,7 +244,7 @@ TEST(supervisor, goes_by_the_force_that_the_device_says_has_acted) {
   }
 }
 
-TEST(supervisor, trips_when_more_energy_was_forgiven_than_brings_a_hand_to_a_metre_a_second) {
+TEST(supervisor, trips_when_a_hand_owes_more_energy_than_brings_it_to_a_metre_a_second) {
   Hand hand(lenient());
   hand.supervise({0, 0, 1});
   hand.supervisor.commanded({0, 0, 1}, 100);
@@ -254,6 +254,12 @@ TEST(supervisor, trips_when_more_energy_was_forgiven_than_brings_a_hand_to_a_met
   hand.supervisor.rearm();
   EXPECT_FALSE(hand.supervise({0, 0, 0}, Status::free).trip) << "the user's word excuses it";
   hand.supervisor.commanded({0, 0, 1}, 200.2);
+  expect_tripped(hand.supervise({0, 0, 1}), Rule::energy);
+  hand.supervisor.rearm();
+  // What is paid back is no longer excused.
+  hand.supervisor.commanded({0, 0, 1}, 10);
+  EXPECT_FALSE(hand.supervise({0, 0, 1}).trip);
+  hand.supervisor.commanded({0, 0, 1}, 110.1);
   expect_tripped(hand.supervise({0, 0, 1}), Rule::energy);
 }
 

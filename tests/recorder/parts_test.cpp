@@ -91,7 +91,7 @@ std::vector<double*> numbers_of(device::SafetySettings& settings) {
   return {&limits.peak_force,        &limits.continuous_force, &limits.slew,
           &limits.workspace_margin,  &limits.resolution,       &limits.speed,
           &limits.speed_under_force, &limits.frozen,           &limits.frozen_speed,
-          &limits.frozen_force,      &limits.forgiven,         &limits.ramp_down,
+          &limits.frozen_force,      &limits.energy,           &limits.ramp_down,
           &limits.watchdog_timeout,  &limits.felt_free,        &limits.ramp_up,
           &passivity.friction,       &passivity.epsilon,       &passivity.period,
           &passivity.longest_step};

@@ -10,6 +10,7 @@
 
 #include "forceshade/bad_input.h"
 #include "forceshade/identity.h"
+#include "forceshade/renderer.h"
 #include "forceshade/subjects.h"
 #include "rendering/subjects/file.h"
 #include "rendering/subjects/read.h"
@@ -90,6 +91,13 @@ TEST_F(Materials, of_a_file_are_found_by_groups_and_faces) {
   EXPECT_EQ(stiff.materials.list, (std::vector<mesh::Material>{{2.0F, 0, 0}}));
   EXPECT_TRUE(stiff.materials.of_triangle.empty());
   EXPECT_EQ(stiff.contact, mesh::Contact::direct) << "no coefficient is above 0";
+}
+
+TEST_F(Materials, are_rendered_with_the_largest_of_their_stiffnesses_known) {
+  const auto largest = [&](const MeshRendering& its) { return std::get<Rendering>(rendering_of("its.obj", its)).stiffness; };
+  const std::string hard = "[[material]]\nname = \"hard\"\nfaces = [1]\nstiffness = 4\n";
+  EXPECT_EQ(largest(of_file(hard)), 4);
+  EXPECT_EQ(largest(of_file("[default]\nstiffness = 0.25\n")), 0.5F) << "the rendering's own, too";
 }
 
 TEST_F(Materials, are_part_of_the_identity) {

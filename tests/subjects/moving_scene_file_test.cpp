@@ -159,6 +159,9 @@ TEST_F(MovingScenes, are_rendered_at_their_rate) {
   const auto built = rendering_of(read_scene_of("rate = 500\n" + kRisingWall));
   const auto& rendering = std::get<Rendering>(built);
   EXPECT_EQ(rendering.rate_hz, 500);
+  EXPECT_EQ(rendering.stiffness, 0.5F);
+  const std::string stiff = kRisingWall + "stiffness = 3\n" + kStillPlate;
+  EXPECT_EQ(std::get<Rendering>(rendering_of(read_scene_of(stiff))).stiffness, 3) << "the largest of its objects";
   // The wall rises by 0.2 mm in each tick under a hand that rests.
   const auto session = rendering.renderer.open();
   for (const float expected : {0.0F, 0.1F, 0.2F}) EXPECT_EQ(session->step({0, 0, 0}).force.z(), expected);

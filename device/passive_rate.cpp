@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "device/passive_rate.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "device/simulated/hand.h"
+
+namespace forceshade::device {
+namespace {
+
+std::string rounded(double number, int digits = 3) {
+  char words[32];
+  std::snprintf(words, sizeof words, "%.*g", digits, number);
+  return words;
+}
+
+}  // namespace
+
+std::string words_if_active(double stiffness, const Capabilities& capabilities, double rate) {
+  if (!std::isfinite(capabilities.peak_force)) return {};
+  const double flesh = Grip{}.flesh_damping, its = static_cast<double>(capabilities.damping);  // N·s/m
+  const double needed = 1e3 * stiffness / (2 * rate), there = flesh + its;
+  if (needed <= there) return {};
+  const std::string damping =
+      its > 0 ? std::string(capabilities.model) + " has " + rounded(its) : std::string("the device's own is not known");
+  return "a stiffness of " + rounded(stiffness, 6) + " N/mm at " + rounded(rate, 6) +
+         " Hz cannot be passive, so a hand may be made to swing: b >= KT/2 takes a damping of " + rounded(needed) + " N s/m; " +
+         damping + ", and a hand's flesh has some " + rounded(flesh) + ". That suffices for " +
+         rounded(2 * rate * there / 1e3) + " N/mm at this rate, or for this stiffness from " +
+         rounded(std::ceil(1e3 * stiffness / (2 * there)), 6) + " Hz on";
+}
+
+}  // namespace forceshade::device
