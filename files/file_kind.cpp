@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "files/git_lfs.h"
+
 namespace forceshade::files {
 namespace {
 
@@ -15,7 +17,8 @@ using namespace std::string_view_literals;
 struct Signature {
   std::string_view beginning, kind;
 };
-constexpr std::array kSignatures{Signature{"\x89PNG"sv, "a PNG picture"},
+constexpr std::array kSignatures{Signature{kLfsBeginning, kLfsPointer},
+                                 Signature{"\x89PNG"sv, "a PNG picture"},
                                  Signature{"\xff\xd8\xff"sv, "a JPEG picture"},
                                  Signature{"GIF8"sv, "a GIF picture"},
                                  Signature{"II*\0"sv, "a TIFF picture"},

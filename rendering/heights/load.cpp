@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "files/git_lfs.h"
 #include "forceshade/heights.h"
 #include "rendering/heights/band_limit.h"
 #include "rendering/heights/coefficients.h"
@@ -21,9 +22,10 @@ Samples read(const Source& source) {
   const std::filesystem::path& file = source.file;
   std::ifstream in(file, std::ios::binary);
   if (!in) throw Error(file, "cannot be opened");
-  std::string head(8, '\0');
+  std::string head(files::kLfsBeginning.size(), '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head == "\x89PNG\r\n\x1a\n") return read_png(source);
+  if (head == files::kLfsBeginning) throw Error(file, "is " + std::string(files::kLfsPointer));
+  if (head.starts_with("\x89PNG\r\n\x1a\n")) return read_png(source);
   if (head.starts_with(std::string("II*\0", 4)) || head.starts_with(std::string("MM\0*", 4))) return read_tiff(source);
   if (head.starts_with("Pf")) return read_pfm(source);
   if (head.starts_with("\x93NUMPY")) return read_npy(source);

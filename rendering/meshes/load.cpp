@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
+#include <string>
 
+#include "files/git_lfs.h"
 #include "forceshade/meshes.h"
 #include "rendering/meshes/readers.h"
 
@@ -17,6 +20,12 @@ struct Format {
 constexpr std::array kFormats{Format{".obj", &read_obj}, Format{".off", &read_off}, Format{".ply", &read_ply},
                               Format{".stl", &read_stl}};
 
+void expect_no_pointer(const std::filesystem::path& file) {
+  std::string beginning(files::kLfsBeginning.size(), '\0');
+  std::ifstream(file, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  if (beginning == files::kLfsBeginning) throw Error(file, "is " + std::string(files::kLfsPointer));
+}
+
 }  // namespace
 
 LoadedMesh load_in_units(const std::filesystem::path& file, const FileUnits& units) {
@@ -24,7 +33,10 @@ LoadedMesh load_in_units(const std::filesystem::path& file, const FileUnits& uni
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const Format& format : kFormats)
-    if (format.ending == ending) return format.read(file, units);
+    if (format.ending == ending) {
+      if (std::filesystem::is_regular_file(file)) expect_no_pointer(file);
+      return format.read(file, units);
+    }
   throw Error(file, "has a name of no known format; expected a name that ends in .obj, .off, .ply or .stl");
 }
 

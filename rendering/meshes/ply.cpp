@@ -36,12 +36,11 @@ class TextBody {
     if (!number || *number > most) throw lines_.unexpected(what + ", " + std::to_string(most) + " at most", word);
     return *number;
   }
-  std::int64_t integer(const Type&) {
+  std::int64_t integer(const Type&, const char* what) {
     const std::string_view word = words_.next();
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (word.empty() || error != std::errc{} || end != word.data() + word.size())
-      throw lines_.unexpected("the whole number of a material", word);
+    if (word.empty() || error != std::errc{} || end != word.data() + word.size()) throw lines_.unexpected(what, word);
     return number;
   }
   void skip(const Type&, std::uint64_t count) {
@@ -89,7 +88,7 @@ class BinaryBody {
       throw error("expected " + what + ", " + std::to_string(most) + " at most, got " + words_of(number));
     return static_cast<std::uint64_t>(number);
   }
-  std::int64_t integer(const Type& type) { return static_cast<std::int64_t>(type.take(bytes_)); }
+  std::int64_t integer(const Type& type, const char*) { return static_cast<std::int64_t>(type.take(bytes_)); }
   void skip(const Type& type, std::uint64_t count) { bytes_.skip(count * type.bytes); }
   void expect_numbers(std::uint64_t count, const Type& type) const {
     if (count * type.bytes > bytes_.left())
@@ -111,6 +110,8 @@ class BinaryBody {
 };
 
 constexpr std::uint64_t kLongestList = std::uint64_t{1} << 32;
+// What begins another strip: -1, also as a type without a sign has it.
+constexpr std::int64_t kNextStrip = -1, kUnsignedNextStrip = 0xFFFFFFFF;
 
 template <class Body>
 void skip_property(Body& body, const Property& property) {
@@ -183,7 +184,7 @@ void read_faces(Body& body, const Element& element, Builder& builder) {
           texture.push_back({u, body.texture(type)});
         }
       } else if (property.role == Role::material) {
-        builder.materials.begin(std::to_string(body.integer(type)));
+        builder.materials.begin(std::to_string(body.integer(type, "the whole number of a material")));
       } else {
         skip_property(body, property);
       }
@@ -200,6 +201,55 @@ void read_faces(Body& body, const Element& element, Builder& builder) {
   }
 }
 
+// Strips of triangles: each vertex from the third on ends a triangle with the two before it, and every second triangle is
+// turned over. -1 begins another strip. A triangle with a vertex twice joins strips and is no face.
+template <class Body>
+void read_strips(Body& body, const Element& element, Builder& builder) {
+  const bool has_normals = !builder.normals.empty(), has_texture = !builder.texture.empty();
+  const auto corner = [&](std::uint32_t vertex) {
+    return Corner{vertex, has_normals ? vertex : Corner::kNone, has_texture ? vertex : Corner::kNone};
+  };
+  const auto vertices = static_cast<std::int64_t>(builder.vertices.size());
+  for (std::uint64_t i = 0; i < element.count; ++i) {
+    body.begin(element, i);
+    for (const Property& property : element.properties) {
+      if (property.role != Role::indices) {
+        skip_property(body, property);
+        continue;
+      }
+      const std::uint64_t count = body.whole(*property.count_type, kLongestList, "the length of a list");
+      body.expect_numbers(count, *property.type);
+      std::uint64_t length = 0;  // of the strip so far
+      std::array<std::uint32_t, 2> last{};
+      const auto expect_strip = [&] {
+        if (length == 1 || length == 2)
+          throw body.error("has a strip of " + std::to_string(length) + " vertices; expected 3 or more");
+      };
+      for (std::uint64_t k = 0; k < count; ++k) {
+        const std::int64_t number = body.integer(*property.type, "the index of a vertex, or -1");
+        if (number == kNextStrip || number == kUnsignedNextStrip) {
+          expect_strip();
+          length = 0;
+          continue;
+        }
+        if (!(number >= 0 && number < vertices))
+          throw body.error("has a strip with vertex " + std::to_string(number) + "; expected the index of a vertex, below " +
+                           std::to_string(vertices) + ", or -1");
+        const auto vertex = static_cast<std::uint32_t>(number);
+        const auto [first, second] = last;
+        if (++length >= 3 && first != second && second != vertex && first != vertex) {
+          const bool is_turned = length % 2 == 0;
+          builder.add_face(std::array{corner(is_turned ? second : first), corner(is_turned ? first : second), corner(vertex)},
+                           body.line());
+        }
+        last = {second, vertex};
+      }
+      expect_strip();
+    }
+    body.end();
+  }
+}
+
 template <class Body>
 LoadedMesh read_body(Body& body, const PlyHeader& header, const std::filesystem::path& file) {
   Builder builder;
@@ -208,6 +258,8 @@ LoadedMesh read_body(Body& body, const PlyHeader& header, const std::filesystem:
       read_vertices(body, element, builder);
     } else if (element.name == "face") {
       read_faces(body, element, builder);
+    } else if (element.name == kStrips) {
+      read_strips(body, element, builder);
     } else {
       for (std::uint64_t i = 0; i < element.count; ++i) {
         body.begin(element, i);

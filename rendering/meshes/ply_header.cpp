@@ -125,7 +125,7 @@ class HeaderReader {
         if (property.name == named.name && (property.count_type != nullptr) == is_list) property.role = named.role;
     };
     if (element.name == "vertex") find(kOfVertex, false);
-    if (element.name == "face") find(kListsOfFace, true);
+    if (element.name == "face" || element.name == kStrips) find(kListsOfFace, true);
     if (element.name == "face" && property.type->is_whole) find(kOfFace, false);
     if (property.role != Role::none && element.has(property.role))
       throw lines_.error("has property " + in_quotes(property.name) + " a second time, or another name of the same");
@@ -146,13 +146,13 @@ class HeaderReader {
         has_vertices = element.has(Role::x) && element.has(Role::y) && element.has(Role::z);
         if (!has_vertices) throw Error(file_, "has vertices without x, y and z");
       }
-      if (element.name == "face") {
+      if (element.name == "face" || element.name == kStrips) {
         has_faces = element.has(Role::indices);
         if (!has_faces) throw Error(file_, "has faces without the list vertex_indices");
         if (!has_vertices) throw Error(file_, "has no vertices in front of the faces");
       }
     }
-    if (!has_vertices || !has_faces) throw Error(file_, "declares no element vertex, or none face");
+    if (!has_vertices || !has_faces) throw Error(file_, "declares no element vertex, or neither face nor tristrips");
   }
 
   Lines& lines_;

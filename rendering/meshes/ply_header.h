@@ -42,6 +42,9 @@ struct Element {
   }
 };
 
+// The element whose lists are strips of triangles, as scanners write it.
+inline constexpr std::string_view kStrips = "tristrips";
+
 struct PlyHeader {
   bool is_text = false;
   std::endian order = std::endian::little;

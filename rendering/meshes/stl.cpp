@@ -127,6 +127,7 @@ std::string head_of(const std::filesystem::path& file) {
 bool is_text(std::string_view head) {
   if (head.find('\0') != std::string_view::npos) return false;
   if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  head.remove_prefix(std::min(head.find_first_not_of(" \t\v\f\r\n"), head.size()));
   const std::string_view solid = "solid";
   return head.size() >= solid.size() && std::equal(solid.begin(), solid.end(), head.begin(), [](char expected, char found) {
            return expected == std::tolower(static_cast<unsigned char>(found));

@@ -151,6 +151,10 @@ TEST_F(Heights, that_are_no_numbers_are_named_by_row_and_column) {
 
 TEST_F(Heights, that_are_not_there_or_not_understood_say_why) {
   EXPECT_EQ(error_of(path("none.png")), "cannot be opened");
+  const std::string pointer =
+      "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') + "\nsize 12345\n";
+  for (const char* name : {"lfs.png", "lfs.tif", "lfs.pfm", "lfs.npy"})
+    EXPECT_EQ(error_of(write(name, pointer)), "is a pointer of Git LFS in the place of a file, which 'git lfs pull' fetches");
   EXPECT_EQ(error_of(write("empty.png", "")), "is none of PNG, TIFF, greyscale PFM and NPY");
   EXPECT_EQ(error_of(write("colour.pfm", "PF\n2 2\n-1\n" + std::string(48, 'x'))),
             "is none of PNG, TIFF, greyscale PFM and NPY");

@@ -121,6 +121,15 @@ std::string ply(const std::string& format, const std::string& elements, const st
 
 const std::string kXyz = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string kOneFace = "element face 1\nproperty list uchar int vertex_indices\n";
+const std::string kOneStrip = "element tristrips 1\nproperty list int int vertex_indices\n";
+
+// A clone without Git LFS has these in the place of files.
+TEST(broken_mesh_files, that_are_pointers_of_git_lfs_are_named_so) {
+  const std::string pointer =
+      "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') + "\nsize 12345\n";
+  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.STL"})
+    EXPECT_EQ(of_text(name, pointer).refusal, "is a pointer of Git LFS in the place of a file, which 'git lfs pull' fetches");
+}
 
 TEST(broken_mesh_files, of_ply_are_refused_in_words) {
   const std::string nulls(36, '\0');
@@ -144,7 +153,18 @@ TEST(broken_mesh_files, of_ply_are_refused_in_words) {
       {"a.ply", ply("ascii", kXyz + "property float x\n", ""),
        "line 7: has property \"x\" a second time, or another name of the same"},
       {"a.ply", ply("ascii", kXyz + kXyz, ""), "line 7: has element \"vertex\" a second time"},
-      {"a.ply", ply("ascii", kXyz, ""), "declares no element vertex, or none face"},
+      {"a.ply", ply("ascii", kXyz, ""), "declares no element vertex, or neither face nor tristrips"},
+      {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "2 0 1\n"), "line 13: has a strip of 2 vertices; expected 3 or more"},
+      {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "5 0 1 2 -1 0\n"),
+       "line 13: has a strip of 1 vertices; expected 3 or more"},
+      {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "3 0 1 3\n"),
+       "line 13: has a strip with vertex 3; expected the index of a vertex, below 3, or -1"},
+      {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "3 0 -2 1\n"),
+       "line 13: has a strip with vertex -2; expected the index of a vertex, below 3, or -1"},
+      {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "3 0 1\n"),
+       "line 13: expected the index of a vertex, or -1, got the end of the line"},
+      {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "0\n"), "has no face"},
+      {"a.ply", ply("ascii", kOneStrip + kXyz, ""), "has no vertices in front of the faces"},
       {"a.ply", ply("ascii", kOneFace + kXyz, ""), "has no vertices in front of the faces"},
       {"a.ply", ply("ascii", "element vertex 1\nproperty float x\n" + kOneFace, ""), "has vertices without x, y and z"},
       {"a.ply", ply("ascii", kXyz + "element face 1\nproperty int a\n", ""), "has faces without the list vertex_indices"},

@@ -48,6 +48,24 @@ TEST(mesh_files, of_off_have_their_vertices_and_triangles_in_order) {
   expect_split(of_text("a.OFF", polygon), polygon);
 }
 
+// Line ends mean nothing to OFF, but that a colour ends with its line.
+TEST(mesh_files, of_off_are_words_between_white_space) {
+  for (const std::string text :
+       {"OFF4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
+        "OFF\n4 2 0\n0 0 0\n1 0\n0\n1 1 0\n0\n1\n0\n3 0 1\n2\n3 0\n2\n3\n",
+        "OFF\n4 2 0\n0 0 0 9 9\n1 0 0\n1 1 0\n0 1 0\n3 0 1\n2 0.5 0.5 0.5\n3 0 2\n3 # last\n",
+        "OFF\n4\n2\n0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n", "OFF 4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",
+        "OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2\n3 0 2 3\n",
+        "COFF\n4 2 0\n0 0 0 1 1 1 1 1 0 0 1 1 1 1\n1 1 0 1 1 1 1 0 1 0 1 1 1 1 3 0 1 2\n3 0 2 3"})
+    expect_square_alone(of_text("a.off", text), text);
+  const Loaded both = of_text("a.off",
+                              "STCNOFF 4 2 0\n0 0 0 0 0 1 9 9 9 9 0 0 1 0 0 0 0 1 9 9 9 9 1 0 1 1 0 0 0 1 9 9 9 9 1 1\n"
+                              "0 1 0 0 0 1 9 9 9 9 0 1 3 0 1 2 3 0 2 3\n");
+  expect_square(both, "STCNOFF");
+  EXPECT_EQ(both.mesh.normals, kUp);
+  EXPECT_EQ(both.mesh.texture, kFlat);
+}
+
 TEST(mesh_files, of_off_may_have_normals_and_a_texture) {
   const Loaded normals =
       of_text("a.off", "NOFF\n4 2 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n3 0 2 3\n");
@@ -174,6 +192,35 @@ TEST(mesh_files, of_ply_may_have_normals_and_a_texture) {
   EXPECT_EQ(of_corners.mesh.texture, kFlat);
 }
 
+// As scanners of Cyberware and Stanford's repository write it.
+TEST(mesh_files, of_ply_may_have_strips_of_triangles) {
+  const std::string vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  const auto head = [&](const std::string& format, const std::string& type, int strips) {
+    return "ply\nformat " + format + " 1.0\n" + vertices + "element tristrips " + std::to_string(strips) +
+           "\nproperty list int " + type + " vertex_indices\nend_header\n";
+  };
+  const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  for (const std::string body : {"7 0 1 2 -1 0 2 3\n", "8 0 1 2 -1 0 2 3 -1\n", "9 -1 0 1 2 -1 -1 0 2 3\n"})
+    expect_square_alone(of_text("a.ply", head("ascii", "int", 1) + square + body), body);
+  expect_square_alone(of_text("a.ply", head("ascii", "int", 2) + square + "3 0 1 2\n3 0 2 3\n"), "two lists");
+  // Every second triangle is turned over, and a -1 turns none; a vertex twice joins two strips.
+  const auto triangles_of = [&](const std::string& body) {
+    return of_text("a.ply", head("ascii", "int", 1) + square + body).mesh.mesh.triangles;
+  };
+  EXPECT_EQ(triangles_of("4 1 2 0 3\n"), (std::vector<Triangle>{{1, 2, 0}, {0, 2, 3}}));
+  EXPECT_EQ(triangles_of("8 1 2 0 3 -1 1 2 0\n"), (std::vector<Triangle>{{1, 2, 0}, {0, 2, 3}, {1, 2, 0}}));
+  EXPECT_EQ(triangles_of("6 0 1 2 2 3 0\n"), (std::vector<Triangle>{{0, 1, 2}, {3, 2, 0}}));
+  for (const std::endian order : {std::endian::little, std::endian::big})
+    for (const std::string type : {"int", "uint"}) {
+      std::string body;
+      for (const Vertex& vertex : kSquare)
+        for (const float x : vertex) body += bytes_of(x, order);
+      for (const std::int32_t number : {7, 0, 1, 2, -1, 0, 2, 3}) body += bytes_of(number, order);
+      const std::string format = order == std::endian::little ? "binary_little_endian" : "binary_big_endian";
+      expect_square_alone(of_text("a.ply", head(format, type, 1) + body), format + ' ' + type);
+    }
+}
+
 TEST(mesh_files, of_obj_and_ply_may_name_their_faces) {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", quad = "f 1 2 3 4\n", three = "f 1 2 3\n";
   using Names = std::vector<std::string>;
@@ -230,7 +277,7 @@ std::string binary_stl(const std::string& head, const std::vector<Vertex>& corne
 TEST(mesh_files, of_stl_have_vertices_with_equal_coordinates_once) {
   const std::string words = "STL repeats its vertices: of 6, those with equal coordinates are one, 4 in all";
   std::string text;
-  for (const char* head : {"solid a\n", "SOLID\n\n"}) {
+  for (const char* head : {"solid a\n", "SOLID\n\n", "\n \r\n\tsolid a\n", "\xEF\xBB\xBF\nsolid a\n"}) {
     text = head;
     for (const char* facet :
          {"vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n", "vertex 0 0 -0\n vertex\t1e0 1 1e-20\nVertex 0 1 0\n"})
