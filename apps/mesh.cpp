@@ -112,6 +112,15 @@ void note_large_fan(const Input& input, const mesh::TriangleMesh& triangles, std
                   std::to_string(mesh::kLargestQuickFan) + " faces (docs/meshes.md, \"Vertices of many triangles\")");
 }
 
+// Borders that lie on each other, between which a hand goes.
+void note_seams(const mesh::TriangleMesh& triangles, std::vector<std::string>& notes) {
+  const std::uint64_t edges = mesh::coinciding_rim_edges(triangles);
+  if (edges == 0) return;
+  notes.push_back(std::to_string(edges) +
+                  " edges at a rim lie on others with equal ends, so that borders coincide there and a hand goes between the "
+                  "faces: 'forceshade mesh repair' joins equal vertices");
+}
+
 // The file's notes, and what of it no command renders.
 std::vector<std::string> notes_of(const mesh::LoadedMesh& loaded) {
   std::vector<std::string> notes = loaded.notes;
@@ -168,7 +177,10 @@ int check(const MeshFileOptions& options) {
   Input input = load(options);
   std::vector<std::string> notes = notes_of(input.ground.loaded);
   const auto checked = checked_with_progress(options.file, std::move(input.ground.loaded.mesh), self_intersections(input));
-  if (const auto* held = std::get_if<mesh::CheckedMesh>(&checked)) note_large_fan(input, held->mesh(), notes);
+  if (const auto* held = std::get_if<mesh::CheckedMesh>(&checked)) {
+    note_large_fan(input, held->mesh(), notes);
+    if (input.may_cross) note_seams(held->mesh(), notes);
+  }
   const auto* findings = std::get_if<mesh::Findings>(&checked);
   const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(input.words(*findings));
   Json json{{"file", options.file},

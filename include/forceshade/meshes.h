@@ -142,6 +142,10 @@ struct Facts {
 
 Facts facts_of(const JoinedMesh& mesh);
 
+// The edges with one triangle that lie on another such edge, with equal ends: exporters give each side of a seam vertices of
+// its own. Only a mesh that may cross itself can have them; a hand goes between the two.
+std::uint64_t coinciding_rim_edges(const TriangleMesh& mesh);
+
 // The vertex with the most triangles, the first of several.
 struct LargestFan {
   std::uint32_t vertex = 0;

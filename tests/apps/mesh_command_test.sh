@@ -49,6 +49,12 @@ expect 1 "FAILED: " -- mesh check folded.off --unit mm
 expect 1 "faces 0 and 1 are folded onto each other" -- mesh check folded.off --unit mm --self-intersecting
 printf 'OFF\n6 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 -1\n2 1 1\n6 1 0\n3 0 1 2\n3 3 4 5\n' > crossing.off
 expect 1 "faces 0 and 1 meet, but have no vertex in common" -- mesh check crossing.off --unit mm
+# An L of two triangles whose common edge has vertices of its own on either side.
+printf 'OFF\n6 2 0\n0 0 0\n10 0 0\n0 10 0\n0 0 0\n10 0 0\n0 0 10\n3 0 1 2\n3 3 5 4\n' > seam.off
+expect 1 "meet, but have no vertex in common" -- mesh check seam.off --unit mm
+expect 0 "2 edges at a rim lie on others with equal ends" -- mesh check seam.off --unit mm --self-intersecting
+also "a hand goes between the faces" "joins equal vertices"
+expect 0 "unit normals  held" -- "$forceshade" properties --mesh seam.off --unit mm --self-intersecting --cases 200 --seed 3
 expect 0 "whether faces without a common vertex cross was not checked" -- mesh check crossing.off --unit mm --self-intersecting
 expect 1 '"held": false' -- mesh check folded.off --unit mm --json
 expect 0 '"held": true' -- mesh check cube.off --unit mm --json
