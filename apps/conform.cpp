@@ -165,7 +165,7 @@ void add_conform(CLI::App& app, int& result) {
     if (its->command.empty() && its->object.empty() && its->simulator.empty() && !recording->is_given())
       throw CLI::RequiredError("--command, --object, --simulator or --recording");
     if (recording->is_given())
-      result = recording->run(*subject, its->tolerance, its->json, its->junit);
+      result = recording->run(*subject, its->tolerance, {its->out, its->json, its->junit, repeated(*command)});
     else
       result = its->simulator.empty() ? run(*its, *subject, repeated(*command)) : run_simulator(*its, repeated(*command));
   });

@@ -8,13 +8,16 @@
 #include "apps/junit.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
+#include "apps/page.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/standard_streams.h"
 #include "apps/tolerance_option.h"
 #include "files/csv.h"
+#include "forceshade/certificate.h"
 #include "properties/conformance/judgement_text.h"
 #include "properties/conformance/recordings/recording_text.h"
+#include "properties/conformance/report/page.h"
 
 namespace forceshade::apps {
 namespace {
@@ -47,7 +50,7 @@ RecordingOption::RecordingOption(CLI::App& command) {
       "of a recording: its columns, t, x, y, z, fx, fy and fz by their names, or by their numbers where it has no header; "
       "those "
       "of 'recording export' unless given");
-  add("--time-unit", units_.time, "s|ms|us", "of a recording, where the column's name does not end in it");
+  add("--time-unit", units_.time, "s|ms|us|ns", "of a recording, where the column's name does not end in it");
   add("--length-unit", units_.length, "mm|cm|m|in", "the same of its positions");
   add("--force-unit", units_.force, "N|mN", "the same of its forces");
   add("--frame", frame_, "x,z,-y", "of a recording: which axes of the scene its first, second and third ones are");
@@ -64,8 +67,7 @@ RecordingOption::RecordingOption(CLI::App& command) {
   command.option_defaults()->group(group);
 }
 
-int RecordingOption::run(const SubjectOption& subject, const std::string& tolerance, const std::string& json,
-                         const std::string& junit) const {
+int RecordingOption::run(const SubjectOption& subject, const std::string& tolerance, const RecordingOutputs& its) const {
   conformance::RecordingOptions options = options_;
   if (options.fits && !subject.is_given())
     throw BadInput("--fit: expected " + subjects::words_of_kinds("or") + " with it, got none");
@@ -73,7 +75,8 @@ int RecordingOption::run(const SubjectOption& subject, const std::string& tolera
     throw BadInput("--tolerance: expected one in N or % beside --fit, since a fitted force is never correctly rounded");
   if (!tolerance.empty()) options.tolerance = parse_tolerance(tolerance);
   if (!frame_.empty()) options.turn = conformance::turn_of_frame(frame_);
-  expect_room_for_results(json, junit);
+  expect_room_for_results(its.json, its.junit);
+  expect_folder_of("--out", its.out);
   watch_for_interrupt();
   std::ifstream file = files::open_file(file_);
   const conformance::Measurements measured =
@@ -88,11 +91,16 @@ int RecordingOption::run(const SubjectOption& subject, const std::string& tolera
       measured, description, options, Monitor([&](double done) { line->draw(done); }, interrupted()));
   line.reset();
   const std::string words = conformance::words_of(found, options.tolerance);
-  if (!json.empty()) write_file(json, conformance::text_of(conformance::json_of(found, options.tolerance)));
-  if (!junit.empty())
-    write_file(junit, to_junit("forceshade conform", {{"tolerance", conformance::words_of(options.tolerance)}},
-                               junit_cases(found, words)));
-  print_beside({json, junit}, words);
+  if (!its.json.empty()) write_file(its.json, conformance::text_of(conformance::json_of(found, options.tolerance)));
+  if (!its.out.empty())
+    write_file(its.out, page_of(its.out, [&](properties::Pictures shown) {
+                 return conformance::to_html(found, options.tolerance, properties::current_build().version, its.repeated,
+                                             shown);
+               }));
+  if (!its.junit.empty())
+    write_file(its.junit, to_junit("forceshade conform", {{"tolerance", conformance::words_of(options.tolerance)}},
+                                   junit_cases(found, words)));
+  print_beside({its.json, its.junit, its.out}, words);
   return found.held() ? kHeld : kFailed;
 }
 

@@ -11,6 +11,11 @@
 
 namespace forceshade::apps {
 
+// Files for what was found, empty where none is wanted; repeated: the command that repeats the run, for the page.
+struct RecordingOutputs {
+  std::string out, json, junit, repeated;
+};
+
 class RecordingOption {
  public:
   // Adds --recording and the options that go with it.
@@ -20,7 +25,7 @@ class RecordingOption {
 
   // Judges the recording beside the subject, where one is given; the results go to the files or standard output. Returns the
   // exit code. tolerance: as it was given; empty where it was not.
-  int run(const SubjectOption& subject, const std::string& tolerance, const std::string& json, const std::string& junit) const;
+  int run(const SubjectOption& subject, const std::string& tolerance, const RecordingOutputs& outputs) const;
 
  private:
   std::string file_, columns_, frame_;

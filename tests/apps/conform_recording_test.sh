@@ -29,6 +29,16 @@ END
 expect 0 "not applicable: no attraction: without a subject" -- alone "$clean" --energy 0.01
 expect 0 '<testcase' -- judge "$clean" --junit -
 
+# The page: with a fit and pictures, without a subject, and of a recording that has no fit; a folder that is not there is refused first.
+expect 0 "held: 1200 of 1200" -- judge "$clean" --out page.html
+for words in '<header class="held">' 'another_system.csv beside bump-2p</h1>' '<th scope="row">stiffness</th><td>0.5 +- ' 'id="course' \
+  'The force over time' 'no attraction</th>' '1200 samples in 1.199 s, 1000 Hz'; do
+  grep -qF -e "$words" page.html || { echo "FAILED: the page has no $words"; exit 1; }
+done
+expect 0 "held: time increases" -- alone "$clean" --energy 0.01 --out alone.html
+grep -q 'time increases</th>' alone.html && ! grep -q '<svg' alone.html || { echo "FAILED: the page without a subject"; exit 1; }
+expect 2 "--out: " -- judge "$clean" --out nowhere/page.html
+
 # One fault each. fault NAME CODE: CODE changes `rows`, the numbers of the rows.
 fault() {
   python3 - "$clean" "$2" > "$1.csv" << 'END' || exit 1
@@ -60,7 +70,7 @@ fault backwards 'rows[300][0] -= 0.004'
 finds backwards "FAILED: time increases"
 fault equal 'rows[300][0] = rows[299][0]'
 finds equal "FAILED: time increases"
-also "equal.csv:302: the time is 3.699 s; expected one after that of the sample before, 3.699 s"
+also "equal.csv:302: the time is that of the sample before; expected one after it"
 fault sign 'for i in touching[:20]: rows[i][4:] = [-f for f in rows[i][4:]]'
 finds sign "FAILED: no attraction"
 fault nothing 'for i in free[:20]: rows[i][4:] = [0, 0, 50]'
@@ -92,6 +102,30 @@ also "FAILED: all in all the hand gets no energy"
 same 2 "$(grep -c '^FAILED' <<< "$printed")"
 expect 1 "FAILED: all in all the hand gets no energy" -- "$forceshade" conform --recording energy.csv
 expect 0 "held: all in all" -- wall energy.csv --tolerance "5 %" --energy 1
+# A recording of 1000/N Hz that was copied up to 1000 Hz. copied N SAMPLES: of a hand that presses into a wall.
+copied() {
+  python3 -c 'import math, sys
+hold = int(sys.argv[1])
+print("t_ns,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
+for i in range(3000):
+    t = i // hold * hold / 1000
+    z = 2 - 3.5 * math.sin(2 * math.pi * t * 0.8) ** 2 + float(sys.argv[2])
+    print(f"{1690000000123456789 + 1000000 * i},{60 * math.sin(3 * t):.9g},{30 * math.cos(2 * t):.9g},{z:.9g},0,0,{max(0, -0.5 * z):.9g}")' "$@"
+}
+repeated="FAILED: no sample is repeated while the hand moves" held="FAILED: no force is held longer than 10 ms without a new position"
+with_ns=(--columns t=t_ns,x=x_mm,y=y_mm,z=z_mm,fx=fx_N,fy=fy_N,fz=fz_N --tolerance "0.01 N")
+copied 1 0 > whole.csv
+expect 0 "1000 Hz" -- wall whole.csv "${with_ns[@]}"
+also "jitter 0 ms"
+for case in "2 500 $repeated" "5 200 $repeated" "10 100 $repeated" "17 58.82 $held" "33 30.3 $held" "100 10 $held"; do
+  read -r hold rate words <<< "$case"
+  copied "$hold" 0 > copied.csv
+  expect 1 "$words" -- wall copied.csv "${with_ns[@]}"
+  also "3000 samples in 2.999 s, 1000 Hz" "new positions: $rate Hz"
+  same 1 "$(grep -c "^FAILED: no .* \(repeated\|held\)" <<< "$printed")"
+done
+copied 33 9 > free.csv
+expect 1 "$repeated" -- wall free.csv "${with_ns[@]}"
 # Noise that is declared: held, and the stiffness within its error.
 fault noise 'for row in rows: row[4:] = [f + random.gauss(0, 3) for f in row[4:]]'
 tolerance="0.02 N" judge noise.csv --noise 0.02 --json noise.json > noise.txt || { echo "FAILED: noise: $(cat noise.json)"; exit 1; }

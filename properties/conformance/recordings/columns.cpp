@@ -15,9 +15,9 @@ using files::BadInput;
 
 struct FileUnit {
   std::string_view name;
-  double size;  // in s, mm or N
+  double size;  // in mm or N; of a time, its power of ten in s
 };
-constexpr std::array kTimes{FileUnit{"s", 1}, FileUnit{"ms", 1e-3}, FileUnit{"us", 1e-6}};
+constexpr std::array kTimes{FileUnit{"s", 0}, FileUnit{"ms", -3}, FileUnit{"us", -6}, FileUnit{"ns", -9}};
 constexpr std::array kLengths{FileUnit{"mm", 1}, FileUnit{"cm", 10}, FileUnit{"m", 1000}, FileUnit{"in", 25.4}};
 constexpr std::array kForces{FileUnit{"N", 1}, FileUnit{"mN", 1e-3}};
 
@@ -79,7 +79,7 @@ Columns columns_of(const std::string& text, const Units& units) {
       if (columns.names[i].empty()) throw refused("has no " + std::string(Columns::kWhat[i]));
   }
   const std::span<const std::string> names(columns.names);
-  columns.seconds = unit_of(names.first(1), kTimes, units.time, "--time-unit");
+  columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, units.time, "--time-unit"));
   columns.millimetres = unit_of(names.subspan(1, 3), kLengths, units.length, "--length-unit");
   columns.newtons = unit_of(names.last(3), kForces, units.force, "--force-unit");
   return columns;

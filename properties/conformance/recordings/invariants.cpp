@@ -8,30 +8,16 @@
 
 #include "files/csv.h"
 #include "properties/conformance/quantile.h"
+#include "properties/conformance/recordings/stays.h"
 #include "properties/conformance/recordings/words.h"
 
 namespace forceshade::conformance {
 namespace {
 
-// Samples first to last are at one position, and more than one.
-struct Rest {
-  std::size_t first, last;
-};
-
-std::vector<Rest> rests_of(const std::vector<Measured>& samples) {
-  std::vector<Rest> rests;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    if (samples[i].position != samples[i - 1].position) continue;
-    if (rests.empty() || rests.back().last + 1 != i) rests.push_back({i - 1, i - 1});
-    rests.back().last = i;
-  }
-  return rests;
-}
-
 class Looking {
  public:
   Looking(const Measurements& measured, const ExactForces& exact, const Allowed& allowed)
-      : measured_(measured), samples_(measured.samples), exact_(exact), allowed_(allowed), rests_(rests_of(samples_)) {}
+      : measured_(measured), samples_(measured.samples), exact_(exact), allowed_(allowed), stays_(measured) {}
 
   std::vector<Invariant> look() {
     stay_finite();
@@ -50,8 +36,7 @@ class Looking {
   void violated(std::size_t sample, const std::string& words) {
     found_.back().violated(measured_.place(sample) + ": " + words);
   }
-  double interval(std::size_t i) const { return samples_[i + 1].time - samples_[i].time; }
-  double step(std::size_t i) const { return (samples_[i + 1].position - samples_[i].position).norm(); }
+  double interval(std::size_t i) const { return samples_[i + 1].interval; }
   bool has_force(std::size_t i) const { return samples_[i].force.allFinite() && samples_[i].force.norm() > allowed_.force; }
 
   void stay_finite() {
@@ -66,33 +51,25 @@ class Looking {
     begin("time increases");
     for (std::size_t i = 0; i + 1 < samples_.size(); ++i, ++found_.back().cases)
       if (!(interval(i) > 0))
-        violated(i + 1, "the time is " + files::shortest(samples_[i + 1].time) +
-                            " s; expected one after that of the sample before, " + files::shortest(samples_[i].time) + " s");
+        violated(i + 1, "the time is " + (interval(i) == 0 ? "that" : milliseconds(-interval(i)) + " before that") +
+                            " of the sample before; expected one after it");
   }
 
-  // Where the hand was at rest, it goes on slowly; where a sample was repeated instead, it then is where it would have been. Of
-  // a hand that is slow beside what is usual, this is not known, since positions are rounded.
-  bool is_stale(const Rest& rest) const {
-    if (rest.first == 0 || rest.last + 1 == samples_.size()) return false;
-    const double before = interval(rest.first - 1), last = interval(rest.last);
-    if (!(before > 0) || !(last > 0)) return false;
-    const double speed = step(rest.first - 1) / before, held = samples_[rest.last].time - samples_[rest.first].time;
-    const double jump = step(rest.last);
-    return jump > speed * (last + held / 2) && speed * last >= usual_step_ / 2;
+  std::string moves(const Stay& stay) const {
+    return "the position stays for " + milliseconds(stays_.seconds(stay)) + ", and then is " + brief(stays_.step_after(stay)) +
+           " mm away; the step before was " + brief(stays_.step_before(stay)) + " mm in " +
+           milliseconds(stays_.seconds(*(&stay - 1)));
   }
 
-  std::string moves(const Rest& rest) const {
-    return "the position stays for " + milliseconds(samples_[rest.last + 1].time - samples_[rest.first].time) +
-           ", and then is " + brief(step(rest.last)) + " mm away; the step before was " + brief(step(rest.first - 1)) +
-           " mm in " + milliseconds(interval(rest.first - 1));
-  }
+  bool is_held_force(const Stay& stay) const { return stays_.is_long(stay) && has_force(stay.last) && stays_.is_stale(stay); }
 
+  // Long stays are a matter of hold(), also those without a force where there are others with one.
   void repeat() {
     begin("no sample is repeated while the hand moves");
     found_.back().cases = samples_.size();
-    for (const Rest& rest : rests_)
-      if (is_stale(rest) && samples_[rest.last].time - samples_[rest.first].time <= kLongestHold)
-        violated(rest.first + 1, moves(rest));
+    const bool is_held = std::ranges::any_of(stays_.all(), [&](const Stay& stay) { return is_held_force(stay); });
+    for (const Stay& stay : stays_.all())
+      if (stays_.is_stale(stay) && !(is_held && stays_.is_long(stay))) violated(stay.first + 1, moves(stay));
   }
 
   void hold() {
@@ -104,15 +81,15 @@ class Looking {
         violated(i, "a force of " + newtons(samples_[i].force.norm()) + " is held for " + milliseconds(interval(i)) +
                         ", until the next sample");
     }
-    for (const Rest& rest : rests_)
-      if (is_stale(rest) && has_force(rest.last) && samples_[rest.last].time - samples_[rest.first].time > kLongestHold)
-        violated(rest.last, "a force of " + newtons(samples_[rest.last].force.norm()) + " is held while " + moves(rest));
+    for (const Stay& stay : stays_.all())
+      if (is_held_force(stay))
+        violated(stay.last, "a force of " + newtons(samples_[stay.last].force.norm()) + " is held while " + moves(stay));
   }
 
   void rest() {
     begin("a hand at rest feels a force at rest");
-    for (const Rest& rest : rests_)
-      for (std::size_t i = rest.first + 2; i <= rest.last; ++i, ++found_.back().cases) {
+    for (const Stay& stay : stays_.all())
+      for (std::size_t i = stay.first + 2; i <= stay.last; ++i, ++found_.back().cases) {
         const double change = (samples_[i].force - samples_[i - 1].force).norm();
         if (change > allowed_.force)
           violated(i, "the force changes by " + newtons(change) + " while the position does not, " + allowance());
@@ -159,8 +136,7 @@ class Looking {
   const std::vector<Measured>& samples_;
   const ExactForces& exact_;
   const Allowed& allowed_;
-  const std::vector<Rest> rests_;
-  const double usual_step_ = usual_step_of(measured_);
+  const Stays stays_;
   std::vector<Invariant> found_;
 };
 
@@ -179,7 +155,7 @@ Pace pace_of(const Measurements& measured) {
   Pace pace;
   std::vector<double> intervals;
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    intervals.push_back(samples[i].time - samples[i - 1].time);
+    intervals.push_back(samples[i].interval);
     const Eigen::Vector3d change = samples[i].force - samples[i - 1].force;
     if (samples[i].position != samples[i - 1].position || !change.allFinite()) continue;
     ++pace.repeats;
@@ -193,6 +169,7 @@ Pace pace_of(const Measurements& measured) {
   for (const double interval : intervals)
     pace.jitter += std::abs(interval - pace.median) / static_cast<double>(intervals.size());
   if (pace.median > 0) pace.rate = 1 / pace.median;
+  pace.rate_of_positions = Stays(measured).rate();
   return pace;
 }
 

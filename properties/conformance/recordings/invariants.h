@@ -12,11 +12,9 @@
 
 namespace forceshade::conformance {
 
-// How long a force may be held without a new position.
-inline constexpr double kLongestHold = 0.01;  // s
-
 struct Pace {
   double seconds = 0, rate = 0;                         // from the first to the last sample; Hz, of the median interval
+  double rate_of_positions = 0;                         // Hz, at which a hand that moves has new ones; 0 if it never moves
   double median = 0, p99 = 0, longest = 0, jitter = 0;  // s, of the intervals; jitter: their mean distance from the median
   std::size_t repeats = 0;                              // samples at the position of the one before
   double noise = 0;                                     // N, root mean square of what the force changed by at these

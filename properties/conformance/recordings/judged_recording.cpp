@@ -2,6 +2,7 @@
 #include "properties/conformance/recordings/judged_recording.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "properties/binary32.h"
@@ -78,6 +79,7 @@ class Judging {
     const std::shared_ptr<const properties::Subject> subject = properties::subject_of(description);
     Judge judge(subject, options_.tolerance);
     ExactForces exact;
+    std::vector<TimedForce> course;
     std::vector<double> differences, percents;
     for (std::size_t i = 0; i < there.samples.size(); ++i) {
       monitor_.at(0.2 + 0.8 * static_cast<double>(i) / static_cast<double>(there.samples.size()));
@@ -85,11 +87,13 @@ class Judging {
       judge.add({sample.position.cast<float>(), i == 0, sample.force.cast<float>(), "", there.place(i)});
       const auto& judged = judge.exact();
       exact.push_back(judged ? std::optional<Eigen::Vector3d>(judged->force.cast<double>()) : std::nullopt);
+      course.push_back({sample.time, sample.force.norm(), exact.back() ? exact.back()->norm() : std::nan("")});
       if (!judged || !sample.force.allFinite()) continue;
       differences.push_back((sample.force - *exact.back()).norm());
       if (const double size = exact.back()->norm(); size > 0) percents.push_back(100 * differences.back() / size);
     }
-    found_.comparison = {subject->identity(), judge.judgement(), spread_of(differences), spread_of(percents)};
+    found_.comparison = {description,         subject->identity(), judge.judgement(), spread_of(differences),
+                         spread_of(percents), std::move(course)};
     return exact;
   }
 

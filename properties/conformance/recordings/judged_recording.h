@@ -30,10 +30,18 @@ struct Spread {
   double half = 0, p90 = 0, p99 = 0, all = 0;
 };
 
+// The size of a force and of the exact one, in N; the latter is no number where it is not known.
+struct TimedForce {
+  double time = 0;  // s, from the first sample on
+  double measured = 0, exact = 0;
+};
+
 struct SampleComparison {
+  Description description;  // with the stiffness that was fitted
   Identity identity;
   Judgement judgement;
   Spread newtons, percent;  // percent of the exact force, of samples that have one
+  std::vector<TimedForce> course;
 };
 
 struct JudgedRecording {

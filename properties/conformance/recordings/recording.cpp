@@ -5,6 +5,7 @@
 
 #include "files/csv.h"
 #include "forceshade/bad_input.h"
+#include "properties/conformance/recordings/exact_time.h"
 
 namespace forceshade::conformance {
 
@@ -18,6 +19,7 @@ Measurements read_measurements(std::istream& in, const std::string& file, const 
                        columns.are_numbered() ? Layout::without_header : Layout::csv);
   constexpr std::size_t kStatus = 7;
   Measurements measured{file, {}};
+  ExactTime first, before;
   while (reader.next()) {
     if (reader.has(kStatus) && reader.text(kStatus) == "end") continue;
     const auto finite = [&](std::size_t i) {
@@ -26,7 +28,11 @@ Measurements read_measurements(std::istream& in, const std::string& file, const 
       return number;
     };
     Measured next;
-    next.time = finite(0) * columns.seconds;
+    const ExactTime time(reader.text(0), finite(0));
+    if (measured.samples.empty()) first = before = time;
+    next.time = time.seconds_since(first, columns.power_of_seconds);
+    next.interval = time.seconds_since(before, columns.power_of_seconds);
+    before = time;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       next.position[axis] = finite(static_cast<std::size_t>(1 + axis)) * columns.millimetres;
       next.force[axis] = reader.binary64(static_cast<std::size_t>(4 + axis)) * columns.newtons;

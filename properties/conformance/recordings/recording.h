@@ -13,9 +13,10 @@
 namespace forceshade::conformance {
 
 struct Measured {
-  double time = 0;                  // s
+  double time = 0;                  // s, from the first sample on
   Eigen::Vector3d position, force;  // mm, N; the force may be no number
   std::size_t line = 0;             // of the file
+  double interval = 0;              // s, from the sample before; rounded once, as the time is
 };
 
 struct Measurements {

@@ -9,32 +9,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string words_of(const JudgedRecording& found) {
-  const Pace& pace = found.pace;
-  std::string words = found.file + ": " + std::to_string(found.samples) + " samples in " + brief(pace.seconds) + " s, " +
-                      brief(pace.rate) + " Hz\n  intervals: median " + milliseconds(pace.median) + ", 99 % at most " +
-                      milliseconds(pace.p99) + ", longest " + milliseconds(pace.longest) + ", jitter " +
-                      milliseconds(pace.jitter) + '\n';
-  if (pace.repeats > 0)
-    words += "  at " + std::to_string(pace.repeats) + " samples the position is that of the one before; the force changes by " +
-             newtons(pace.noise) + " (root mean square)\n";
-  return words;
+std::string lines_of(const Facts& facts, const std::string& indent) {
+  std::string lines;
+  for (const auto& [name, value] : facts) lines += indent + name + ' ' + value + '\n';
+  return lines;
 }
 
 std::string words_of(const Fit& fit, const std::string& file) {
   if (fit.refusal) return "FAILED: there is no fit: " + *fit.refusal + '\n';
-  const Eigen::Vector3d& shift = fit.placement.shift;
-  std::string words = "  fitted to " + std::to_string(fit.samples) + " samples, " + std::to_string(fit.contacts) +
-                      " in contact, " + std::to_string(fit.outliers) + " left out:\n    stiffness " + brief(fit.stiffness) +
-                      " +- " + brief(fit.stiffness_error) + " N/mm\n";
-  for (Eigen::Index row = 0; row < 3; ++row)
-    words += "    " + std::string(1, "xyz"[row]) + " = " + brief(fit.placement.turn(row, 0)) + " x' + " +
-             brief(fit.placement.turn(row, 1)) + " y' + " + brief(fit.placement.turn(row, 2)) + " z' + " + brief(shift[row]) +
-             " mm\n";
-  words += "    turn +- " + brief(fit.turn_error) + " degrees, shift +- " + brief(fit.shift_error) + " mm\n";
-  for (const std::string& name : fit.undetermined) words += "    not determined by these samples: " + name + '\n';
-  return words + "    residuals: root mean square " + newtons(fit.rms) + ", largest " + newtons(fit.largest) + " at " + file +
-         ':' + std::to_string(fit.largest_at) + '\n';
+  return "  fitted to " + lines_of(facts_of(fit, file), "    ").substr(4);
 }
 
 std::string words_of(const Spread& spread, const std::string& unit) {
@@ -66,8 +49,37 @@ Json json_of(const Fit& fit) {
 
 }  // namespace
 
+Facts facts_of(const Pace& pace, std::size_t samples, const std::string& file) {
+  Facts facts{{file + ':', std::to_string(samples) + " samples in " + brief(pace.seconds) + " s, " + brief(pace.rate) + " Hz"},
+              {"intervals:", "median " + milliseconds(pace.median) + ", 99 % at most " + milliseconds(pace.p99) + ", longest " +
+                                 milliseconds(pace.longest) + ", jitter " + milliseconds(pace.jitter)}};
+  if (pace.repeats == 0) return facts;
+  facts.emplace_back(
+      "at " + std::to_string(pace.repeats) + " samples",
+      "the position is that of the one before; the force changes by " + newtons(pace.noise) + " (root mean square)");
+  facts.emplace_back("new positions:", brief(pace.rate_of_positions) + " Hz, without a hand at rest");
+  return facts;
+}
+
+Facts facts_of(const Fit& fit, const std::string& file) {
+  Facts facts;
+  if (fit.refusal) return facts;
+  facts.emplace_back(std::to_string(fit.samples) + " samples,",
+                     std::to_string(fit.contacts) + " in contact, " + std::to_string(fit.outliers) + " left out:");
+  facts.emplace_back("stiffness", brief(fit.stiffness) + " +- " + brief(fit.stiffness_error) + " N/mm");
+  for (Eigen::Index row = 0; row < 3; ++row)
+    facts.emplace_back(std::string(1, "xyz"[row]),
+                       "= " + brief(fit.placement.turn(row, 0)) + " x' + " + brief(fit.placement.turn(row, 1)) + " y' + " +
+                           brief(fit.placement.turn(row, 2)) + " z' + " + brief(fit.placement.shift[row]) + " mm");
+  facts.emplace_back("turn", "+- " + brief(fit.turn_error) + " degrees, shift +- " + brief(fit.shift_error) + " mm");
+  for (const std::string& name : fit.undetermined) facts.emplace_back("not determined by these samples:", name);
+  facts.emplace_back("residuals:", "root mean square " + newtons(fit.rms) + ", largest " + newtons(fit.largest) + " at " +
+                                       file + ':' + std::to_string(fit.largest_at));
+  return facts;
+}
+
 std::string words_of(const JudgedRecording& found, const Tolerance& tolerance) {
-  std::string words = words_of(found);
+  std::string words = lines_of(facts_of(found.pace, found.samples, found.file), "  ").substr(2);
   if (found.fit) words += words_of(*found.fit, found.file);
   if (const auto& comparison = found.comparison) {
     words += "  differences from the exact force in N: " + words_of(comparison->newtons, "") +
@@ -92,6 +104,7 @@ Json json_of(const JudgedRecording& found, const Tolerance& tolerance) {
               {"longest_s", pace.longest},
               {"jitter_s", pace.jitter},
               {"repeats", pace.repeats},
+              {"rate_of_positions_Hz", pace.rate_of_positions},
               {"noise_N", pace.noise}}}};
   if (found.fit) json["fit"] = json_of(*found.fit);
   if (const auto& comparison = found.comparison) {

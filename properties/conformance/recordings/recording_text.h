@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "properties/conformance/recordings/judged_recording.h"
 
@@ -12,5 +14,10 @@ namespace forceshade::conformance {
 // Lines for a terminal, each ended.
 std::string words_of(const JudgedRecording& found, const Tolerance& tolerance);
 nlohmann::ordered_json json_of(const JudgedRecording& found, const Tolerance& tolerance);
+
+// What was measured of time, and what was fitted, as names and values. A fit that is refused has none.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+Facts facts_of(const Pace& pace, std::size_t samples, const std::string& file);
+Facts facts_of(const Fit& fit, const std::string& file);
 
 }  // namespace forceshade::conformance

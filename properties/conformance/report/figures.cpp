@@ -113,12 +113,40 @@ std::string map_figure(int number, const Judgement& found, const Description& su
 
 }  // namespace
 
-std::string figures(const Judgement& found, const Description& subject) {
+std::string figures(const Judgement& found, const Description& subject, int first) {
   if (found.all.cases == 0) return "";
-  int number = 0;
+  int number = first;
   std::string html;
-  if (found.all.wrong > 0) html += distribution(++number, found);
-  return html + map_figure(++number, found, subject);
+  if (found.all.wrong > 0) html += distribution(number++, found);
+  return html + map_figure(number, found, subject);
+}
+
+std::string course_figure(int number, const std::vector<TimedForce>& course) {
+  constexpr std::size_t kDrawn = 2000;
+  const std::size_t step = (course.size() + kDrawn - 1) / kDrawn;
+  std::string rows;
+  for (std::size_t i = 0; i < course.size(); i += step)
+    rows += plotted(course[i].time) + ' ' + plotted(course[i].exact) + ' ' + plotted(course[i].measured) + ' ' +
+            plotted(course[i].measured - course[i].exact) + '\n';
+  constexpr const char *kExact = "#4f6d8f", *kMeasured = "#a33c16";
+  const auto panel = [&](const char* id, const char* description, const std::string& plots) {
+    return properties::svg_plot({860, 220, id, description},
+                                "$course << EOD\n" + rows + "EOD\n" + properties::kPlain +
+                                    properties::margins(0.07, 0.99, 0.88, 0.2) +
+                                    "set xlabel \"time (s)\" offset 0, 0.5 textcolor rgb '#333333'\n" +
+                                    properties::vertical_name("N") + "plot " + plots + '\n');
+  };
+  const std::string line = " with lines lw 1.5 lc rgb '";
+  return figure(
+      number, "one", "The force over time",
+      properties::legend_line(kExact, "the exact force") + ' ' + properties::legend_line(kMeasured, "the measured one"),
+      {{"the sizes of both", panel("course", "The sizes of the measured and of the exact force over time",
+                                   "$course using 1:2" + line + kExact + "', $course using 1:3" + line + kMeasured + "'")},
+       {"the measured size less the exact one",
+        panel("course-off", "How much larger the measured force is than the exact one, over time",
+              "$course using 1:4" + line + kMeasured + "'")}},
+      (step == 1 ? "All " : "Each " + grouped(step) + "th of ") + properties::plural(course.size(), "sample") +
+          ", after the fit where there is one: without the sensor’s offset and at the position of its lag.");
 }
 
 std::string deviations_figure(const std::vector<Invariant>& invariants) {

@@ -8,11 +8,15 @@
 #include "forceshade/description.h"
 #include "properties/conformance/invariants/invariant.h"
 #include "properties/conformance/judge.h"
+#include "properties/conformance/recordings/judged_recording.h"
 
 namespace forceshade::conformance {
 
-// One <figure> after another; empty where nothing was judged. Throws PlotError.
-std::string figures(const Judgement& found, const Description& subject);
+// One <figure> after another, from this number on; empty where nothing was judged. Throws PlotError.
+std::string figures(const Judgement& found, const Description& subject, int first = 1);
+
+// The measured and the exact force of a recording over time. Throws PlotError.
+std::string course_figure(int number, const std::vector<TimedForce>& course);
 
 // The largest deviation of each invariant that measured one, over the allowed one; empty where none did. Throws PlotError.
 std::string deviations_figure(const std::vector<Invariant>& invariants);

@@ -11,6 +11,7 @@
 #include "files/printable.h"
 #include "properties/binary32.h"
 #include "properties/conformance/counterexample.h"
+#include "properties/conformance/recordings/recording_text.h"
 #include "properties/conformance/report/figures.h"
 
 namespace forceshade::conformance {
@@ -259,6 +260,43 @@ std::string to_html(const simulators::SimulatorConformance& found, const std::st
                                   invariants_table(found.invariants) +
                                   capabilities(name, found.simulator.version, found.simulator.declared) + facts("The run", run),
                               kStyle);
+}
+
+std::string to_html(const JudgedRecording& found, const Tolerance& tolerance, const std::string& version,
+                    const std::string& command, properties::Pictures shown_pictures) {
+  const auto rows = [](const Facts& facts) {
+    std::vector<std::pair<std::string, std::string>> html;
+    for (const auto& [name, value] : facts) html.emplace_back(shown(name), shown(value));
+    return html;
+  };
+  const auto& comparison = found.comparison;
+  std::string said = found.fit && found.fit->refusal ? statement("There is no fit: " + shown(*found.fit->refusal)) : "", forces;
+  std::vector<std::pair<std::string, std::string>> run;
+  if (comparison) {
+    const Count& all = comparison->judgement.all;
+    said += statement("Of " + plural(all.cases, "force") + ", " + grouped(all.cases - all.beyond) +
+                      (all.cases - all.beyond == 1 ? " is" : " are") + " within the tolerance, " +
+                      escaped(words_of(tolerance)) + '.');
+    forces = aims_table(comparison->judgement) + worst_table(comparison->judgement);
+    if (shown_pictures == properties::Pictures::all)
+      forces += "<section>\n<h2>Figures</h2>\n" + course_figure(1, comparison->course) +
+                figures(comparison->judgement, comparison->description, 2) + "</section>\n";
+    run.emplace_back("subject", shown(comparison->identity.kind + ' ' + comparison->identity.name + ": " +
+                                      parameters_in_words(comparison->identity)));
+    run.emplace_back("tolerance", escaped(words_of(tolerance)));
+  }
+  run.emplace_back("forceshade", shown(version));
+  if (!command.empty()) run.emplace_back("the command that repeats it", code(command));
+  const std::string beside = comparison ? " beside " + shown(comparison->identity.name) : "";
+  return properties::document(
+      "forceshade conform: " + files::printable(found.file),
+      std::string("<header class=\"") + (found.held() ? "held" : "failed") + "\">\n<h1>" + shown(found.file) + beside +
+          "</h1>\n<p class=\"verdict\">" + (found.held() ? "Held" : "Failed") + "</p>\n" + said +
+          statement_of_invariants(found.invariants) + "</header>\n" +
+          facts("The recording", rows(facts_of(found.pace, found.samples, found.file))) +
+          (found.fit && !found.fit->refusal ? facts("The fit", rows(facts_of(*found.fit, found.file))) : "") + forces +
+          invariants_table(found.invariants) + facts("The run", run),
+      kStyle);
 }
 
 }  // namespace forceshade::conformance

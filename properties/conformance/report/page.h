@@ -7,6 +7,7 @@
 #include "certificate/report/report.h"
 #include "forceshade/description.h"
 #include "properties/conformance/judgement_text.h"
+#include "properties/conformance/recordings/judged_recording.h"
 #include "properties/conformance/simulators/conform_simulator.h"
 
 namespace forceshade::conformance {
@@ -19,5 +20,9 @@ std::string to_html(const Conformance& found, const Description& subject, const 
 // The same of a simulator. version: of this program; command: repeats the run, empty where it is not known.
 std::string to_html(const simulators::SimulatorConformance& found, const std::string& version, const std::string& command,
                     properties::Pictures shown = properties::Pictures::all);
+
+// The same of a recording, beside the subject where there was one.
+std::string to_html(const JudgedRecording& found, const Tolerance& tolerance, const std::string& version,
+                    const std::string& command, properties::Pictures shown = properties::Pictures::all);
 
 }  // namespace forceshade::conformance
