@@ -55,8 +55,14 @@ RecordingOption::RecordingOption(CLI::App& command) {
   add("--force-unit", units_.force, "N|mN", "the same of its forces");
   add("--frame", frame_, "x,z,-y", "of a recording: which axes of the scene its first, second and third ones are");
   command
-      .add_flag("--fit", options_.fits,
-                "of a recording: find the stiffness, the shift and, without --frame, the turn that explain its forces best")
+      .add_flag(
+          "--fit", options_.fits,
+          "of a recording: find the stiffness, the shift and, where they are not given, the turn (--frame), the offset and "
+          "the lag that explain its forces best")
+      ->needs(recording);
+  add("--offset", offset_, "X,Y,Z", "of a recording: what its sensor reads of no force, in N along its axes");
+  add_number(command, "--lag", "of a recording: by how many ms a force comes after its position", {-1000, 1000},
+             [this](double milliseconds) { options_.lag = milliseconds / 1000; })
       ->needs(recording);
   add_number(command, "--noise", "of a recording: what a measured force may be off by, in N; 0 unless given", {0, 1000},
              [this](double newtons) { options_.noise = newtons; })
@@ -75,6 +81,7 @@ int RecordingOption::run(const SubjectOption& subject, const std::string& tolera
     throw BadInput("--tolerance: expected one in N or % beside --fit, since a fitted force is never correctly rounded");
   if (!tolerance.empty()) options.tolerance = parse_tolerance(tolerance);
   if (!frame_.empty()) options.turn = conformance::turn_of_frame(frame_);
+  if (!offset_.empty()) options.offset = conformance::offset_of(offset_);
   expect_room_for_results(its.json, its.junit);
   expect_folder_of("--out", its.out);
   watch_for_interrupt();

@@ -28,7 +28,7 @@ class RecordingOption {
   int run(const SubjectOption& subject, const std::string& tolerance, const RecordingOutputs& outputs) const;
 
  private:
-  std::string file_, columns_, frame_;
+  std::string file_, columns_, frame_, offset_;
   conformance::Units units_;
   conformance::RecordingOptions options_;
 };

@@ -2,6 +2,8 @@
 #include "properties/conformance/recordings/columns.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <span>
 #include <string_view>
 
@@ -97,6 +99,19 @@ Eigen::Matrix3d turn_of_frame(const std::string& text) {
   if ((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm() != 0)
     throw BadInput("--frame: expected three different ones of x, y, z, -x, -y and -z, such as x,z,-y, got \"" + text + '"');
   return turn;
+}
+
+Eigen::Vector3d offset_of(const std::string& text) {
+  Eigen::Vector3d offset;
+  const std::vector<std::string> numbers = files::at_commas(text);
+  bool is_right = numbers.size() == 3;
+  for (std::size_t i = 0; i < numbers.size() && is_right; ++i) {
+    const char* const end = numbers[i].data() + numbers[i].size();
+    const auto [rest, error] = std::from_chars(numbers[i].data(), end, offset[static_cast<Eigen::Index>(i)]);
+    is_right = error == std::errc{} && rest == end && std::isfinite(offset[static_cast<Eigen::Index>(i)]);
+  }
+  if (!is_right) throw BadInput("--offset: expected three forces in N, such as 0.12,-0.07,0.31, got \"" + text + '"');
+  return offset;
 }
 
 }  // namespace forceshade::conformance

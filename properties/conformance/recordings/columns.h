@@ -32,4 +32,7 @@ Columns columns_of(const std::string& text, const Units& units);
 // scene's z, its third the scene's -y. Throws BadInput.
 Eigen::Matrix3d turn_of_frame(const std::string& text);
 
+// What a force sensor reads of no force, in N: "0.12,-0.07,0.31". Throws BadInput.
+Eigen::Vector3d offset_of(const std::string& text);
+
 }  // namespace forceshade::conformance

@@ -38,7 +38,7 @@ double force_of_placement(const Measurements& measured, const std::optional<Fit>
     for (const Measured& each : measured.samples) lever = std::max(lever, (each.position - middle).norm());
     off += fit->shift_error + fit->turn_error * std::numbers::pi / 180 * lever;
   }
-  return off * static_cast<double>(stiffness);
+  return off * static_cast<double>(stiffness) + (fit ? fit->offset_error.norm() : 0);
 }
 
 class Judging {
@@ -51,18 +51,23 @@ class Judging {
   }
 
   JudgedRecording without_definition() {
-    found_.invariants = invariants_of(measured_, {}, {options_.noise, options_.energy});
+    Placement placement;
+    placement.offset = options_.offset.value_or(placement.offset);
+    placement.lag = options_.lag.value_or(placement.lag);
+    found_.invariants = invariants_of(placed(measured_, placement), {}, {options_.noise, options_.energy});
     return std::move(found_);
   }
 
   JudgedRecording with(const Description& description) {
     Placement placement;
     if (options_.turn) placement.turn = *options_.turn;
+    placement.offset = options_.offset.value_or(placement.offset);
+    placement.lag = options_.lag.value_or(placement.lag);
     float stiffness = description.stiffness();
     if (options_.fits) {
       const auto subject = properties::subject_of(description);
-      found_.fit =
-          fit_of(measured_, *subject, stiffness, {options_.turn, options_.noise, options_.seed}, monitor_.part(0, 0.2));
+      found_.fit = fit_of(measured_, *subject, stiffness,
+                          {options_.turn, options_.offset, options_.lag, options_.noise, options_.seed}, monitor_.part(0, 0.2));
       if (found_.fit->refusal) return without_definition();
       placement = found_.fit->placement;
       stiffness = static_cast<float>(found_.fit->stiffness);

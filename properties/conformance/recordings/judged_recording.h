@@ -17,7 +17,9 @@
 namespace forceshade::conformance {
 
 struct RecordingOptions {
-  std::optional<Eigen::Matrix3d> turn = {};  // of the recording's axes, where it is given
+  std::optional<Eigen::Matrix3d> turn = {};    // of the recording's axes, where it is given
+  std::optional<Eigen::Vector3d> offset = {};  // N, of the force sensor along these axes, the same
+  std::optional<double> lag = {};              // s, by which a force comes after its position, the same
   bool fits = false;
   Tolerance tolerance = {};
   double noise = 0;   // N, that a measured force may be off by

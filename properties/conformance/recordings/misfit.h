@@ -1,19 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a fit makes small: the forces of a recording less those of a renderer, as a function of where the recording lies and of
-// how stiff it is.
+// What a fit makes small: the forces of a recording less those of a renderer, as a function of where the recording lies, of how
+// stiff it is, and of what its force sensor adds.
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "forceshade/renderer.h"
+#include "properties/conformance/recordings/path.h"
 #include "properties/conformance/recordings/recording.h"
 
 namespace forceshade::conformance {
 
-// The seven numbers of a fit, from a first placement on: ln of the factor on the stiffness; a turn about the scene's x, y and
-// z through the middle, in lever arms (mm at the distance `lever`); a shift along them (mm). A fit of a known turn has no
-// turns.
+// What is fitted beside the stiffness and the shift.
+struct Unknowns {
+  bool turns = true, offset = true, lag = true;
+
+  int count() const { return 4 + (turns ? 3 : 0) + (offset ? 3 : 0) + (lag ? 1 : 0); }
+};
+
+// What the numbers of a fit are called, in their order; and how much of each changes the forces by about themselves, which are
+// of the size `force` (N). lever: mm.
+std::vector<std::string> names_of(const Unknowns& unknowns);
+Eigen::VectorXd units_of(const Unknowns& unknowns, double lever, double force);
+
+// What each of the numbers of a fit is measured in.
+struct Scale {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // mm, of the recording's samples in contact
+  double lever = 0;                                  // mm, from there to the farthest of them
+  double speed = 1;                                  // mm/s, that is usual
+};
+
+// The numbers of a fit, from a first placement on: ln of the factor on the stiffness; a turn about the scene's x, y and z
+// through the middle, in lever arms (mm at the distance `lever`); a shift along them (mm); what the offset changes by (N); what
+// the lag changes by, as the way (mm) at the usual speed. Those that are known are left out.
 class Misfit {
  public:
   using Scalar = double;
@@ -22,25 +43,17 @@ class Misfit {
   using JacobianType = Eigen::MatrixXd;
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
 
-  // middle, lever: mm, of the recording's samples in contact. most: N; a larger residual is shortened to it, so that a sample
-  // that nothing explains, or that lies on the wrong side of a jump, counts no more than this.
-  Misfit(const Renderer& renderer, std::vector<Measured> samples, const Placement& first, const Eigen::Vector3d& middle,
-         double lever, bool has_turns, double most)
-      : renderer_(renderer),
-        samples_(std::move(samples)),
-        first_(first),
-        middle_(middle),
-        lever_(lever),
-        has_turns_(has_turns),
-        most_(most) {}
+  // most: N; a larger residual is shortened to it, so that a sample that nothing explains, or that lies on the wrong side of a
+  // jump, counts no more than this. renderer, path and samples are to outlive this.
+  Misfit(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples, const Placement& first,
+         const Scale& scale, const Unknowns& unknowns, double most)
+      : renderer_(renderer), path_(path), samples_(samples), first_(first), scale_(scale), unknowns_(unknowns), most_(most) {}
 
-  int inputs() const { return has_turns_ ? 7 : 4; }
+  int inputs() const { return unknowns_.count(); }
   int values() const { return static_cast<int>(3 * samples_.size()); }
-  bool has_turns() const { return has_turns_; }
-  const std::vector<Measured>& samples() const { return samples_; }
 
-  // As Eigen's Levenberg-Marquardt calls them: the residuals (N), and their derivatives by differences, since the renderer
-  // has none; zero where the residual is shortened. They return 0.
+  // As Eigen's Levenberg-Marquardt calls them: the residuals (N), and their derivatives, by differences where they are of the
+  // renderer, which has none; zero where the residual is shortened. They return 0.
   int operator()(const InputType& numbers, ValueType& residuals) const;
   int df(const InputType& numbers, JacobianType& derivatives) const;
 
@@ -49,17 +62,23 @@ class Misfit {
 
  private:
   ValueType whole(const InputType& numbers) const;  // the residuals before any is shortened
+  Eigen::Index shift_at() const { return unknowns_.turns ? 4 : 1; }
 
   const Renderer& renderer_;
-  std::vector<Measured> samples_;
+  const Path& path_;
+  const std::vector<Measured>& samples_;
   Placement first_;
-  Eigen::Vector3d middle_;
-  double lever_;
-  bool has_turns_;
+  Scale scale_;
+  Unknowns unknowns_;
   double most_;
 };
 
 // The forces of the renderer at the positions of a path, in the axes of the recording.
-Eigen::VectorXd rendered_forces(const Renderer& renderer, const std::vector<Measured>& samples, const Placement& placement);
+Eigen::VectorXd rendered_forces(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples,
+                                const Placement& placement);
+
+// How many samples have no force, and get none by a shift of this distance (mm) along an axis.
+std::size_t clearly_free(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples,
+                         const Placement& placement, double distance);
 
 }  // namespace forceshade::conformance

@@ -6,6 +6,7 @@
 #include "files/csv.h"
 #include "forceshade/bad_input.h"
 #include "properties/conformance/recordings/exact_time.h"
+#include "properties/conformance/recordings/path.h"
 
 namespace forceshade::conformance {
 
@@ -46,10 +47,13 @@ Measurements read_measurements(std::istream& in, const std::string& file, const 
 }
 
 Measurements placed(const Measurements& measured, const Placement& placement) {
-  Measurements there = measured;
-  for (Measured& each : there.samples) {
-    each.position = placement.turn * each.position + placement.shift;
-    each.force = placement.turn * each.force;
+  const Path path(measured.samples);
+  Measurements there{measured.file, {}};
+  for (const Measured& each : measured.samples) {
+    if (!path.reaches(each, placement.lag)) continue;
+    there.samples.push_back(each);
+    there.samples.back().position = placement.turn * path.position(each, placement.lag) + placement.shift;
+    there.samples.back().force = placement.turn * (each.force - placement.offset);
   }
   return there;
 }

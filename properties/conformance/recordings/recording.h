@@ -32,12 +32,16 @@ struct Measurements {
 // two samples.
 Measurements read_measurements(std::istream& in, const std::string& file, const Columns& columns);
 
-// Where a recording lies in the scene of the subject: there, p is at turn·p + shift, and a force F is turn·F.
+// Where a recording lies in the scene of the subject: there, p is at turn·p + shift, and a force F is turn·(F - offset), at the
+// position that the hand had before the lag.
 struct Placement {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // mm
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();   // mm
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // N, along the axes of the recording: what a sensor reads of no force
+  double lag = 0;                                    // s, by which a force comes after its position
 };
 
+// Without the samples whose position before the lag is not in the recording.
 Measurements placed(const Measurements& measured, const Placement& placement);
 
 }  // namespace forceshade::conformance

@@ -37,6 +37,12 @@ Json json_of(const Fit& fit) {
   json["turn_error_degrees"] = fit.turn_error;
   json["shift_mm"] = {at.shift.x(), at.shift.y(), at.shift.z()};
   json["shift_error_mm"] = fit.shift_error;
+  json["offset_N"] = {at.offset.x(), at.offset.y(), at.offset.z()};
+  json["offset_error_N"] = {fit.offset_error.x(), fit.offset_error.y(), fit.offset_error.z()};
+  json["lag_s"] = at.lag;
+  json["lag_error_s"] = fit.lag_error;
+  json["rests"] = fit.rests;
+  json["noise_at_rest_N"] = fit.noise_at_rest;
   json["undetermined"] = fit.undetermined;
   json["samples"] = fit.samples;
   json["contacts"] = fit.contacts;
@@ -72,6 +78,16 @@ Facts facts_of(const Fit& fit, const std::string& file) {
                        "= " + brief(fit.placement.turn(row, 0)) + " x' + " + brief(fit.placement.turn(row, 1)) + " y' + " +
                            brief(fit.placement.turn(row, 2)) + " z' + " + brief(fit.placement.shift[row]) + " mm");
   facts.emplace_back("turn", "+- " + brief(fit.turn_error) + " degrees, shift +- " + brief(fit.shift_error) + " mm");
+  const Placement& at = fit.placement;
+  const auto force_with_error = [&](Eigen::Index axis) {
+    return brief(at.offset[axis]) + " +- " + brief(fit.offset_error[axis]);
+  };
+  facts.emplace_back("offset of the force",
+                     force_with_error(0) + ", " + force_with_error(1) + ", " + force_with_error(2) + " N along x', y', z'");
+  facts.emplace_back("lag of the force", brief(1000 * at.lag) + " +- " + milliseconds(fit.lag_error));
+  facts.emplace_back("at rest", fit.rests == 0 ? "no sample"
+                                               : std::to_string(fit.rests) + " samples, noise " + newtons(fit.noise_at_rest) +
+                                                     " (root mean square)");
   for (const std::string& name : fit.undetermined) facts.emplace_back("not determined by these samples:", name);
   facts.emplace_back("residuals:", "root mean square " + newtons(fit.rms) + ", largest " + newtons(fit.largest) + " at " +
                                        file + ':' + std::to_string(fit.largest_at));

@@ -132,7 +132,7 @@ std::string course_figure(int number, const std::vector<TimedForce>& course) {
   const auto panel = [&](const char* id, const char* description, const std::string& plots) {
     return properties::svg_plot({860, 220, id, description},
                                 "$course << EOD\n" + rows + "EOD\n" + properties::kPlain +
-                                    properties::margins(0.07, 0.99, 0.88, 0.2) +
+                                    properties::margins(0.07, 0.99, 0.88, 0.25) +
                                     "set xlabel \"time (s)\" offset 0, 0.5 textcolor rgb '#333333'\n" +
                                     properties::vertical_name("N") + "plot " + plots + '\n');
   };

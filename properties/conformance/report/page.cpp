@@ -266,7 +266,10 @@ std::string to_html(const JudgedRecording& found, const Tolerance& tolerance, co
                     const std::string& command, properties::Pictures shown_pictures) {
   const auto rows = [](const Facts& facts) {
     std::vector<std::pair<std::string, std::string>> html;
-    for (const auto& [name, value] : facts) html.emplace_back(shown(name), shown(value));
+    const auto without = [](const std::string& words, const char* ends) {
+      return shown(words.substr(0, words.find_last_not_of(ends) + 1));
+    };
+    for (const auto& [name, value] : facts) html.emplace_back(without(name, ":,"), without(value, ":"));
     return html;
   };
   const auto& comparison = found.comparison;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "properties/conformance/recordings/fit_errors.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace forceshade::conformance {
+namespace {
+
+// How many samples count as one independent one: 1 + 2Σρ over lags up to five times itself, as Sokal sums it.
+double correlated_samples(const Eigen::VectorXd& residuals) {
+  const double all = residuals.squaredNorm();
+  double sum = 1;
+  if (!(all > 0)) return sum;
+  for (Eigen::Index lag = 1; 3 * lag < residuals.size() / 4 && static_cast<double>(lag) <= 5 * sum; ++lag) {
+    const Eigen::Index count = residuals.size() - 3 * lag;
+    sum += 2 * residuals.head(count).dot(residuals.tail(count)) / all;
+  }
+  return std::max(1.0, sum);
+}
+
+// The covariance of the sum of what each sample pushes the numbers by, with the weights of Bartlett.
+Eigen::MatrixXd covariance_of_pushes(const Eigen::MatrixXd& derivatives, const Eigen::VectorXd& residuals,
+                                     Eigen::Index window) {
+  const Eigen::Index samples = residuals.size() / 3;
+  Eigen::MatrixXd pushes(samples, derivatives.cols());
+  for (Eigen::Index i = 0; i < samples; ++i)
+    pushes.row(i) = residuals.segment<3>(3 * i).transpose() * derivatives.middleRows<3>(3 * i);
+  Eigen::MatrixXd sum = pushes.transpose() * pushes;
+  for (Eigen::Index lag = 1; lag <= std::min(window, samples - 1); ++lag) {
+    const Eigen::MatrixXd product = pushes.topRows(samples - lag).transpose() * pushes.bottomRows(samples - lag);
+    sum += (1 - static_cast<double>(lag) / static_cast<double>(window + 1)) * (product + product.transpose());
+  }
+  return sum;
+}
+
+}  // namespace
+
+FitErrors fit_errors_of(const Eigen::MatrixXd& derivatives, const Eigen::VectorXd& residuals, double force, double rounding) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(derivatives, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::Index count = derivatives.cols();
+  const double values = static_cast<double>(residuals.size()), together = correlated_samples(residuals);
+  const double freedoms = std::max(1.0, values - static_cast<double>(count));
+  const double deviation = std::sqrt(residuals.squaredNorm() / freedoms);
+  const double least = std::max(1e-2 * force * std::sqrt(values / 3), 10 * deviation);
+
+  FitErrors errors{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::VectorXd direction = svd.matrixV().col(i);
+    if (const double singular = svd.singularValues()[i]; singular > least)
+      inverse += direction * direction.transpose() / (singular * singular);
+    else
+      errors.free += direction.cwiseAbs2();
+  }
+  const auto with_window = [&](double samples) -> Eigen::VectorXd {
+    const Eigen::MatrixXd pushes = covariance_of_pushes(derivatives, residuals, static_cast<Eigen::Index>(std::ceil(samples)));
+    return values / freedoms * (inverse * pushes * inverse).diagonal();
+  };
+  const Eigen::VectorXd plain = deviation * deviation * together * inverse.diagonal();
+  const Eigen::VectorXd robust = with_window(6 * together).cwiseMax(together * with_window(0));
+  constexpr double kOneSide = 0.99996833;  // of the normal distribution: four standard deviations
+  const boost::math::students_t student(std::max(2.0, values / together - static_cast<double>(count)));
+  errors.error = boost::math::quantile(student, kOneSide) * plain.cwiseMax(robust).cwiseMax(0).cwiseSqrt() +
+                 rounding * std::sqrt(values) * inverse.diagonal().cwiseSqrt();
+  return errors;
+}
+
+Eigen::MatrixXd without_weak_forces(Eigen::MatrixXd derivatives, double least) {
+  for (Eigen::Index i = 0; i < derivatives.rows(); i += 3)
+    if (derivatives.block<3, 1>(i, 0).norm() <= least) derivatives.middleRows<3>(i).setZero();
+  return derivatives;
+}
+
+}  // namespace forceshade::conformance

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What a force sensor reads where nothing is touched, before anybody knows where that is.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "properties/conformance/recordings/recording.h"
+
+namespace forceshade::conformance {
+
+struct RestForce {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // N
+  double noise = 0;                                 // N, the standard deviation of a component
+};
+
+// The force around which a tenth of the samples lie closest together: a hand in the air feels the same force wherever it is. Of
+// a hand that never leaves the surface it is some force. There is one sample at least, and all forces are finite.
+RestForce rest_force_of(const std::vector<Measured>& samples);
+
+}  // namespace forceshade::conformance
