@@ -163,7 +163,8 @@ std::string Decimal::text() const {
 
 std::string Decimal::fraction() const {
   const std::string digits = digits_.empty() ? "0" : digits_, zeros(static_cast<std::size_t>(std::abs(exponent_)), '0');
-  return (is_negative_ ? "-" : "") + (exponent_ < 0 ? digits + "/1" + zeros : digits + zeros + "/1");
+  const std::string signed_digits = std::string(is_negative_ ? "-" : "") + digits;
+  return exponent_ < 0 ? signed_digits + "/1" + zeros : signed_digits + zeros + "/1";
 }
 
 }  // namespace forceshade::files

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct Draft {
   fs::path path;
   explicit Draft(const fs::path& final_path)
-      : path(partial_name((final_path.parent_path() / ("." + final_path.filename().string())).string())) {}
+      : path(partial_name((final_path.parent_path() / (std::string(1, '.') + final_path.filename().string())).string())) {}
   ~Draft() { ::unlink(path.c_str()); }
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
