@@ -34,7 +34,7 @@ double rounding_of(const mesh::Tick& tick) {
   return sum;
 }
 
-// Of an unfinished tick, too, but where a free god-object stays free: then there is no force.
+// Includes that of an unfinished tick, but not where a free god-object stays free: then there is no force.
 bool is_on_surface(const mesh::Tick& tick) {
   return tick.status == mesh::TickStatus::touching ||
          (tick.status == mesh::TickStatus::unfinished && tick.after.place != mesh::Place::free);

@@ -86,8 +86,8 @@ py::tuple conformance_of(const Subject& subject, const py::object& open_it, std:
   const auto tolerance = conformance::tolerance_of(tolerance_text);
   if (!tolerance)
     throw py::value_error("tolerance: expected \"4 ulp\", \"1e-6 N\" or \"0.1 %\", got \"" + tolerance_text + '"');
-  const conformance::Circumstances circumstances{
-      {.points = points, .seed = seed, .tolerance = *tolerance}, properties::current_build().version, ""};
+  const conformance::ConformOptions options{.points = points, .seed = seed, .tolerance = *tolerance};
+  const conformance::Circumstances circumstances{options, properties::current_build().version, ""};
   const auto found = interruptible([&](const std::atomic<bool>& stop) {
     return conformance::conform(
         subject.description, [&](const Json& scene) { return std::make_unique<PythonRenderer>(open_it, scene); },

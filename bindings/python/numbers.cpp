@@ -63,7 +63,7 @@ bool read_position(PyObject* const* arguments, Py_ssize_t count, PyObject* names
   PyObject *given[3]{}, *rounding = Py_None;
   for (Py_ssize_t i = 0; i < std::min<Py_ssize_t>(count, 3); ++i) given[i] = arguments[i];
   for (Py_ssize_t i = 0; i < named; ++i) {
-    const char* const name = PyUnicode_AsUTF8(PyTuple_GET_ITEM(names, i));
+    const char* const name = PyUnicode_AsUTF8(PyTuple_GetItem(names, i));
     if (name == nullptr) return false;
     const auto axis =
         std::find_if(std::begin(kNames), std::end(kNames), [&](const char* one) { return std::strcmp(one, name) == 0; }) -

@@ -136,7 +136,9 @@ TEST(same_bits, the_look_at_the_arithmetic_works_where_exceptions_trap) {
     }
     EXPECT_EQ(fault, nullptr) << traps;
     EXPECT_TRUE(are_still_set) << traps;
-    if (FORCESHADE_HAS_CONTROL_WORDS) EXPECT_STREQ(rounded_up, "rounding other than to nearest") << traps;
+    if (FORCESHADE_HAS_CONTROL_WORDS) {
+      EXPECT_STREQ(rounded_up, "rounding other than to nearest") << traps;
+    }
   }
 }
 

@@ -163,7 +163,7 @@ TEST(broken_mesh_files, of_ply_are_refused_in_words) {
        "line 13: has a strip with vertex -2; expected the index of a vertex, below 3, or -1"},
       {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "3 0 1\n"),
        "line 13: expected the index of a vertex, or -1, got the end of the line"},
-      {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "0\n"), "has no face"},
+      {"a.ply", ply("ascii", kXyz + kOneStrip, kThree + "0\n"), "line 13: has no face"},
       {"a.ply", ply("ascii", kOneStrip + kXyz, ""), "has no vertices in front of the faces"},
       {"a.ply", ply("ascii", kOneFace + kXyz, ""), "has no vertices in front of the faces"},
       {"a.ply", ply("ascii", "element vertex 1\nproperty float x\n" + kOneFace, ""), "has vertices without x, y and z"},
