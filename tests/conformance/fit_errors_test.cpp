@@ -13,7 +13,8 @@ namespace {
 
 constexpr Eigen::Index kSamples = 400;
 
-// Of a slope that is zero: how often its error holds that, of 400 times, and how large it is, in those four standard errors.
+// Counts how often the error of a slope that is zero holds that, of 400 times, and how large it is, in those four standard
+// errors.
 struct Counted {
   int held = 0;
   double typical = 0;
