@@ -57,6 +57,8 @@ Command::Command(const TemporaryDirectory& directory, const Words& arguments, co
   words.push_back(nullptr);
   process_ = fork();
   if (process_ != 0) return;
+  // Undoes what the test was started with: nohup, or a shell that starts it in the background, would have a signal ignored.
+  for (int signal = 1; signal <= SIGRTMAX; ++signal) std::signal(signal, SIG_DFL);
   for (const std::string& variable : environment) putenv(const_cast<char*>(variable.c_str()));
   const int to = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   dup2(to, STDOUT_FILENO);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <unsupported/Eigen/NonLinearOptimization>
+#include <utility>
 #include <variant>
 
 #include "properties/binary32.h"
@@ -15,6 +15,7 @@
 #include "properties/conformance/recordings/fit_errors.h"
 #include "properties/conformance/recordings/misfit.h"
 #include "properties/conformance/recordings/rest_force.h"
+#include "properties/conformance/recordings/solution.h"
 #include "properties/conformance/recordings/words.h"
 
 namespace forceshade::conformance {
@@ -29,9 +30,9 @@ constexpr double kFree = 0.1, kLeastForce = 1e-6, kAsGood = 1.1, kLittle = 1e-3;
 constexpr double kNear = 0.02;  // mm
 constexpr const char* kNeverLeaves =
     "the hand never leaves the surface, or hardly, so that nobody knows what the sensor reads of no force; expected samples "
-    "out "
-    "of contact, or --offset 0,0,0 for a sensor that was zeroed";
+    "out of contact, or --offset 0,0,0 for a sensor that was zeroed";
 constexpr double kOtherStiffness = 0.1;
+constexpr double kNearly = 1e-6, kExactly = 1e-12;  // by how much of themselves numbers and residuals still change at the end
 constexpr double kLessLimit = 0.99, kAnySize = std::numeric_limits<double>::infinity();
 
 class Fitting {
@@ -87,13 +88,6 @@ class Fitting {
   }
 
  private:
-  struct Solution {
-    Placement placement;
-    double factor = 1, rms = std::numeric_limits<double>::infinity();
-    Eigen::VectorXd residuals = {};
-    Eigen::MatrixXd derivatives = {};
-  };
-
   // With noise at rest that is not declared, a force is one of contact above four standard deviations.
   void look_for_contacts(const Samples& usable, const RestForce& rest) {
     rest_ = rest.force;
@@ -134,13 +128,21 @@ class Fitting {
       if (round == 0 && beginnings.empty()) return "no placement of the subject has a force where the recording has one";
       if (round == 0 && beginnings.front().factor < 0)
         return "the stiffness that fits best is below zero: the forces pull towards the surface";
-      for (const Beginning& each : beginnings) {
-        if (each.factor < 0) continue;
-        const Solution solution = settled(some, each, unknowns());
-        if (solution.rms < best.rms) best = solution;
+      for (const Solution& each : first_solutions(some, beginnings)) {
+        if (!(each.rms < best.rms)) break;
+        if (const Solution solution = settled(some, each, unknowns(), kNearly); solution.rms < best.rms) best = solution;
       }
     }
     return with_other_lags(some, best);
+  }
+
+  // The different ones that the beginnings lead to while all samples count in full, the best one first. A limit to what a
+  // sample counts only makes the root mean square of all larger, so that one that is not better by then cannot become the best.
+  std::vector<Solution> first_solutions(const Samples& some, const std::vector<Beginning>& beginnings) const {
+    std::vector<Solution> all;
+    for (const Beginning& each : beginnings)
+      if (each.factor >= 0) all.push_back(solution(some, each, unknowns(), kAnySize, kNearly));
+    return different(std::move(all));
   }
 
   // A search that begins without a lag stays there if the hand turns around within it.
@@ -153,7 +155,7 @@ class Fitting {
       if (const Beginning next = tried(subject_.renderer(), path_, some, placement); next.share < best.share) best = next;
     }
     if (!(best.factor > 0)) return from;
-    const Solution other = settled(some, best, unknowns());
+    const Solution other = settled(some, best, unknowns(), kNearly);
     return other.rms < from.rms ? other : from;
   }
 
@@ -209,39 +211,26 @@ class Fitting {
     return best;
   }
 
-  // most: N, as Misfit has it.
-  Solution solved(const Samples& samples, const Beginning& from, const Unknowns& unknowns, double most = kAnySize) const {
-    Misfit misfit(subject_.renderer(), path_, samples, from.placement, scale_, unknowns, most);
-    Eigen::VectorXd numbers = Eigen::VectorXd::Zero(misfit.inputs());
-    numbers[0] = std::log(from.factor);
-    Eigen::LevenbergMarquardt<Misfit> search(misfit);
-    search.parameters.xtol = search.parameters.ftol = 1e-12;
-    search.minimize(numbers);
+  Solution solution(const Samples& samples, const Beginning& from, const Unknowns& unknowns, double most,
+                    double tolerance) const {
     monitor_.at(0);
-    return at(samples, {misfit.placement(numbers), Misfit::factor(numbers)}, unknowns);
+    return solved({subject_.renderer(), path_, samples, scale_, unknowns}, from, most, tolerance);
   }
 
-  Solution at(const Samples& samples, const Beginning& place, const Unknowns& unknowns) const {
-    const Misfit misfit(subject_.renderer(), path_, samples, place.placement, scale_, unknowns, kAnySize);
-    Eigen::VectorXd numbers = Eigen::VectorXd::Zero(misfit.inputs());
-    numbers[0] = std::log(place.factor);
-    Solution found{place.placement, place.factor};
-    misfit(numbers, found.residuals);
-    misfit.df(numbers, found.derivatives);
-    found.rms = std::sqrt(found.residuals.squaredNorm() / static_cast<double>(samples.size()));
-    return found;
+  Solution settled(const Samples& samples, const Beginning& from, const Unknowns& unknowns, double tolerance) const {
+    return settled(samples, solution(samples, from, unknowns, kAnySize, tolerance), unknowns, tolerance);
   }
 
   // A sample that is far off the others counts as one at a limit, which becomes smaller as the fit becomes better: neither a
   // fault in some samples, nor a sample that a small shift moves over a jump of the force, spoils the fit of the rest.
-  Solution settled(const Samples& samples, const Beginning& from, const Unknowns& unknowns) const {
-    Solution best = solved(samples, from, unknowns);
+  Solution settled(const Samples& samples, const Solution& first, const Unknowns& unknowns, double tolerance) const {
+    Solution best = first;
     double most = kAnySize;
     for (int i = 0; i < kLimits; ++i) {
       const double next = limit(samples, best.residuals);
       if (!(next < kLessLimit * most)) break;
       most = next;
-      best = solved(samples, {best.placement, best.factor}, unknowns, most);
+      best = solution(samples, best.beginning(), unknowns, most, tolerance);
     }
     return best;
   }
@@ -249,16 +238,16 @@ class Fitting {
   // The fit without the samples beyond the limit, and those whose position before the lag nobody recorded. An offset and a lag
   // that may be none are none.
   Fit trimmed(const Samples& all, const Solution& from) const {
-    const Solution first = settled(all, {from.placement, from.factor}, unknowns());
+    const Solution first = settled(all, from.beginning(), unknowns(), kExactly);
     Samples reached;
     for (const Measured& each : all)
       if (path_.reaches(each, first.placement.lag)) reached.push_back(each);
-    const Solution best = settled(reached, {first.placement, first.factor}, unknowns());
+    const Solution best = settled(reached, first.beginning(), unknowns(), kExactly);
     Fit fit = stated(all.size(), reached, best, unknowns());
     const bool has_offset = (fit.placement.offset.cwiseAbs() - fit.offset_error).maxCoeff() > 0;
     const bool has_lag = std::fabs(fit.placement.lag) > fit.lag_error;
     Unknowns fewer = unknowns();
-    Beginning without{best.placement, best.factor};
+    Beginning without = best.beginning();
     if (fewer.offset && !has_offset) {
       fewer.offset = false;
       without.placement.offset.setZero();
@@ -269,7 +258,7 @@ class Fitting {
     }
     if (fit.refusal || fewer.count() == unknowns().count()) return fit;
     const Samples& known = without.placement.lag == 0 ? all : reached;
-    Fit simple = stated(all.size(), known, settled(known, without, fewer), fewer);
+    Fit simple = stated(all.size(), known, settled(known, without, fewer, kExactly), fewer);
     if (simple.refusal) return fit;
     simple.undetermined = fit.undetermined;
     simple.stiffness_error = fit.stiffness_error + std::fabs(simple.stiffness - fit.stiffness);
@@ -300,7 +289,7 @@ class Fitting {
     Samples kept;
     for (std::size_t i = 0; i < samples.size(); ++i)
       if (settled.residuals.segment<3>(3 * static_cast<Eigen::Index>(i)).norm() <= most) kept.push_back(samples[i]);
-    const Solution best = at(kept, {settled.placement, settled.factor}, unknowns);
+    const Solution best = solution_at({subject_.renderer(), path_, kept, scale_, unknowns}, settled.beginning());
     Fit fit;
     fit.placement = best.placement;
     fit.stiffness = best.factor * stiffness_;
@@ -337,15 +326,16 @@ class Fitting {
   void determine(Fit& fit, const Solution& best, const Samples& kept, double force, const Unknowns& unknowns) const {
     const std::vector<std::string> names = names_of(unknowns);
     const Eigen::VectorXd unit = units_of(unknowns, scale_.lever, force);
+    const Eigen::MatrixXd derivatives = derivatives_at({subject_.renderer(), path_, kept, scale_, unknowns}, best);
     // The renderer rounds positions to binary32, in the worst case all of them in the same sense.
     const double farthest = (best.placement.turn * scale_.middle + best.placement.shift).cwiseAbs().maxCoeff() + scale_.lever;
     const double rounding = fit.stiffness * properties::half_spacing(static_cast<float>(farthest));
     // The lowest samples of a hand that never leaves the surface tell nothing, though some offset makes their forces zero.
     const double near = std::max(kNear, 5 * best.rms / fit.stiffness);
     const bool is_free = clearly_free(subject_.renderer(), path_, kept, best.placement, near) >= kLeastContacts;
-    const FitErrors found = fit_errors_of(
-        (is_free ? best.derivatives : without_weak_forces(best.derivatives, 2 * near * fit.stiffness)) * unit.asDiagonal(),
-        best.residuals, force, rounding);
+    const FitErrors found =
+        fit_errors_of((is_free ? derivatives : without_weak_forces(derivatives, 2 * near * fit.stiffness)) * unit.asDiagonal(),
+                      best.residuals, force, rounding);
     for (std::size_t i = 0; i < names.size(); ++i)
       if (found.free[static_cast<Eigen::Index>(i)] > kFree) fit.undetermined.push_back(names[i]);
     const auto listed = [&](const std::string& before) {
