@@ -7,6 +7,7 @@
   const LAWS = ["wall", "cylinder", "bump-cylinder", "bump-1p", "bump-2p", "bump-3p", "bump-1p-shaded", "bump-2p-shaded", "bump-3p-shaded"];
   const STATUSES = ["free", "contact", "invalid", "unfinished"];
   const PLACES = ["nowhere", "in-the-open", "at-vertex", "on-edge", "in-triangle"];
+  const SIDES = ["front", "back"];
   const HANDLE = 8; // bytes
   const KIND = 0, NAME = 1, PARAMETERS = 2;
 
@@ -18,31 +19,73 @@
     }
   }
 
-  const badValue = (what, expected, got) => new ForceshadeError("BAD_VALUE", `${what}: expected ${expected}, got ${String(got)}`);
+  // A value in an error's words: never the whole of a long one, and nothing that JavaScript cannot make a text of.
+  function got(value) {
+    if (value === null || value === undefined) return String(value);
+    if (typeof value === "string") return `the text ${JSON.stringify(value.length > 40 ? value.slice(0, 40) + "…" : value)}`;
+    if (typeof value === "number" || typeof value === "boolean") return `the ${typeof value} ${value}`;
+    if (typeof value === "bigint") return "a BigInt";
+    if (typeof value !== "object") return `a ${typeof value}`;
+    return isList(value) ? `an array of ${value.length}` : "an object";
+  }
 
-  function known(what, options, names) {
+  const badValue = (what, expected, words) => new ForceshadeError("BAD_VALUE", `${what}: expected ${expected}, got ${words}`);
+  const isList = (value) => typeof value === "object" && value !== null && Number.isInteger(value.length) && value.length >= 0;
+
+  // Options of which none is misspelt. expected: in words, for where there are none.
+  function known(what, options, names, expected) {
+    if (typeof options !== "object" || options === null || isList(options)) throw badValue(what, expected, got(options));
     for (const name of Object.keys(options))
       if (!names.includes(name)) throw badValue(what, `some of ${names.join(", ")}`, name);
     return options;
   }
 
   function number(what, value) {
-    if (typeof value !== "number") throw badValue(what, "a number", value);
+    if (typeof value !== "number") throw badValue(what, "a number", got(value));
     return value;
   }
 
+  // A NUL would end it in the module, and what follows be ignored.
+  function text(what, value) {
+    if (typeof value !== "string") throw badValue(what, "a text", got(value));
+    if (value.includes("\0")) throw badValue(what, "a text without NUL", got(value));
+    return value;
+  }
+
+  const optionalText = (what, value) => (value === undefined ? null : text(what, value));
+
+  // Its place among the names.
+  function oneOf(what, value, names) {
+    if (!names.includes(value)) throw badValue(what, `one of ${names.join(", ")}`, got(value));
+    return names.indexOf(value);
+  }
+
+  function flag(what, value) {
+    if (typeof value !== "boolean") throw badValue(what, "true or false", got(value));
+    return value;
+  }
+
+  function list(what, value) {
+    if (!Array.isArray(value)) throw badValue(what, "an array", got(value));
+    return value;
+  }
+
+  // An array of so many numbers, or of three for each position.
   function floats(what, values, count) {
-    const is_list = Array.isArray(values) || (ArrayBuffer.isView(values) && typeof values.length === "number");
-    if (!is_list || (count !== undefined && values.length !== count) || (count === undefined && values.length % 3 !== 0))
-      throw badValue(what, count === undefined ? "three numbers for each" : `${count} numbers`, is_list ? `${values.length} numbers` : values);
-    for (let i = 0; i < values.length; ++i) number(what, values[i]);
-    return values;
+    if (!isList(values) || (count === undefined ? values.length % 3 !== 0 : values.length !== count)) {
+      const expected = count === undefined ? "an array of three numbers for each" : `an array of ${count} numbers`;
+      throw badValue(what, expected, isList(values) ? `an array of ${values.length}` : got(values));
+    }
+    const numbers = Array.isArray(values) || ArrayBuffer.isView(values) ? values : Array.from(values);
+    for (let i = 0; i < numbers.length; ++i)
+      if (typeof numbers[i] !== "number") throw badValue(what, "numbers", `${got(numbers[i])} at ${i}`);
+    return numbers;
   }
 
   // Numbers from 0, of which WebAssembly would otherwise take the lowest 32 bits.
   function indices(what, values) {
     for (const value of values)
-      if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) throw badValue(what, "whole numbers from 0", value);
+      if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) throw badValue(what, "whole numbers from 0", got(value));
     return values;
   }
 
@@ -72,8 +115,7 @@
           const { Type, bytes } = value;
           const text = typeof value === "string" ? new TextEncoder().encode(value + "\0") : null;
           const size = text ? text.length : Type ? value.values.length * Type.BYTES_PER_ELEMENT : bytes;
-          const address = this.module._malloc(Math.max(size, 8));
-          if (address === 0) throw new ForceshadeError("NO_MEMORY", `no memory for ${size} bytes`);
+          const address = this.room(size);
           taken.push(address);
           if (text) this.module.HEAPU8.set(text, address);
           else if (Type) new Type(this.module.HEAPU8.buffer, address, value.values.length).set(value.values);
@@ -86,14 +128,20 @@
       }
     }
 
+    // The address of so many bytes, of which the module would take the lowest 32 bits.
+    room(size) {
+      const address = size <= 0xffffffff ? this.module._malloc(Math.max(size, 8)) : 0;
+      if (address === 0) throw new ForceshadeError("NO_MEMORY", `no memory for ${size} bytes`);
+      return address;
+    }
+
     floats(address, count) {
       return new Float32Array(this.module.HEAPU8.buffer, address, count).slice();
     }
 
     // A handle, at an address of its own, that this call makes.
     handle(make) {
-      const address = this.module._malloc(HANDLE);
-      if (address === 0) throw new ForceshadeError("NO_MEMORY", "no memory for a handle");
+      const address = this.room(HANDLE);
       try {
         this.check(make(address));
       } catch (error) {
@@ -104,13 +152,12 @@
     }
   }
 
-  // A subject, session or scene: a handle, and room for the three floats of a position and of a force and for a status.
+  // A subject, session or scene: a handle, and room for the three floats of a position and of a force and for a status. No property
+  // can be enumerated, since JSON and the console would write the whole memory of the module.
   class Held {
     constructor(memory, address, free) {
-      this._memory = memory;
-      this._at = address;
-      this._free = free;
-      this._room = memory.module._malloc(28);
+      Object.defineProperties(this, { _memory: { value: memory }, _free: { value: free }, _at: { value: address, writable: true },
+                                      _room: { value: memory.room(28) } });
     }
 
     get _handle() {
@@ -154,7 +201,9 @@
   }
 
   class Subject extends Held {
-    _word = "subject";
+    get _word() {
+      return "subject";
+    }
 
     force(position) {
       return this._one(position, (at, from, to, status) => this._memory.module._web_forces(at, 1, from, to, status));
@@ -188,7 +237,9 @@
   }
 
   class Session extends Held {
-    _word = "session";
+    get _word() {
+      return "session";
+    }
 
     step(position) {
       return this._one(position, (at, from, to, status) => this._memory.module._web_session_steps(at, 1, from, to, status));
@@ -209,7 +260,7 @@
         const all = Array.from(new Float64Array(memory.module.HEAPU8.buffer, address, 10));
         return {
           place: PLACES[all[0]],
-          side: all[1] === 0 ? "front" : "back",
+          side: SIDES[all[1]],
           slipping: all[2] === 1,
           position: all.slice(3, 6),
           index: all.slice(6, 8),
@@ -219,9 +270,9 @@
     }
 
     resume(state) {
-      const place = PLACES.indexOf(state.place);
-      if (place < 0) throw badValue("place", `one of ${PLACES.join(", ")}`, state.place);
-      const all = [place, state.side === "back" ? 1 : 0, state.slipping ? 1 : 0, ...floats("position", state.position, 3),
+      known("state", state, ["place", "side", "slipping", "position", "index", "parameter"], "a state, as state() answers it");
+      const place = oneOf("place", state.place, PLACES);
+      const all = [place, oneOf("side", state.side, SIDES), flag("slipping", state.slipping) ? 1 : 0, ...floats("position", state.position, 3),
                    ...indices("index", floats("index", state.index, 2)), ...indices("parameter", floats("parameter", state.parameter, 2))];
       this._memory.lend([{ Type: Float64Array, values: all }], (address) => {
         this._memory.check(this._memory.module._web_session_resume(this._handle, address));
@@ -230,10 +281,15 @@
   }
 
   class Scene extends Held {
-    _word = "scene";
+    get _word() {
+      return "scene";
+    }
 
     step(position, poses) {
-      const all = poses.flatMap((pose) => [...floats("translation", pose.translation, 3), ...floats("rotation", pose.rotation, 4)]);
+      const all = list("poses", poses).flatMap((pose) => {
+        const { translation, rotation } = known("pose", pose, ["translation", "rotation"], "an object with translation and rotation");
+        return [...floats("translation", translation, 3), ...floats("rotation", rotation, 4)];
+      });
       return this._memory.lend([{ Type: Float32Array, values: all }], (its) =>
         this._one(position, (at, from, to, status) => this._memory.module._web_scene_step(at, from, its, poses.length, to, status)));
     }
@@ -246,7 +302,7 @@
 
   class Library {
     constructor(module) {
-      this._memory = new Memory(module);
+      Object.defineProperty(this, "_memory", { value: new Memory(module) });
       this.laws = LAWS.slice();
     }
 
@@ -257,9 +313,9 @@
 
     // Of this package, in which no function reads a file, although the library has those that do.
     has(feature) {
-      if (feature === "subject-files") return false;
+      if (text("feature", feature) === "subject-files") return false;
       const { module } = this._memory;
-      return this._memory.lend([String(feature)], (text) => module._forceshade_has(text) === 1);
+      return this._memory.lend([feature], (text) => module._forceshade_has(text) === 1);
     }
 
     get arithmeticFault() {
@@ -273,16 +329,19 @@
     }
 
     law(name, options) {
-      const { radius = 15.24, width = 25.4, stiffness } = known(`law ${name}`, options, ["radius", "width", "stiffness"]);
+      oneOf("law", name, LAWS);
+      const { radius = 15.24, width = 25.4, stiffness } = known(`law ${name}`, options, ["radius", "width", "stiffness"], "options with stiffness");
       const numbers = [number("radius", radius), number("width", width), number("stiffness", stiffness)];
-      return this._subject([String(name)], ([law], made) => this._memory.module._web_law(law, ...numbers, made));
+      return this._subject([name], ([law], made) => this._memory.module._web_law(law, ...numbers, made));
     }
 
     heightMap(options) {
       const names = ["heights", "columns", "rows", "pitch", "interpolant", "edge", "render", "stiffness"];
-      const { heights, columns, rows, pitch, interpolant, edge, render, stiffness } = known("height map", options, names);
-      indices("columns and rows", [columns, rows]);
-      const values = [{ Type: Float32Array, values: floats("heights", heights, columns * rows) }, interpolant, edge, render];
+      const { heights, columns, rows, pitch, interpolant, edge, render, stiffness } = known("height map", options, names, "options with heights, columns, rows, pitch and stiffness");
+      indices("columns", [columns]);
+      indices("rows", [rows]);
+      const values = [{ Type: Float32Array, values: floats("heights", heights, columns * rows) }, optionalText("interpolant", interpolant),
+                      optionalText("edge", edge), optionalText("render", render)];
       const numbers = [number("pitch", pitch), number("stiffness", stiffness)];
       return this._subject(values, ([samples, its, beyond, rendered], made) =>
         this._memory.module._web_height_map(samples, columns, rows, numbers[0], its, beyond, rendered, numbers[1], made));
@@ -291,25 +350,29 @@
     mesh(options) {
       const names = ["vertices", "triangles", "sides", "shading", "contact", "crease", "stiffness", "selfIntersecting", "materials", "materialOfTriangle"];
       const { vertices, triangles, sides, shading, contact, crease = 180, stiffness, selfIntersecting = false, materials = [],
-              materialOfTriangle } = known("mesh", options, names);
-      floats("vertices", vertices);
-      indices("triangles", floats("triangles", triangles));
-      if (materialOfTriangle) indices("materialOfTriangle", floats("materialOfTriangle", materialOfTriangle, triangles.length / 3));
-      const list = materials.flatMap((material) => {
-        const { stiffness: own = 0, staticFriction = 0, dynamicFriction = 0 } = known("material", material, ["stiffness", "staticFriction", "dynamicFriction"]);
-        return floats("material", [own, staticFriction, dynamicFriction], 3);
+              materialOfTriangle } = known("mesh", options, names, "options with vertices, triangles and stiffness");
+      const corners = { Type: Float32Array, values: floats("vertices", vertices) };
+      const faces = { Type: Uint32Array, values: indices("triangles", floats("triangles", triangles)) };
+      const of = materialOfTriangle === undefined ? null : { Type: Uint32Array, values:
+        indices("materialOfTriangle", floats("materialOfTriangle", materialOfTriangle, triangles.length / 3)) };
+      const numbersOf = list("materials", materials).flatMap((material) => {
+        const { stiffness: own = 0, staticFriction = 0, dynamicFriction = 0 } =
+          known("material", material, ["stiffness", "staticFriction", "dynamicFriction"], "an object with stiffness, staticFriction, dynamicFriction");
+        return [number("stiffness", own), number("staticFriction", staticFriction), number("dynamicFriction", dynamicFriction)];
       });
-      const of = materialOfTriangle && { Type: Uint32Array, values: materialOfTriangle };
-      const values = [{ Type: Float32Array, values: vertices }, { Type: Uint32Array, values: triangles }, sides, shading, contact,
-                      { Type: Float32Array, values: list }, of];
+      const values = [corners, faces, optionalText("sides", sides), optionalText("shading", shading), optionalText("contact", contact),
+                      { Type: Float32Array, values: numbersOf }, of];
+      const crosses = flag("selfIntersecting", selfIntersecting) ? 1 : 0;
       const numbers = [number("crease", crease), number("stiffness", stiffness)];
-      return this._subject(values, ([corners, faces, which, scheme, rule, all, its], made) =>
-        this._memory.module._web_mesh(corners, vertices.length / 3, faces, triangles.length / 3, which, scheme, rule, ...numbers,
-                                      selfIntersecting ? 1 : 0, all, materials.length, its, made));
+      return this._subject(values, ([points, its, which, scheme, rule, all, ofEach], made) =>
+        this._memory.module._web_mesh(points, vertices.length / 3, its, triangles.length / 3, which, scheme, rule, ...numbers, crosses, all,
+                                      materials.length, ofEach, made));
     }
 
     scene(objects) {
       const memory = this._memory;
+      for (const object of list("objects", objects))
+        if (!(object instanceof Subject) || object._memory !== memory) throw badValue("objects", "subjects of this library", got(object));
       const { module } = memory;
       const address = memory.lend([{ bytes: HANDLE * objects.length }], (handles) => {
         objects.forEach((object, i) => module.HEAPU8.copyWithin(handles + HANDLE * i, object._handle, object._handle + HANDLE));

@@ -10,7 +10,7 @@ trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/clean" && cd "$folder/clean"
 npm init --yes > /dev/null
 npm install --silent --offline --no-audit --no-fund "$folder/$(cat "$folder/name")"
-cp node_modules/forceshade/example.mjs "$here/interface_test.mjs" "$here/golden.js" .
+cp node_modules/forceshade/example.mjs "$here/interface_test.mjs" "$here/wrong_arguments.mjs" "$here/golden.js" .
 node example.mjs | tee example.txt
 grep -qx "radius 15.24 mm, width 25.4 mm, stiffness 0.5 N/mm: contact, 0.5615893602371216 0 2.797053337097168 N" example.txt
 grep -qx "cube: contact, 0 0 0.25 N, .*" example.txt
