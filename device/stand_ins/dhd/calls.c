@@ -3,6 +3,7 @@
 
 #include <pthread.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -15,9 +16,16 @@ static int process_error = ERROR_NONE;
 static _Thread_local bool is_thread_expert = false;
 static bool is_process_expert = false;
 
+// A client that loads the library and calls nothing has a state, too, so that this can be told.
+__attribute__((constructor)) static void loaded(void) {
+  const char* const journal = getenv("FORCESHADE_STANDIN_JOURNAL");
+  if (journal && *journal) pthread_once(&begun, begin_state);
+}
+
 void lock(void) {
   pthread_once(&begun, begin_state);
   pthread_mutex_lock(&mutex);
+  state->called = true;
 }
 
 void unlock(void) {
@@ -66,6 +74,14 @@ int call_ends(int result, int error) {
   return result;
 }
 
+bool expert_call_begins(const char* function, signed char id) {
+  if (!call_begins(function, id)) return false;
+  if (is_expert()) return true;
+  fault(FAULT_EXPERT, "%s", function);
+  call_ends(-1, ERROR_EXPERT);
+  return false;
+}
+
 PUBLISHED int dhdErrorGetLast(void) {
   lock();
   const int error = is_chosen(LAST_ERROR, "thread") ? threads_error : process_error;
@@ -100,9 +116,13 @@ PUBLISHED int dhdDisableExpertMode(void) {
 }
 
 PUBLISHED double dhdGetTime(void) {
+  lock();
+  unlock();
   return (double)now_ns() / 1e9;
 }
 
 PUBLISHED void dhdSleep(double seconds) {
+  lock();
+  unlock();
   if (seconds > 0) usleep((useconds_t)(seconds * 1e6));
 }

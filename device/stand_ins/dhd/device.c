@@ -31,7 +31,10 @@ void device_opened(void) {
   state->cut_ns = state->unplugged_ns = state->last_read_ns = 0;
   state->watchdog = (int32_t)number_chosen(WATCHDOG);
   state->time_guard_us = (int32_t)number_chosen(TIME_GUARD);
-  state->max_force = -1;
+  state->max_force = state->max_torque = state->max_gripper_force = -1;
+  state->effector_mass = 0.1;
+  state->velocity_threshold = 255;
+  memset(state->base_angle, 0, sizeof state->base_angle);
   memset(state->commanded, 0, sizeof state->commanded);
   memset(state->last_read, 0, sizeof state->last_read);
 }

@@ -50,7 +50,7 @@ static struct state* mapped(const char* path, bool is_new) {
   const int file = open(path, is_new ? O_RDWR | O_CREAT : O_RDWR, 0600);
   if (file < 0) return NULL;
   void* at = MAP_FAILED;
-  if (!is_new || ftruncate(file, sizeof(struct state)) == 0)
+  if (is_new ? ftruncate(file, sizeof(struct state)) == 0 : lseek(file, 0, SEEK_END) == (off_t)sizeof(struct state))
     at = mmap(NULL, sizeof(struct state), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
   close(file);
   return at == MAP_FAILED ? NULL : at;
@@ -141,13 +141,16 @@ static void write_sessions(FILE* out) {
 }
 
 // For whoever started the client, once it has ended: reads its state, writes the verdict as JSON, and prints each fault. How
-// many kinds of fault there were, or -1 where there is no state or no report can be written.
+// many kinds of fault there were; -1 where no client has loaded the library, -2 where one did and called nothing, and -3 where
+// the report cannot be written.
 PUBLISHED int forceshade_stand_in_verdict(const char* path, const char* report) {
   char beside[1024];
   snprintf(beside, sizeof beside, "%s.state", path);
   state = mapped(beside, false);
-  FILE* const out = state && report && *report ? fopen(report, "w") : NULL;
-  if (!state || state->mark != kMark || (report && *report && !out)) return -1;
+  if (!state || state->mark != kMark) return -1;
+  if (!state->called) return -2;
+  FILE* const out = report && *report ? fopen(report, "w") : NULL;
+  if (report && *report && !out) return -3;
   read_settings(state->settings);
   if (state->owner != 0) {
     fault(FAULT_LEFT_OPEN, "%s", "");
@@ -180,7 +183,7 @@ PUBLISHED int forceshade_stand_in_verdict(const char* path, const char* report) 
     is_first = false;
   }
   fprintf(out, "%s}\n}\n", is_first ? "" : "\n  ");
-  return fclose(out) == 0 ? kinds : -1;
+  return fclose(out) == 0 ? kinds : -3;
 }
 
 // What was wrong with the settings, or an empty text.

@@ -29,9 +29,10 @@ static void spoil(double position[3]) {
   if (take_pending(EVENT_JUMP)) position[1] += 0.05;
 }
 
-PUBLISHED int dhdGetPosition(double* x, double* y, double* z, signed char id) {
-  if (!call_begins("dhdGetPosition", id)) return -1;
-  if (any_null("dhdGetPosition", x, y, z)) return call_ends(-1, ERROR_NULL);
+int read_position(const char* function, double* x, double* y, double* z, double* a, double* b, double* c, double matrix[3][3],
+                  signed char id) {
+  if (!call_begins(function, id)) return -1;
+  if (any_null(function, x, y, z) || any_null(function, a, b, c)) return call_ends(-1, ERROR_NULL);
   struct session* const it = session();
   if (number_chosen(CLOCK) > 0) arm_advance(&state->arm, 1 / number_chosen(CLOCK));
   events_at(++it->readings, device_happen);
@@ -53,10 +54,17 @@ PUBLISHED int dhdGetPosition(double* x, double* y, double* z, signed char id) {
   double position[3];
   memcpy(position, state->last_read, sizeof position);
   spoil(position);
+  *a = *b = *c = 0;
   *x = position[0];
   *y = position[1];
   *z = position[2];
+  for (int i = 0; matrix && i < 9; ++i) matrix[i / 3][i % 3] = i % 4 == 0;
   return call_ends(is_old ? kTimeGuardResult : 0, ERROR_NONE);
+}
+
+PUBLISHED int dhdGetPosition(double* x, double* y, double* z, signed char id) {
+  double unused = 0;
+  return read_position("dhdGetPosition", x, y, z, &unused, &unused, &unused, NULL, id);
 }
 
 // Judges it; false where it cannot be carried out, and `error` says why.
@@ -205,7 +213,7 @@ static int gripper(const char* function, double* value, double is, signed char i
 }
 
 PUBLISHED int dhdGetGripperGap(double* gap, signed char id) {
-  return gripper("dhdGetGripperGap", gap, 0.012, id);
+  return gripper("dhdGetGripperGap", gap, kGap, id);
 }
 
 PUBLISHED int dhdGetGripperAngleRad(double* angle, signed char id) {

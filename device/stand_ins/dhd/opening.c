@@ -26,6 +26,10 @@ static int model(void) {
   return 0;
 }
 
+bool has_gripper(void) {
+  return models[model()].has_gripper;
+}
+
 static int serial(void) {
   return is_chosen(MODEL, "falcon") ? 65535 : (int)number_chosen(SERIAL);
 }
@@ -169,9 +173,9 @@ PUBLISHED bool dhdHasActiveWrist(signed char id) {
 }
 
 PUBLISHED bool dhdHasGripper(signed char id) {
-  return says("dhdHasGripper", id, models[model()].has_gripper);
+  return says("dhdHasGripper", id, has_gripper());
 }
 
 PUBLISHED bool dhdHasActiveGripper(signed char id) {
-  return says("dhdHasActiveGripper", id, models[model()].has_gripper);
+  return says("dhdHasActiveGripper", id, has_gripper());
 }

@@ -100,35 +100,116 @@ PUBLISHED int dhdWaitForReset(int milliseconds, signed char id) {
   return call_ends(in_time ? 0 : -1, ERROR_TIMEOUT);
 }
 
-PUBLISHED int dhdSetMaxForce(double most, signed char id) {
-  if (!call_begins("dhdSetMaxForce", id)) return -1;
+// The end of a call that wrote a number to this place.
+static int given(const char* function, const void* place) {
+  if (place) return call_ends(0, ERROR_NONE);
+  fault(FAULT_NULL, "%s", function);
+  return call_ends(-1, ERROR_NULL);
+}
+
+// A limit; a negative one is none.
+static int set_limit(const char* function, double* limit, double most, signed char id) {
+  if (!call_begins(function, id)) return -1;
   if (!isfinite(most)) {
-    fault(FAULT_NOT_FINITE, "%s", "dhdSetMaxForce");
+    fault(FAULT_NOT_FINITE, "%s", function);
     return call_ends(-1, ERROR_INVALID);
   }
-  state->max_force = most;
+  *limit = most < 0 ? -1 : most;
   return call_ends(0, ERROR_NONE);
 }
 
-PUBLISHED double dhdGetMaxForce(signed char id) {
-  if (!call_begins("dhdGetMaxForce", id)) return -1;
-  const double most = state->max_force < 0 ? -1 : state->max_force;
+static double limit(const char* function, const double* its, signed char id) {
+  if (!call_begins(function, id)) return -1;
+  const double most = *its;
   call_ends(0, ERROR_NONE);
   return most;
 }
 
+PUBLISHED int dhdSetMaxForce(double most, signed char id) {
+  return set_limit("dhdSetMaxForce", &state->max_force, most, id);
+}
+
+PUBLISHED double dhdGetMaxForce(signed char id) {
+  return limit("dhdGetMaxForce", &state->max_force, id);
+}
+
+PUBLISHED int dhdSetMaxTorque(double most, signed char id) {
+  return set_limit("dhdSetMaxTorque", &state->max_torque, most, id);
+}
+
+PUBLISHED double dhdGetMaxTorque(signed char id) {
+  return limit("dhdGetMaxTorque", &state->max_torque, id);
+}
+
+PUBLISHED int dhdSetMaxGripperForce(double most, signed char id) {
+  return set_limit("dhdSetMaxGripperForce", &state->max_gripper_force, most, id);
+}
+
+PUBLISHED double dhdGetMaxGripperForce(signed char id) {
+  return limit("dhdGetMaxGripperForce", &state->max_gripper_force, id);
+}
+
 PUBLISHED int dhdSetEffectorMass(double mass, signed char id) {
   if (!call_begins("dhdSetEffectorMass", id)) return -1;
-  if (mass >= 0 && mass < 10) return call_ends(0, ERROR_NONE);
+  if (mass >= 0 && mass < 10) {
+    state->effector_mass = mass;
+    return call_ends(0, ERROR_NONE);
+  }
   fault(FAULT_RANGE, "dhdSetEffectorMass: %g kg", mass);
   return call_ends(-1, ERROR_INVALID);
 }
 
-PUBLISHED int dhdConfigLinearVelocity(int milliseconds, int mode, signed char id) {
-  if (!call_begins("dhdConfigLinearVelocity", id)) return -1;
-  if (milliseconds >= 0 && mode == 0) return call_ends(0, ERROR_NONE);
-  fault(FAULT_RANGE, "dhdConfigLinearVelocity: %d ms, mode %d", milliseconds, mode);
+PUBLISHED int dhdGetEffectorMass(double* mass, signed char id) {
+  if (!call_begins("dhdGetEffectorMass", id)) return -1;
+  if (mass) *mass = state->effector_mass;
+  return given("dhdGetEffectorMass", mass);
+}
+
+PUBLISHED int dhdSetStandardGravity(double gravity, signed char id) {
+  if (!call_begins("dhdSetStandardGravity", id)) return -1;
+  if (isfinite(gravity)) return call_ends(0, ERROR_NONE);
+  fault(FAULT_NOT_FINITE, "%s", "dhdSetStandardGravity");
   return call_ends(-1, ERROR_INVALID);
+}
+
+// The button of a gripper that is closed; here the gripper never is.
+PUBLISHED int dhdEmulateButton(unsigned char on, signed char id) {
+  if (!call_begins("dhdEmulateButton", id)) return -1;
+  if (!is_switch("dhdEmulateButton", on)) return call_ends(-1, ERROR_INVALID);
+  return has_gripper() ? call_ends(0, ERROR_NONE) : call_ends(-1, ERROR_NOT_AVAILABLE);
+}
+
+PUBLISHED int dhdSetOutput(unsigned output, signed char id) {
+  if (!call_begins("dhdSetOutput", id)) return -1;
+  (void)output;
+  return call_ends(0, ERROR_NONE);
+}
+
+PUBLISHED int dhdSetVibration(double frequency, double amplitude, int type, signed char id) {
+  if (!call_begins("dhdSetVibration", id)) return -1;
+  (void)type;
+  if (isfinite(frequency) && isfinite(amplitude)) return call_ends(0, ERROR_NONE);
+  fault(FAULT_NOT_FINITE, "%s", "dhdSetVibration");
+  return call_ends(-1, ERROR_INVALID);
+}
+
+static int config_velocity(const char* function, int milliseconds, int mode, signed char id) {
+  if (!call_begins(function, id)) return -1;
+  if (milliseconds >= 0 && mode == 0) return call_ends(0, ERROR_NONE);
+  fault(FAULT_RANGE, "%s: %d ms, mode %d", function, milliseconds, mode);
+  return call_ends(-1, ERROR_INVALID);
+}
+
+PUBLISHED int dhdConfigLinearVelocity(int milliseconds, int mode, signed char id) {
+  return config_velocity("dhdConfigLinearVelocity", milliseconds, mode, id);
+}
+
+PUBLISHED int dhdConfigAngularVelocity(int milliseconds, int mode, signed char id) {
+  return config_velocity("dhdConfigAngularVelocity", milliseconds, mode, id);
+}
+
+PUBLISHED int dhdConfigGripperVelocity(int milliseconds, int mode, signed char id) {
+  return config_velocity("dhdConfigGripperVelocity", milliseconds, mode, id);
 }
 
 PUBLISHED int dhdGetComMode(signed char id) {
@@ -143,14 +224,6 @@ PUBLISHED double dhdGetComFreq(signed char id) {
   const double rate = seconds > 0 ? (double)session()->forces / seconds / 1000 : 0;
   call_ends(0, ERROR_NONE);
   return rate;
-}
-
-static bool expert_call_begins(const char* function, signed char id) {
-  if (!call_begins(function, id)) return false;
-  if (is_expert()) return true;
-  fault(FAULT_EXPERT, "%s", function);
-  call_ends(-1, ERROR_EXPERT);
-  return false;
 }
 
 PUBLISHED int dhdSetWatchdog(unsigned char units, signed char id) {
@@ -170,10 +243,22 @@ PUBLISHED int dhdSetTimeGuard(int micros, signed char id) {
   return call_ends(0, ERROR_NONE);
 }
 
+PUBLISHED int dhdGetWatchdog(unsigned char* units, signed char id) {
+  if (!expert_call_begins("dhdGetWatchdog", id)) return -1;
+  if (units) *units = (unsigned char)state->watchdog;
+  return given("dhdGetWatchdog", units);
+}
+
 PUBLISHED int dhdSetVelocityThreshold(unsigned threshold, signed char id) {
   if (!expert_call_begins("dhdSetVelocityThreshold", id)) return -1;
-  (void)threshold;
+  state->velocity_threshold = threshold;
   return call_ends(0, ERROR_NONE);
+}
+
+PUBLISHED int dhdGetVelocityThreshold(unsigned* threshold, signed char id) {
+  if (!expert_call_begins("dhdGetVelocityThreshold", id)) return -1;
+  if (threshold) *threshold = state->velocity_threshold;
+  return given("dhdGetVelocityThreshold", threshold);
 }
 
 PUBLISHED int dhdSetComMode(int mode, signed char id) {

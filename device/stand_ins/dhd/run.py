@@ -5,6 +5,7 @@ import argparse
 import ctypes
 import os
 import pathlib
+import platform
 import signal
 import subprocess
 import sys
@@ -50,6 +51,15 @@ def environment(library, settings, journal):
             "FORCESHADE_STANDIN_DHD": settings, "FORCESHADE_STANDIN_JOURNAL": str(journal)}
 
 
+def sdk(folder, library):
+    """A folder as the vendor's SDK, which some clients look into where FDSDK names it."""
+    place = folder / "sdk" / "lib" / "release" / f"lin-{platform.machine()}-gcc"
+    place.mkdir(parents=True)
+    for name in ("libdhd.so.3", "libdrd.so.3"):
+        (place / name).symlink_to(library)
+    return str(folder / "sdk")
+
+
 def run(command, more):
     """The client's exit code; it is given the signals that this program is given."""
     client = subprocess.Popen(command, env={**os.environ, **more})
@@ -59,10 +69,13 @@ def run(command, more):
     return client.wait()
 
 
-def verdict(loaded, journal, report):
+def verdict(loaded, library, journal, report, whose="the client"):
     kinds = loaded.forceshade_stand_in_verdict(os.fsencode(str(journal)), os.fsencode(report or ""))
     if kinds < 0:
-        print(f"forceshade-standin dhd: {journal}: expected the journal of a client that loaded the library", file=sys.stderr)
+        words = {-1: f"{whose} did not load the library, {library}: it has to load {NAME}, or the file that FORCESHADE_DHD_LIBRARY names",
+                 -2: f"{whose} loaded the library, and called none of its functions",
+                 -3: f"{report}: expected a file that can be written"}
+        print(f"forceshade-standin dhd: {words[kinds]}", file=sys.stderr)
         return 2
     return 1 if kinds > 0 else 0
 
@@ -71,6 +84,7 @@ def main(words):
     parser, options = options_of(words)
     try:
         library = library_of(options.library)
+        os.environ.pop("FORCESHADE_STANDIN_JOURNAL", None)  # this program is no client, although it loads the library
         loaded = ctypes.CDLL(str(library))
         loaded.forceshade_stand_in_settings.restype = ctypes.c_char_p
     except (OSError, AttributeError) as error:
@@ -82,7 +96,7 @@ def main(words):
         parser.print_help(sys.stdout)
         sys.stdout.flush()
         loaded.forceshade_stand_in_describe()
-        print("exit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, or the client did not load the library")
+        print("exit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, or the client did not load the library or called nothing of it")
         return 0
     settings = ",".join(options.assume + options.event)
     wrong = loaded.forceshade_stand_in_settings(os.fsencode(settings)).decode()
@@ -90,14 +104,15 @@ def main(words):
         print(f"forceshade-standin dhd: {wrong}", file=sys.stderr)
         return 2
     if options.judge:
-        return verdict(loaded, options.judge, options.report)
+        return verdict(loaded, library, options.judge, options.report, f"the client of {options.judge}")
     with tempfile.TemporaryDirectory() as folder:
         journal = pathlib.Path(options.log).resolve() if options.log else pathlib.Path(folder) / "journal"
         for file in (journal, journal.with_name(journal.name + ".state")):
             file.unlink(missing_ok=True)
-        more = environment(library, settings, journal)
+        more = {**environment(library, settings, journal), "FDSDK": sdk(pathlib.Path(folder), library)}
         if not options.command:
             more["FORCESHADE_STANDIN_JOURNAL"] = str(journal) if options.log else ""
+            del more["FDSDK"]  # its folder ends with this program
             for name, value in more.items():
                 print(f"export {name}='{value}'")
             return 0
@@ -108,4 +123,4 @@ def main(words):
             return 2
         if code != 0:
             print(f"the client ended with {'signal ' + str(-code) if code < 0 else 'exit code ' + str(code)}", file=sys.stderr)
-        return verdict(loaded, journal, options.report)
+        return verdict(loaded, library, journal, options.report)

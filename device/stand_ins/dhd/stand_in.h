@@ -11,6 +11,7 @@
 
 enum { kFaults = 20, kSwitches = 23, kEvents = 19, kMostSessions = 16, kMostOrders = 32, kStatusLength = 17 };
 enum { kSmall = 10 };  // mN: less is not felt
+#define kGap 0.012     // m: of the gripper
 
 // What a client must not do, by the documents. The order is that of the table in faults.c.
 enum fault {
@@ -125,6 +126,7 @@ struct arm {
 // Everything that outlives the client, and the device itself.
 struct state {
   uint64_t mark;
+  bool called;  // any function, by the client
   char settings[1024];
   struct recorded_fault faults[kFaults];
   struct session sessions[kMostSessions];
@@ -136,9 +138,13 @@ struct state {
   int32_t cause;                    // why the forces are off
   int64_t cut_ns, unplugged_ns;     // when the device switched them off by itself; when it was unplugged
   int32_t watchdog, time_guard_us;  // units of 125 µs; µs
-  double max_force;                 // N; negative: none
-  double commanded[3];              // N
-  double last_read[3];              // m
+  // N, N·m, N; negative: none
+  double max_force, max_torque, max_gripper_force;
+  double effector_mass;  // kg
+  double base_angle[2];  // rad about x and z
+  uint32_t velocity_threshold;
+  double commanded[3];  // N
+  double last_read[3];  // m
   int64_t last_read_ns;
 };
 
@@ -190,3 +196,11 @@ void lock(void);
 void unlock(void);
 void set_error(int error);
 bool is_expert(void);
+bool expert_call_begins(const char* function, signed char id);  // the same for a function of the expert mode
+
+// opening.c
+bool has_gripper(void);
+
+// frames.c: the one reading of the position, in m; the angles are 0, and the matrix, where one is asked for, that of rest.
+int read_position(const char* function, double* x, double* y, double* z, double* a, double* b, double* c, double matrix[3][3],
+                  signed char id);

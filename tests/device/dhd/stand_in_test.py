@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""stand_in_test.py STAND-IN LIBRARY faults|assumptions: every fault of a client is recorded under its name, a client without one is
-not blamed, and every assumption can be seen in both of its ways."""
+"""stand_in_test.py STAND-IN LIBRARY faults|assumptions|readings: every fault of a client is recorded under its name, a client without one is
+not blamed, every assumption can be seen in both of its ways, and what public clients read has answers."""
 
 import ctypes
 import os
@@ -37,7 +37,14 @@ def faults():
         done = subprocess.run([sys.executable, program, "dhd", "--library", library, *words, "--", "true"], capture_output=True, text=True)
         checks.expect(done.returncode == 2 and expected in done.stderr, f"{words}: {done}")
     idle = Run(program, library, ["true"])
-    checks.expect(idle.code == 2 and "loaded the library" in idle.err, f"a client that loads nothing: {idle.err}")
+    checks.expect(idle.code == 2 and "the client did not load the library, " + library in idle.err, f"a client that loads nothing: {idle.err}")
+    silent = Run(program, library, [sys.executable, "-c", "import ctypes, os; ctypes.CDLL(os.environ['FORCESHADE_DHD_LIBRARY'])"])
+    checks.expect(silent.code == 2 and "the client loaded the library, and called none of its functions" in silent.err, f"a silent client: {silent.err}")
+    client = [sys.executable, os.path.join(here, "client.py"), "nothing"]
+    for words, expected in ((["--report", "/none/report"], "/none/report: expected a file that can be written"),
+                            (["--judge", "/none/log"], "the client of /none/log did not load the library")):
+        done = subprocess.run([sys.executable, program, "dhd", "--library", library, *PATIENT, *words, "--", *client], capture_output=True, text=True)
+        checks.expect(done.returncode == 2 and expected in done.stderr, f"{words}: {done}")
 
 
 def says(code, *assumptions, events=()):
@@ -127,7 +134,94 @@ dhd.dhdClose(ID)"""
     ctypes.CDLL(library)  # it loads into a process that has no such environment
 
 
+# numbers(): the result, and what a function writes into arrays of these lengths. near(): prints where that is not what is expected.
+NUMBERS = """
+def numbers(name, *counts, words=(), kind=N):
+    places = [(kind * count)(*([kind(-7)] * count)) for count in counts]
+    return getattr(dhd, name)(*words, *places, ID), *(list(place) for place in places)
+def near(name, expected, *counts, **more):
+    result, *all = numbers(name, *counts, **more)
+    flat = [value for values in all for value in values]
+    if result != 0 or len(flat) != len(expected) or any(abs(a - b) > 1e-9 for a, b in zip(flat, expected)):
+        print(name, result, flat, expected)
+I, U = ctypes.c_int, ctypes.c_uint
+"""
+# What public clients read, with the values of a device at rest in the joints that it lacks.
+READINGS = """
+version = [I() for _ in range(4)]
+dhd.dhdGetSDKVersion(*(ctypes.byref(part) for part in version))
+if [part.value for part in version] < [3, 16, 0, 0]: print("SDK", version)
+begin()
+force(0, 0, 1.5)
+read()
+at = [value.value for value in values]
+near("dhdGetForce", [0, 0, 1.5], 1, 1, 1)
+near("dhdGetForceAndTorque", [0, 0, 1.5, 0, 0, 0], *[1] * 6)
+near("dhdGetForceAndTorqueAndGripperForce", [0, 0, 1.5, 0, 0, 0, 0], *[1] * 7)
+near("dhdGetVersion", [3.1], 1)
+near("dhdGetEffectorMass", [0.1], 1)
+dhd.dhdSetEffectorMass(N(0.25), ID)
+near("dhdGetEffectorMass", [0.25], 1)
+for unit in ("Rad", "Deg"):
+    near("dhdGetAngularVelocity" + unit, [0, 0, 0], 1, 1, 1)
+    near("dhdGetGripperAngularVelocity" + unit, [0], 1)
+    near("dhdGetBaseAngleX" + unit, [0], 1)
+near("dhdGetGripperLinearVelocity", [0], 1)
+dhd.dhdSetBaseAngleXDeg(N(90), ID)
+near("dhdGetBaseAngleXRad", [1.5707963267948966], 1)
+near("dhdGetDeviceAngleDeg", [90], 1)
+for name, lengths, more in (("dhdGetPositionAndOrientationRad", [1] * 6, [0] * 3), ("dhdGetPositionAndOrientationDeg", [1] * 6, [0] * 3),
+                            ("dhdGetPositionAndOrientationFrame", [1, 1, 1, 9], [1, 0, 0, 0, 1, 0, 0, 0, 1])):
+    result, *got = numbers(name, *lengths)
+    flat = [value for part in got for value in part]
+    if result != 0 or flat[3:] != more or max(abs(a - b) for a, b in zip(flat, at)) > 0.02: print(name, result, flat, at)
+dhd.dhdGetMaxTorque.restype = dhd.dhdGetMaxGripperForce.restype = N
+if (dhd.dhdGetMaxTorque(ID), dhd.dhdSetMaxTorque(N(0.5), ID), dhd.dhdGetMaxTorque(ID), dhd.dhdGetMaxGripperForce(ID)) != (-1, 0, 0.5, -1):
+    print("torque")
+print(dhd.dhdEmulateButton(1, ID), dhd.dhdErrorGetLast(), numbers("dhdGetGripperThumbPos", 1, 1, 1)[0])
+dhd.dhdEnableExpertMode()
+joints = numbers("dhdGetJointAngles", 8)
+if joints[0] != 0 or joints[1][3:] != [0] * 5 or max(abs(q * 0.1 - x) for q, x in zip(joints[1], at)) > 0.02: print(joints, at)
+near("dhdGetJointAngleRange", [-1.5] * 3 + [0] * 5 + [1.5] * 3 + [0] * 5, 8, 8)
+near("dhdJointAnglesToInertiaMatrix", [0.09 if i in (0, 7, 14) else 0 for i in range(36)], 36, words=[(N * 8)()])
+near("dhdGetDeltaJacobian", [0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1], 9)
+near("dhdGetWristJointAngles", [0, 0, 0], 1, 1, 1)
+near("dhdGetWristEncoders", [0, 0, 0], 1, 1, 1, kind=I)
+near("dhdDeltaPositionToEncoder", [1000, -2000, 0], 1, 1, 1, words=[N(0.01), N(-0.02), N(0)], kind=I)
+near("dhdDeltaEncoderToPosition", [0.01, -0.02, 0], 1, 1, 1, words=[I(1000), I(-2000), I(0)])
+near("dhdDeltaEncodersToJointAngles", [0.1, -0.2, 0], 1, 1, 1, words=[I(1000), I(-2000), I(0)])
+near("dhdGetEncRange", [-15000] * 3 + [0] * 5 + [15000] * 3 + [0] * 5, 8, 8, kind=I)
+near("dhdGetVelocityThreshold", [255], 1, kind=U)
+dhd.dhdSetVelocityThreshold(U(70), ID)
+near("dhdGetVelocityThreshold", [70], 1, kind=U)
+dhd.dhdSetWatchdog(33, ID)
+near("dhdGetWatchdog", [33], 1, kind=ctypes.c_ubyte)
+print(dhd.dhdSetMot((ctypes.c_ushort * 8)(), 0, ID), dhd.dhdErrorGetLast(), dhd.drdOpen(), dhd.dhdErrorGetLast(), dhd.drdIsSupported() & 1)
+text = ctypes.create_string_buffer(b"x" * 20)
+print(dhd.dhdGetComponentVersionStr(U(0), text, ctypes.c_size_t(4), ID), text.value.decode(), dhd.dhdEmulateButton(1, ID), end=" ")
+"""
+
+
+def readings():
+    for model, emulated in (("omega.3", "-1 6 -1\n-1 10 -1 10 0\n0 3.1 -1"), ("omega.7", "0 0 0\n-1 10 -1 10 0\n0 3.1 0")):
+        seen = says(NUMBERS + READINGS + END, "model=" + model)
+        checks.expect(seen == emulated, f"{model}: {seen}")
+    for name, words in (("dhdGetJointAngles", "None"), ("dhdGetEncoder", "0"), ("dhdSetMot", "None, 0")):
+        run = Run(program, library, [sys.executable, "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\nbegin()\n"
+                                     f"dhd.{name}({words}, ID)\nend()"], *PATIENT)
+        checks.expect(set(run.faults) == {"no-expert-mode"}, f"{name}: {run.faults}")
+    for name, count in (("dhdGetForce", 3), ("dhdGetPositionAndOrientationRad", 6), ("dhdGetPositionAndOrientationFrame", 4), ("dhdGetEffectorMass", 1)):
+        for gap in range(count):
+            code = BEGIN + f"places = [(N * 9)() for _ in range({count})]\nplaces[{gap}] = None\nprint(dhd.{name}(*places, ID))" + END
+            run = Run(program, library, [sys.executable, "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\n{code}"], *PATIENT)
+            checks.expect(set(run.faults) == {"null-argument"} and run.out.strip() == "-1", f"{name} without {gap}: {run.faults} {run.out} {run.err}")
+    # A client that looks where FDSDK names the vendor's SDK.
+    place = "os.path.join(os.environ['FDSDK'], 'lib', 'release', f'lin-{os.uname().machine}-gcc', 'libdrd.so.3')"
+    run = Run(program, library, [sys.executable, "-c", f"import ctypes, os\nprint(ctypes.CDLL({place}).dhdGetDeviceCount())"])
+    checks.expect(run.code == 0 and run.out.strip() == "1", f"FDSDK: {run.out} {run.err}")
+
+
 if __name__ == "__main__":
-    least = {"faults": (faults, 47), "assumptions": (assumptions, 116)}
+    least = {"faults": (faults, 50), "assumptions": (assumptions, 116), "readings": (readings, 20)}
     least[mode][0]()
     sys.exit(checks.exit_code(least[mode][1]))
