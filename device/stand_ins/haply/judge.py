@@ -6,7 +6,7 @@ import math
 
 FAULTS = {
     "early": "a message before the inventory",
-    "binary": "a message that is not text",
+    "binary": "messages that are not text, where the service refuses them (binary=refuse); counted once a session",
     "malformed": "a message that is no JSON object",
     "not-finite": "a number that is NaN or infinite",
     "unknown-key": "a key or a command that the documents do not have",
@@ -62,7 +62,7 @@ _decoder = json.JSONDecoder(parse_float=_number, parse_constant=_constant)
 
 def parse(text):
     """The message; raises NotFinite, or ValueError for what is no JSON object."""
-    message = _decoder.decode(text)
+    message = _decoder.decode(text.decode() if isinstance(text, bytes) else text)
     if not isinstance(message, dict):
         raise ValueError("no object")
     return message

@@ -297,6 +297,10 @@ def main(words):
         with (sys.stdout if options.report == "-" else open(options.report, "w")) as file:
             json.dump(verdict, file, indent=2)
             file.write("\n")
+    binary = sum(session["binary_messages"] for session in verdict["sessions"])
+    if binary and service.assumed("binary") == "accept":
+        print(f"{binary} binary messages were read as text: no document says that the service does so; --assume binary=refuse is the other way",
+              file=sys.stderr)
     for name, fault in verdict["faults"].items():
         first = fault["first"]
         print(f"fault: {name}, {fault['count']} times, first in message {first['message']} of session {first['session']}: "

@@ -29,7 +29,8 @@ class Session:
         self.answered = 0
         self.force = (0.0, 0.0, 0.0)  # that this session commands
         self.last = now()  # when its last message came
-        self.report = {"session": number, "messages": 0, "largest_force_N": 0.0, "longest_gap_ms": 0.0, "contact_messages": 0}
+        self.report = {"session": number, "messages": 0, "largest_force_N": 0.0, "longest_gap_ms": 0.0, "contact_messages": 0,
+                       "binary_messages": 0}
 
     def fault(self, name, words=""):
         where = {"session": self.number, "message": self.messages}
@@ -142,16 +143,19 @@ class Session:
         """What to do: answer, silent or close; and whether with the configuration."""
         assumed = self.service.assumed
         if isinstance(text, bytes):
-            self.fault("binary")
-            return assumed("malformed"), False
+            self.report["binary_messages"] += 1
+            if assumed("binary") == "refuse":
+                if self.report["binary_messages"] == 1:
+                    self.fault("binary")
+                return assumed("malformed"), False
         try:
             message = judge.parse(text)
         except judge.NotFinite as error:
             self.fault("not-finite", str(error))
             self.command((0.0, 0.0, 0.0))
             return ("close" if assumed("not-finite") == "close" else "answer"), False
-        except ValueError:
-            self.fault("malformed", text[:80])
+        except (ValueError, RecursionError):
+            self.fault("malformed", str(text[:80]))
             return assumed("malformed"), False
         reaction, full = "answer", False
         for key, value in message.items():
@@ -199,12 +203,13 @@ class Session:
     def take_force(self, command):
         service = self.service
         right, wrong = ("vector", "values") if service.is_new else ("values", "vector")
-        key = right
+        key, is_read = right, True
         if isinstance(command, dict) and wrong in command:
+            key = right if right in command else wrong
             if service.assumed("values-key") == "by-version":
-                self.fault("wrong-key", wrong)
-                return False
-            key = wrong
+                self.fault("wrong-key", f"{wrong} to version {service.options.version}, which reads {right}")
+                is_read = key == right
+        # A force that is not read is judged, too: it would act once the key is mended.
         force = judge.vector_of(command.get(key)) if isinstance(command, dict) else None
         if force is None:
             self.fault("no-vector", str(command)[:80])
@@ -220,8 +225,9 @@ class Session:
                 self.fault("unpowered-force")
             if any(length(other.force) > 0 for other in service.sessions if other is not self):
                 self.fault("second-source")
-        self.command(force)
-        return True
+        if is_read:
+            self.command(force)
+        return is_read
 
     def command(self, force):
         before = length(self.force)

@@ -8,6 +8,7 @@ ASSUMPTIONS = {
     "idle-after": (["100", NUMBER, "never"], "ms without a message after which the device gives no force any more"),
     "after-close": (["idle", "hold"], "a session that ends while its force acts: the device idles at once, or when idle-after is over"),
     "not-finite": (["refuse", "close"], "NaN or infinity in a message: no force and an answer, or the connection is closed"),
+    "binary": (["accept", "refuse"], "a message that is not text: read as one, or taken for what is no JSON object"),
     "malformed": (["answer", "silent", "close"], "what is no JSON object"),
     "unknown-command": (["answer", "silent", "close"], "a command or a device that there is not"),
     "values-key": (["by-version", "both"], "a force is read from `vector` since 3.5 and from `values` before, or from either"),

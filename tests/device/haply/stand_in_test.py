@@ -119,8 +119,21 @@ async def sends_no_mask(client):
     await asyncio.sleep(0.1)
 
 
+def alone(text):
+    """For a version that reads `values`."""
+    async def act(client):
+        await client.ask(force(ZERO, "values"))
+        await client.ask(text)
+        await client.ask(force(ZERO, "values"))
+    return act
+
+
+async def sends_bytes_ten_times(client):
+    for _ in range(10):
+        await client.ask(force(ZERO).encode())
+
+
 MISDEEDS = {
-    "binary": misdeed(b"{}"),
     "malformed": misdeed("force, please"),
     "not-finite": misdeed(force(ONE).replace("1.0", "NaN")),
     "unknown-key": misdeed(force(ONE).replace("set_cursor_force", "set_cursor_farce")),
@@ -137,6 +150,7 @@ MISDEEDS = {
     "protocol": sends_no_mask,
 }
 WITH_WORDS = {
+    "binary": (misdeed(b"{}"), ["--assume", "binary=refuse"]),
     "gap": (pauses, ["--longest-gap", "20"]),
     "uncalibrated-force": (misdeed(force(ONE)), ["--event", "uncalibrated@1"]),
     "unpowered-force": (misdeed(force(ONE)), ["--event", "power-off@1"]),
@@ -184,6 +198,22 @@ def every_fault_is_seen():
         _, faults = run(act, *words)
         checks.expect(set(faults) == {name}, f"{name}: got {faults}")
     second_source()
+    # What is not read, or read as text, is judged for all that it has.
+    for text, words, expected in (
+            (force(ZERO).encode(), (), set()),
+            (force({"x": 0, "y": 0, "z": 1000.0}).encode(), (), {"absurd-force"}),
+            (force(ONE).replace("1.0", "NaN").encode(), (), {"not-finite"}),
+            (b"\xff\xfe", (), {"malformed"}),
+            ("[" * 100000, (), {"malformed"}),
+            (force({"x": 0, "y": 0, "z": 1000.0}, "values"), (), {"wrong-key", "absurd-force"}),
+            (force({"x": 0, "y": 0, "z": 1000.0}, "values").encode(), (), {"wrong-key", "absurd-force"}),
+            (force({"x": 0, "y": 0}, "values"), (), {"wrong-key", "no-vector"}),
+            (force({"x": 0, "y": 0, "z": 1000.0}, "values").encode(), ("--version", "3.1.0"), {"absurd-force"}),
+            (force(ONE).replace('{"vector"', '{"values": {}, "vector"'), (), {"wrong-key"})):
+        _, faults = run(misdeed(text) if "--version" not in words else alone(text), *words)
+        checks.expect(set(faults) == expected, f"{str(text)[:80]} {words}: got {faults}")
+    _, faults = run(sends_bytes_ten_times, "--assume", "binary=refuse")
+    checks.expect(faults["binary"]["count"] == 1, f"binary ten times: {faults}")
     listed = set(MISDEEDS) | set(WITH_WORDS) | {"second-source", "early"}
     sys.dont_write_bytecode = True
     sys.path.insert(0, program.rsplit("/", 1)[0])
@@ -212,6 +242,14 @@ async def says(client, text):
     await client.socket.send(text)
     answer = await client.ask(force(ONE))
     return "closed" if answer is None else "silent" if force_in(answer) == 1 else "answer"
+
+
+async def acts(client, text):
+    """The force after this message."""
+    await client.ask(force(ZERO))
+    answer = await client.ask(text)
+    await client.ask(force(ZERO))
+    return force_in(answer)
 
 
 async def idles(client):
@@ -260,6 +298,9 @@ def every_assumption_has_two_ways():
         for way, expected in ways.items():
             got = seen(lambda client: says(client, text), f"{name}={way}")
             checks.expect(got == expected, f"{name}={way}: {got}")
+    for way, expected in (("accept", 1), ("refuse", 0)):
+        got = seen(lambda client: acts(client, force(ONE).encode()), f"binary={way}")
+        checks.expect(got == expected, f"binary={way}: {got}")
     _, faults = run(misdeed(force(ONE, "values")), "--assume", "values-key=both")
     checks.expect(not faults, f"values-key=both: {faults}")
     checks.expect(seen(drops, "in-flight=queue") == 10 and seen(drops, "in-flight=drop") < 10, "in-flight")
