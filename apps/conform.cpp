@@ -158,7 +158,9 @@ void add_conform(CLI::App& app, int& result) {
   for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--scene", "--subject", "--command", "--object",
                                    "--recording", "--tolerance", "--points", "--seed", "--timing", "--max-answer-time"})
     simulator->excludes(command->get_option(of_renderers));
-  for (const char* door : {"--command", "--object"}) command->get_option(door)->excludes(command->get_option("--recording"));
+  for (const char* of_doors :
+       {"--command", "--object", "--points", "--seed", "--answer-timeout", "--timing", "--max-answer-time"})
+    command->get_option(of_doors)->excludes(command->get_option("--recording"));
   add_conform_compare(*command, result);
   command->callback([its, subject, recording, command, &result] {
     if (command->got_subcommand("compare")) return;

@@ -11,8 +11,8 @@ namespace forceshade::apps {
 
 // What holds for every command, in lines of at most 100 characters.
 inline constexpr const char* kExitCodes =
-    "Exit codes: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault or safety trip,\n"
-    "130 interrupted.";
+    "Exit codes: 0 held, 1 a check failed or driving is not allowed, 2 bad usage or input, 3 device\n"
+    "fault or safety trip, 130 interrupted; a run on a device that has begun ends with 0.";
 inline constexpr const char* kQuantities =
     "A LENGTH is in mm, a STIFFNESS in N/mm, an ANGLE in degrees, or has a unit: 25.4mm, 2.54cm, 0.01m,\n"
     "1000mil, 1in; 0.5N/mm, 500N/m; 30deg, 0.5rad.";

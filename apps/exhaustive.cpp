@@ -125,8 +125,9 @@ void ExhaustiveOptions::add_kinds_to(CLI::App& command) {
 }
 
 properties::SweepPlan sweep_plan(const ExhaustiveOptions& options, const subjects::Options& named, bool radius_is_given) {
-  if (!named.has("law"))
-    throw BadInput("--exhaustive: expected --law, got --height-map; a height map has too many inputs to sweep");
+  for (const std::string_view kind : subjects::kKinds)
+    if (kind != "law" && named.has(kind))
+      throw BadInput("--exhaustive: expected --law, got --" + std::string(kind) + ", which has too many inputs to sweep");
   properties::SweepPlan plan{{}, {}, {}};
   for (const DescribedLaw& law : subjects::laws_of(named)) {
     plan.laws.push_back(law.law);

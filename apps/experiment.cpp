@@ -126,7 +126,8 @@ struct Driving {
     add_whole(command, "--dead-man", "button of the device to be held down, from 0; else there is no force", {0, 15},
               [this](std::uint64_t button) { dead_man = static_cast<int>(button); });
     add_watchdog_timeout(command, watchdog_timeout);
-    command.add_flag("--free-run", free_run, "the loop as fast as it goes: for checks, not for hands");
+    command.add_flag("--free-run", free_run, "the loop as fast as it goes: for checks, not for hands")
+        ->excludes("--watchdog-timeout");
     add_in_reset_pose(command, in_reset_pose);
   }
 

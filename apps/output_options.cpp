@@ -71,7 +71,7 @@ void expect_folder_of(const std::string& option, const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   if (path.empty() || files::is_written_directly(path)) return;
-  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
+  const fs::path file = files::followed(path), folder = file.has_parent_path() ? file.parent_path() : ".";
   if (!fs::is_directory(folder, ignored) || ::access(folder.c_str(), W_OK | X_OK) != 0)
     throw BadInput(option + ": expected a file in a folder that can be written to, got \"" + path + '"');
 }

@@ -79,7 +79,7 @@ std::optional<std::string> Lines::result(std::int64_t now) {
   const std::string end = how_it_ended();
   if (wish_ == Wish::dismissal) return end;
   if (!has_ended_output_) fail("did not answer within " + seconds(limits_.answer));
-  if (wish_ == Wish::line) fail(end + " without an answer");
+  if (wish_ == Wish::line) fail(end.starts_with("could not be started") ? end : end + " without an answer");
   if (end != "ended") fail(end);
   return "";
 }

@@ -38,9 +38,10 @@ bool is_of_proc(const fs::path& folder) {
   return ::statfs(folder.c_str(), &about) == 0 && about.f_type == PROC_SUPER_MAGIC;
 }
 
+constexpr int kMostLinks = 40;  // as the kernel has it
+
 // The links are followed one by one, because what an entry of /proc/PID/fd points to need not be a path: pipe:[4711].
 std::optional<OpenDescriptor> open_descriptor(fs::path path) {
-  constexpr int kMostLinks = 40;  // as the kernel has it
   std::error_code error;
   for (int links = 0; links < kMostLinks && fs::is_symlink(path, error); ++links) {
     const fs::path folder = fs::canonical(path.has_parent_path() ? path.parent_path() : ".", error);
@@ -72,6 +73,16 @@ int opened(const OpenDescriptor& found) {
 
 OutputError output_failure(const std::string& path, const std::string& what, int reason) {
   return OutputError(final_name(path) + ": cannot " + what + ": " + std::generic_category().message(reason));
+}
+
+std::string followed(const std::string& path) {
+  fs::path at = path;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(at, error); ++links) {
+    if (links == kMostLinks) throw output_failure(path, "open for writing", ELOOP);
+    at = at.parent_path() / fs::read_symlink(at, error);
+  }
+  return at;
 }
 
 std::string partial_name(const std::string& path) {
@@ -179,7 +190,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), stream_(nullp
   } else if (const auto found = open_descriptor(path_)) {
     descriptor = opened(*found);
   } else {
-    if (fs::is_symlink(path_, ignored) && fs::exists(path_, ignored)) path_ = fs::canonical(path_);
+    path_ = followed(path_);
     if (fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored)) {
       descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     } else {

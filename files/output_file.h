@@ -15,8 +15,8 @@ struct OutputError : std::runtime_error {
 };
 
 // Writes to PATH.partial-XXXXXXXX beside PATH; commit() puts it in the place of PATH, and without commit() nothing is left.
-// Only a process that is killed leaves the partial file. A symbolic link keeps being one: what it points to is replaced.
-// What is_written_directly() is written to as a shell does it.
+// Only a process that is killed leaves the partial file. A symbolic link keeps being one: what it points to is replaced, or
+// made where it is not there. What is_written_directly() is written to as a shell does it.
 class OutputFile {
  public:
   explicit OutputFile(std::string path);
@@ -48,6 +48,10 @@ bool is_standard_output(const std::string& path);
 // Whether a file of this name cannot be replaced, but only be written to: standard output, another open descriptor such as
 // /dev/fd/3 or what a shell puts in the place of >(COMMAND), a named pipe, a device such as /dev/null. Not a folder.
 bool is_written_directly(const std::string& path);
+
+// The name at the end of the symbolic links that begin at this one, whether or not there is a file. Throws OutputError where
+// they lead in a circle.
+std::string followed(const std::string& path);
 
 // PATH.partial-XXXXXXXX with eight random hexadecimal digits.
 std::string partial_name(const std::string& path);

@@ -59,7 +59,7 @@ std::string said_of(const std::string& table, std::string words, const std::stri
 
 }  // namespace
 
-Record::Record(std::string path, recorder::Metadata metadata, bool paced, bool replaces) : path_(std::move(path)) {
+Record::Record(std::string path, recorder::Metadata metadata, bool paced, bool replaces) : path_(files::followed(path)) {
   if (is_table()) {
     directory_ = new_directory(path_);
   } else if (replaces) {

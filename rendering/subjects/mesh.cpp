@@ -51,6 +51,15 @@ double crease_degrees(const Options& options) {
   throw BadInput(name + ": expected an angle from 0 to 180 degrees, got \"" + text + '"');
 }
 
+// Only corner normals know of a crease. The usual one is in files of versions that wrote it beside every mesh.
+void expect_crease_to_count(const Options& options, mesh::Shading shading, mesh::Contact contact) {
+  if (!options.has("crease") || has_corner_normals(shading) || has_corner_normals(contact)) return;
+  if (crease_degrees(options) == kUsualCrease) return;
+  throw BadInput(options.name("crease") + ": has no effect with the shading " + std::string(name_of(shading)) +
+                 " and the contact " + std::string(name_of(contact)) +
+                 "; expected the shading vertex or texture:FILE, or the contact sub-goal, beside it");
+}
+
 std::string words_of_friction(const Options& options) {
   const mesh::Material material = parse_friction(options.name("friction"), options.value("friction"));
   return files::shortest(material.static_friction) + ',' + files::shortest(material.dynamic_friction);
@@ -146,12 +155,13 @@ MeshRendering rendered(const Options& options, float stiffness, const std::funct
   rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
   rendering.shading = shading_named(shading_of(options));
   rendering.contact = contact;
+  expect_crease_to_count(options, rendering.shading, contact);
   rendering.materials = std::move(materials);
   if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(rendering.checked, crease).normals;
   if (is_texture(shading_of(options)))
     read_texture(options, unchecked.loaded.texture, rendering);
   else if (has_scale)
-    throw BadInput("--texture-scale is for --shading texture:FILE alone");
+    throw BadInput(options.name("texture-scale") + ": expected the shading texture:FILE beside it, got " + shading_of(options));
   return rendering;
 }
 
@@ -172,6 +182,8 @@ std::vector<std::pair<std::string, std::string>> written_mesh(const Options& opt
   const auto file_name = [&](const std::string& path) { return with_folders ? path : fs::path(path).filename().string(); };
   const std::string shading = shading_of(options), contact = contact_of(options);
   const auto scale = texture_scale(options);
+  const bool has_crease = has_corner_normals(shading_named(shading)) ||
+                          has_corner_normals(value_named<mesh::Contact>(contact, mesh::kContactNames));
   return {{"mesh", file_name(options.value("mesh"))},
           {"unit", options.value("unit")},
           {"sides", options.value("sides")},
@@ -182,7 +194,7 @@ std::vector<std::pair<std::string, std::string>> written_mesh(const Options& opt
           {"materials", file_name(options.value("materials"))},
           {"texture-scale", scale ? scale->text() + "mm" : ""},
           {"self-intersecting", options.is_true("self-intersecting") ? "true" : ""},
-          {"crease", files::shortest(crease_degrees(options)) + "deg"}};
+          {"crease", has_crease ? files::shortest(crease_degrees(options)) + "deg" : ""}};
 }
 
 }  // namespace forceshade::subjects

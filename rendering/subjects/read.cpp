@@ -85,6 +85,11 @@ std::vector<DescribedLaw> laws_of(const Options& options) {
   if (std::ranges::any_of(ids, has_bump_geometry)) {
     parameters.radius = radius;
     parameters.width = width;
+  } else {
+    for (const char* key : {"radius", "width"})
+      if (options.has(key))
+        throw BadInput(options.name(key) + ": has no effect on the law " + options.value("law") +
+                       ", which has no bump; expected none");
   }
   std::vector<DescribedLaw> all;
   for (const LawId id : ids) {

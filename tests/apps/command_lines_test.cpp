@@ -53,6 +53,7 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
                                             "knots_mm = [[0, 0]]\n";
   std::ofstream(here.file("waves.toml")) << "render = \"height-map\"\n[[part]]\nshape = \"grating\"\nheight_mm = 1\n"
                                             "wave_x_rad_per_mm = 1\nwave_y_rad_per_mm = 1e9\n";
+  std::ofstream(here.file("corner.off")) << "OFF\n4 4 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
   const std::vector<Refused> all{
       {"properties --seed 18446744073709551616", {"--seed: expected a whole number from 0 to", "got \"18446744073709551616\""}},
       {"properties --seed=-1", {"--seed", "got \"-1\""}},
@@ -77,6 +78,30 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
       {"polygons --height-map hill.toml --theta-critical 9", {"hill.toml: line 4: centre x is 20000 mm"}},
       {"polygons --radius 1 --width 1 --theta-critical nan",
        {"--theta-critical: expected an angle such as 30, 30deg or 0.5rad, got \"nan\""}},
+      {"force --law wall --radius 5", {"--radius: has no effect on the law wall, which has no bump; expected none"}},
+      {"properties --law wall --width 5", {"--width: has no effect on the law wall"}},
+      {"drive --law wall --radius 5 --uncertified --device null", {"--radius: has no effect on the law wall"}},
+      {"force --mesh corner.off --unit mm --shading none --crease 30",
+       {"--crease: has no effect with the shading none and the contact direct; expected the shading vertex or texture:FILE, or "
+        "the "
+        "contact sub-goal, beside it"}},
+      {"force --mesh corner.off --unit mm --shading edge --crease 30", {"--crease: has no effect with the shading edge"}},
+      {"force --mesh corner.off --unit mm --shading none --friction 0.5 --crease 30",
+       {"--crease: has no effect with the shading none and the contact friction"}},
+      {"force --mesh corner.off --unit mm --texture-scale 1",
+       {"--texture-scale: expected the shading texture:FILE beside it, got vertex"}},
+      {"certify --exhaustive --mesh corner.off --unit mm --out o",
+       {"--exhaustive: expected --law, got --mesh, which has"},
+       {"height"}},
+      {"certify --exhaustive --scene scene.toml --out o", {"--exhaustive: expected --law, got --scene, which has"}},
+      {"conform --law wall --recording r.csv --points 10", {"--points: expected without --recording, got both"}},
+      {"conform --law wall --recording r.csv --seed 10", {"--seed: expected without --recording, got both"}},
+      {"conform --law wall --recording r.csv --timing", {"--timing: expected without --recording, got both"}},
+      {"conform --law wall --recording r.csv --max-answer-time 1",
+       {"--max-answer-time: expected without --recording, got both"}},
+      {"conform --law wall --recording r.csv --answer-timeout 1", {"--answer-timeout: expected without --recording, got both"}},
+      {"experiment run p.toml --participant P --session s --uncertified --device null --free-run --watchdog-timeout 1",
+       {"--free-run: expected without --watchdog-timeout, got both"}},
       {"energy --law wall --depth 1 --radius nan", {"--radius: expected a length such as", "got \"nan\""}},
       {"energy --law wall --depth 1 --along y", {"--along: expected --height-map beside it"}},
       {"energy --height-map hill.toml --depth 1 --along z", {"--along: expected one of x, y; got \"z\""}},

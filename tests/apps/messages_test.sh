@@ -88,9 +88,9 @@ expect 0 "to gather it: forceshade certify --law wall,bump-2p --radius 15.24 --w
   "$forceshade" certify --law wall,bump-2p --points 2000 --cases 20 --out few --overwrite
 mkdir "my meshes"
 "$forceshade" mesh make cube --out "my meshes/it's.off"
-output=$("$forceshade" certify --mesh "my meshes/it's.off" --unit mm --sides both --shading edge --crease 20 --points 200 --cases 20 --out few-mesh)
+output=$("$forceshade" certify --mesh "my meshes/it's.off" --unit mm --sides both --shading vertex --crease 20 --points 200 --cases 20 --out few-mesh)
 command=$(sed -n 's/^to gather it: //p' <<< "$output")
-same "forceshade certify --mesh 'my meshes/it'\\''s.off' --unit mm --sides both --shading edge --crease 20deg --stiffness 0.5N/mm --points 200000 --cases 2000 --out DIR" \
+same "forceshade certify --mesh 'my meshes/it'\\''s.off' --unit mm --sides both --shading vertex --crease 20deg --stiffness 0.5N/mm --points 200000 --cases 2000 --out DIR" \
   "$command"
 mkdir bin
 ln -s "$forceshade" bin/forceshade

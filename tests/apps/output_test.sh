@@ -24,6 +24,22 @@ for name in - /dev/stdout /dev/null named in.csv; do
 done
 expect 2 '--out: expected a file, got ".", which is a folder' -- force --out . --overwrite
 
+# A symbolic link is followed, also where it leads to nothing yet, and never replaced.
+ln -s made.csv loose.csv; ln -s nowhere/made.csv lost.csv; ln -s round.csv round.csv; ln -s made.json loose.json; ln -s made.fsr loose.fsr
+ln -s absent folder
+expect 0 "" -- force --out loose.csv
+same "$row" "$(tail -1 made.csv)"
+expect 0 "" -- "$forceshade" geometry --json loose.json
+grep -q theta made.json || { echo "FAILED: no JSON behind the link"; exit 1; }
+for replacing in "" --overwrite; do
+  expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record loose.fsr $replacing
+  expect 0 "whole" -- "$forceshade" recording verify made.fsr
+done
+expect 2 "nowhere/made.csv: cannot open for writing: No such file or directory" -- force --out lost.csv
+expect 2 "round.csv: cannot open for writing: Too many levels of symbolic links" -- force --out round.csv
+expect 2 '--out: expected a directory, got "folder", a symbolic link to "absent", which is not there' -- "$forceshade" plot --law wall --out folder
+same "folder loose.csv loose.fsr loose.json lost.csv round.csv" "$(find . -type l -printf '%f\n' | sort | paste -sd ' ')"
+
 # NPY: 64 bytes' multiple of a header, then 25 bytes a row.
 expect 0 "" -- force --out forces.npy
 same "NUMPY" "$(head -c 6 forces.npy | tail -c 5)"

@@ -162,7 +162,7 @@ done
 expect 0 "wall.obj        states        held    20 cases" -- "$forceshade" properties $textured --cases 20
 expect 2 "--texture-scale is required beside --shading texture:FILE" -- "$forceshade" force --mesh wall.obj --unit mm \
   --shading texture:ramp.toml --input above.csv
-expect 2 "--texture-scale is for --shading texture:FILE alone" -- "$forceshade" force $mesh --texture-scale 1 --input above.csv
+expect 2 "--texture-scale: expected the shading texture:FILE beside it, got vertex" -- "$forceshade" force $mesh --texture-scale 1 --input above.csv
 expect 2 "wall.off: has no texture coordinates" -- "$forceshade" force --mesh wall.off --unit mm --shading texture:ramp.toml \
   --texture-scale 1 --input above.csv
 expect 2 "--shading: expected one of vertex, edge, none, texture:FILE; got \"texture\"" -- "$forceshade" force $mesh \

@@ -68,8 +68,32 @@ TEST(output_file, follows_a_symbolic_link) {
   EXPECT_EQ(directory.read("target.csv"), "after");
 }
 
+TEST(output_file, makes_what_a_symbolic_link_points_to) {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.file("other"));
+  std::filesystem::create_symlink("other/target.csv", directory.file("second.csv"));
+  std::filesystem::create_symlink("second.csv", directory.file("first.csv"));
+  write_file(directory.file("first.csv"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(directory.file("first.csv")));
+  EXPECT_TRUE(std::filesystem::is_symlink(directory.file("second.csv")));
+  EXPECT_EQ(directory.read("other/target.csv"), "new");
+}
+
 TEST(output_file, tells_why_it_cannot_be_opened) {
   const TemporaryDirectory directory;
+  std::filesystem::create_symlink("absent/out.csv", directory.file("loose.csv"));
+  std::filesystem::create_symlink("round.csv", directory.file("round.csv"));
+  for (const auto& [link, words] :
+       {std::pair{"loose.csv", "absent/out.csv: cannot open for writing: No such file or directory"},
+        std::pair{"round.csv", "round.csv: cannot open for writing: Too many levels of symbolic links"}}) {
+    try {
+      const OutputFile file(directory.file(link));
+      FAIL();
+    } catch (const OutputError& error) {
+      EXPECT_EQ(error.what(), directory.file(words));
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(directory.file(link)));
+  }
   try {
     const OutputFile file(directory.file("absent/out.csv"));
     FAIL();

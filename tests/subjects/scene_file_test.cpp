@@ -118,10 +118,12 @@ TEST_F(Scenes, have_their_objects_at_their_places_in_their_units) {
 }
 
 TEST_F(Scenes, have_the_options_of_a_mesh_in_the_file_or_beside_it) {
-  const std::string keys = "sides = \"both\"\nshading = \"edge\"\ncrease = \"90deg\"\nself-intersecting = true\n";
+  const std::string keys =
+      "sides = \"both\"\nshading = \"edge\"\ncontact = \"sub-goal\"\ncrease = \"90deg\"\nself-intersecting = true\n";
   const MeshRendering in_file = rendering_in(read_scene_of(keys + kTetrahedron));
   const MeshRendering beside = rendering_in(read_scene_of(
-      kTetrahedron, {{"sides", "both"}, {"shading", "edge"}, {"crease", "90deg"}, {"self-intersecting", "true"}}));
+      kTetrahedron,
+      {{"sides", "both"}, {"shading", "edge"}, {"contact", "sub-goal"}, {"crease", "90deg"}, {"self-intersecting", "true"}}));
   EXPECT_EQ(in_file.sides, mesh::Sides::both);
   EXPECT_EQ(in_file.shading, mesh::Shading::edge_scheme);
   EXPECT_EQ(in_file.checked.self_intersections(), mesh::SelfIntersections::allowed);

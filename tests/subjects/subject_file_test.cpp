@@ -88,6 +88,9 @@ TEST(subject_file, is_refused_with_its_line_and_what_was_expected) {
   };
   expect("", "its.toml: has none of the keys law, height-map, mesh and scene");
   expect("law = \"bump-2p\"\nradus = 3\n", "its.toml: line 2: unknown key radus");
+  expect("law = \"wall\"\nradius = 3\n",
+         "its.toml: line 2: radius: has no effect on the law wall, which has no bump; expected none");
+  expect("law = \"wall\"\n\nwidth = 3\n", "its.toml: line 3: width: has no effect on the law wall");
   expect("law = \"bmp-2p\"\n", "its.toml: line 1: law: expected");
   expect("law = \"bump-2p\"\nradius = true\n",
          "its.toml: line 2: radius: expected a text in quotes, a number or a list of these");

@@ -51,6 +51,15 @@ def environment(library, settings, journal):
             "FORCESHADE_STANDIN_DHD": settings, "FORCESHADE_STANDIN_JOURNAL": str(journal)}
 
 
+def expect_writable(report):
+    """Raises OSError where no report can be written; leaves none."""
+    if report:
+        was_there = os.path.exists(report)
+        open(report, "a").close()
+        if not was_there:
+            os.unlink(report)
+
+
 def sdk(folder, library):
     """A folder as the vendor's SDK, which some clients look into where FDSDK names it."""
     place = folder / "sdk" / "lib" / "release" / f"lin-{platform.machine()}-gcc"
@@ -107,8 +116,14 @@ def main(words):
         return verdict(loaded, library, options.judge, options.report, f"the client of {options.judge}")
     with tempfile.TemporaryDirectory() as folder:
         journal = pathlib.Path(options.log).resolve() if options.log else pathlib.Path(folder) / "journal"
-        for file in (journal, journal.with_name(journal.name + ".state")):
-            file.unlink(missing_ok=True)
+        try:
+            for file in (journal, journal.with_name(journal.name + ".state")):
+                file.unlink(missing_ok=True)
+            journal.touch()
+            expect_writable(options.report)
+        except OSError as error:
+            print(f"forceshade-standin dhd: {error.filename}: cannot be written: {error.strerror}", file=sys.stderr)
+            return 2
         more = {**environment(library, settings, journal), "FDSDK": sdk(pathlib.Path(folder), library)}
         if not options.command:
             more["FORCESHADE_STANDIN_JOURNAL"] = str(journal) if options.log else ""

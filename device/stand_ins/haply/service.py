@@ -234,6 +234,20 @@ def numbers_of_version(text):
     return text
 
 
+def number_of(kind, least, most=math.inf):
+    """Reads a number from least to most, both included but for infinity."""
+    def read(text):
+        try:
+            value = kind(text)
+        except ValueError:
+            value = math.nan
+        if not (least <= value <= most and math.isfinite(value)):
+            bounds = f"from {least:g} to {most:g}" if math.isfinite(most) else f"from {least:g} up"
+            raise argparse.ArgumentTypeError(f"expected a {'whole ' if kind is int else ''}number {bounds}, got \"{text}\"")
+        return value
+    return read
+
+
 def checked(parse):
     def check(text):
         try:
@@ -248,20 +262,21 @@ def options_of(words):
                                      description="Haply's Inverse Service with an Inverse3 in a simulated hand; it judges its client.",
                                      epilog="faults of a client:\n" + "\n".join(f"  {n}: {w}" for n, w in judge.FAULTS.items()) +
                                      "\n" + switches.described() +
-                                     "\nexit codes: 0, no fault; 1, faults, which were printed; 2, wrong options")
+                                     "\nexit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, a port that is taken, or a "
+                                     "file that cannot be written")
     add = parser.add_argument
-    add("--port", type=int, default=10001, help="of the WebSocket at 127.0.0.1; 0: a free one, which is printed; 10001 unless said")
+    add("--port", type=number_of(int, 0, 65535), default=10001, help="of the WebSocket at 127.0.0.1; 0: a free one, which is printed; 10001 unless said")
     add("--version", type=numbers_of_version, default="3.5.1", help="of the service; 3.5.1 unless said")
     add("--type", default="inverse3", choices=["inverse3", "inverse3x", "minverse"], help="of the device")
     add("--device-id", default="049D", help="049D unless said")
     add("--handedness", default="right", choices=["right", "left"], help="right unless said")
-    add("--sessions", type=int, default=0, help="end after so many sessions; else at SIGTERM or SIGINT")
+    add("--sessions", type=number_of(int, 0), default=0, help="end after so many sessions; else at SIGTERM or SIGINT")
     add("--clock", default="real", choices=["real", "messages"],
         help="what moves the hand: the time, or each message by a period of --rate, for runs faster than real time")
-    add("--rate", type=float, default=1000.0, help="Hz, with --clock messages; 1000 unless said")
-    add("--most-force", type=float, default=10.0, help="N, beyond which a force is absurd; 10 unless said")
-    add("--longest-gap", type=float, default=20.0, help="ms without a message that a force may act; 20 unless said")
-    add("--inventory-after", type=float, default=0.0, help="ms from the connection to the inventory")
+    add("--rate", type=number_of(float, 1e-3, 1e6), default=1000.0, help="Hz, with --clock messages; 1000 unless said")
+    add("--most-force", type=number_of(float, 0), default=10.0, help="N, beyond which a force is absurd; 10 unless said")
+    add("--longest-gap", type=number_of(float, 0), default=20.0, help="ms without a message that a force may act; 20 unless said")
+    add("--inventory-after", type=number_of(float, 0), default=0.0, help="ms from the connection to the inventory")
     add("--pressed", action="store_true", help="the grip's button is down")
     add("--assume", type=checked(switches.parse_assumption), action="append", default=[], metavar="NAME=VALUE")
     add("--event", type=checked(switches.parse_event), action="append", default=[], metavar="NAME@MESSAGE")
@@ -285,18 +300,31 @@ def have_real_time():
 
 def main(words):
     options = options_of(words)
-    service = Service(options)
+    try:
+        if options.report not in (None, "-"):
+            was_there = os.path.exists(options.report)
+            open(options.report, "a").close()  # known before the client runs
+            if not was_there:
+                os.unlink(options.report)
+        service = Service(options)
+    except OSError as error:
+        print(f"forceshade-standin haply: {error.filename}: cannot be written: {error.strerror}", file=sys.stderr)
+        return 2
     have_real_time()
     try:
         asyncio.run(service.run())
     except OSError as error:
-        print(f"forceshade-standin: port {options.port}: {error.strerror or error}", file=sys.stderr)
+        print(f"forceshade-standin haply: port {options.port}: {error.strerror or error}", file=sys.stderr)
         return 2
     verdict = service.report()
-    if options.report:
-        with (sys.stdout if options.report == "-" else open(options.report, "w")) as file:
-            json.dump(verdict, file, indent=2)
-            file.write("\n")
+    try:
+        if options.report:
+            with (sys.stdout if options.report == "-" else open(options.report, "w")) as file:
+                json.dump(verdict, file, indent=2)
+                file.write("\n")
+    except OSError as error:
+        print(f"forceshade-standin haply: {options.report}: cannot be written: {error.strerror}", file=sys.stderr)
+        return 2
     binary = sum(session["binary_messages"] for session in verdict["sessions"])
     if binary and service.assumed("binary") == "accept":
         print(f"{binary} binary messages were read as text: no document says that the service does so; --assume binary=refuse is the other way",

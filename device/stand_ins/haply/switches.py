@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the documents leave open, each a named assumption with its values, the first of them the default; and what can go wrong."""
 
+import math
+
 NUMBER = "a number"
+POSITIVE = ("top-rate", "ping")  # that zero stands for nothing in
 CONTACT = "contact"  # once 100 messages of a session had a force
 
 ASSUMPTIONS = {
@@ -58,7 +61,7 @@ def parse_assumption(text):
     if value in values and value != NUMBER:
         return name, value
     try:
-        if NUMBER in values and float(value) >= 0:
+        if NUMBER in values and 0 <= float(value) < math.inf and (float(value) > 0 or name not in POSITIVE):
             return name, value
     except ValueError:
         pass

@@ -41,7 +41,8 @@ def faults():
     silent = Run(program, library, [sys.executable, "-c", "import ctypes, os; ctypes.CDLL(os.environ['FORCESHADE_DHD_LIBRARY'])"])
     checks.expect(silent.code == 2 and "the client loaded the library, and called none of its functions" in silent.err, f"a silent client: {silent.err}")
     client = [sys.executable, os.path.join(here, "client.py"), "nothing"]
-    for words, expected in ((["--report", "/none/report"], "/none/report: expected a file that can be written"),
+    for words, expected in ((["--report", "/none/report"], "/none/report: cannot be written: No such file"),
+                            (["--log", "/none/log"], "/none/log: cannot be written: No such file"),
                             (["--judge", "/none/log"], "the client of /none/log did not load the library")):
         done = subprocess.run([sys.executable, program, "dhd", "--library", library, *PATIENT, *words, "--", *client], capture_output=True, text=True)
         checks.expect(done.returncode == 2 and expected in done.stderr, f"{words}: {done}")
@@ -222,6 +223,6 @@ def readings():
 
 
 if __name__ == "__main__":
-    least = {"faults": (faults, 50), "assumptions": (assumptions, 116), "readings": (readings, 20)}
+    least = {"faults": (faults, 52), "assumptions": (assumptions, 116), "readings": (readings, 20)}
     least[mode][0]()
     sys.exit(checks.exit_code(least[mode][1]))

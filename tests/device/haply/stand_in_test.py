@@ -4,6 +4,7 @@ blamed, and every assumption can be seen in both of its ways. `early` is the one
 
 import asyncio
 import json
+import subprocess
 import sys
 import time
 
@@ -198,6 +199,14 @@ def every_fault_is_seen():
         _, faults = run(act, *words)
         checks.expect(set(faults) == {name}, f"{name}: got {faults}")
     second_source()
+    for words, expected in ((["--port", "65536"], "expected a whole number from 0 to 65535, got"), (["--rate", "0"], "expected a number from 0.001"),
+                            (["--most-force", "nan"], "expected a number from 0 up"), (["--sessions", "-1"], "expected a whole number from 0 up"),
+                            (["--assume", "top-rate=0"], "top-rate: expected none or a number"), (["--assume", "ping=0"], "ping: expected"),
+                            (["--assume", "clamp=inf"], "clamp: expected"),
+                            (["--report", "/none/report"], "/none/report: cannot be written: No such file"),
+                            (["--log", "/none/log"], "/none/log: cannot be written: No such file")):
+        done = subprocess.run([sys.executable, program, "haply", "--port", "0", *words], capture_output=True, text=True)
+        checks.expect(done.returncode == 2 and expected in done.stderr and "Traceback" not in done.stderr, f"{words}: {done}")
     # What is not read, or read as text, is judged for all that it has.
     for text, words, expected in (
             (force(ZERO).encode(), (), set()),
