@@ -11,6 +11,7 @@
 #include "bindings/python/subject.h"
 #include "bindings/reference/definition.h"
 #include "bindings/reference/rational.h"
+#include "reference/surface_height.h"
 
 namespace forceshade::python {
 namespace {
@@ -56,6 +57,11 @@ class Reference {
   exact::Definition definition_;
 };
 
+// The exact height of the surface rounded once to binary32.
+float height_at(const Subject& subject, float x, float y) {
+  return reference::surface_height(std::get<DescribedHeightMap>(subject.description.what).map, x, y);
+}
+
 std::array<std::string, 5> geometry(float radius, float width, unsigned digits) {
   const reference::DecimalGeometry its = expect(exact::geometry(radius, width, digits));
   return {its.d, its.h, its.w_prime, its.h_prime, its.theta};
@@ -69,6 +75,7 @@ void add_exact(py::module_& module) {
       .def("decimals", &Reference::decimals, py::call_guard<py::gil_scoped_release>())
       .def("compare", &Reference::compare, py::call_guard<py::gil_scoped_release>())
       .def("rounded", &Reference::rounded);
+  module.def("height_at", &height_at, py::call_guard<py::gil_scoped_release>());
   module.def("geometry", &geometry, py::call_guard<py::gil_scoped_release>());
 }
 

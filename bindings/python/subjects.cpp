@@ -19,6 +19,8 @@
 #include "files/quantity.h"
 #include "forceshade/heights.h"
 #include "forceshade/meshes.h"
+#include "rendering/heights/coefficients.h"
+#include "rendering/heights/samples.h"
 #include "rendering/mesh_rendering.h"
 #include "rendering/subjects/materials.h"
 #include "rendering/subjects/options.h"
@@ -177,6 +179,45 @@ py::object rows_of(const std::vector<std::array<Number, 3>>& rows, const py::obj
   return array;
 }
 
+const height::Grid* only_grid(const HeightMap& map) {
+  const auto* grid = map.parts.size() == 1 && !map.parts[0].negated
+                         ? std::get_if<std::shared_ptr<const height::Grid>>(&map.parts[0].shape)
+                         : nullptr;
+  return grid == nullptr ? nullptr : grid->get();
+}
+
+py::object rows_of(const height::Grid& grid, const py::object& owner) {
+  py::array_t<float> array({static_cast<py::ssize_t>(grid.rows), static_cast<py::ssize_t>(grid.columns)}, grid.values.data(),
+                           owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+// The heights of the samples of a map that was read from a file: where they lie, or, of a spline, as the file has them. None
+// where the map is another one than a grid alone.
+py::object heights_of(const py::object& its, const std::string& file, std::optional<float> pitch, std::optional<float> scale) {
+  const auto& described = std::get<DescribedHeightMap>(its.cast<const Subject&>().description.what);
+  const height::Grid* grid = only_grid(described.map);
+  if (grid == nullptr) return py::none();
+  if (grid->interpolant == height::Interpolant::bilinear) return rows_of(*grid, its);
+  using Held = std::shared_ptr<const height::Grid>;
+  Held read = interruptible([&](const std::atomic<bool>&) -> Held {
+    if (pitch) return heights::load({file, *pitch, *scale, grid->edge, height::Interpolant::bilinear});
+    const HeightMap map = heights::read_heights(file);
+    return only_grid(map) == nullptr ? nullptr : std::get<Held>(map.parts[0].shape);
+  });
+  if (read != nullptr && read->rows == grid->rows && read->columns == grid->columns) {
+    std::vector<float> coefficients = read->values;
+    heights::make_coefficients(coefficients, grid->columns, grid->rows, grid->edge);
+    for (float& value : coefficients) value = heights::without_tiny(value);
+    if (coefficients == grid->values) {
+      auto* const held = new Held(std::move(read));
+      return rows_of(**held, py::capsule(held, [](void* at) { delete static_cast<Held*>(at); }));
+    }
+  }
+  throw Error(file + " has changed since the map was read; expected the same heights");
+}
+
 const mesh::TriangleMesh& mesh_of(const Subject& subject) {
   return std::get<MeshRendering>(subject.description.what).mesh();
 }
@@ -221,6 +262,7 @@ void add_subjects(py::module_& module) {
   subject.def_property_readonly("_digest", [](const Subject& its) { return its.identity.digest; });
   subject.def_property_readonly("_words", [](const Subject& its) { return parameters_in_words(its.identity); });
   subject.def_property_readonly("_parameters", [](const Subject& its) { return parameters_of(its.identity); });
+  subject.def("_heights_of", &heights_of);
   subject.def_property_readonly(
       "_vertices", [](const py::object& its) { return rows_of(mesh_of(its.cast<const Subject&>()).vertices, its); });
   subject.def_property_readonly(

@@ -50,4 +50,8 @@ Samples read_tiff(const Source& source);
 Samples read_pfm(const Source& source);
 Samples read_npy(const Source& source);
 
+// The map of a file for --height-map, where each grid has the heights of its samples, as for Interpolant::bilinear, in the
+// place of coefficients. Throws Error.
+HeightMap read_heights(const std::filesystem::path& file);
+
 }  // namespace forceshade::heights

@@ -12,6 +12,7 @@
 
 #include "files/suggestion.h"
 #include "forceshade/heights.h"
+#include "rendering/heights/samples.h"
 #include "rendering/heights/toml_file.h"
 
 namespace forceshade::heights {
@@ -128,7 +129,10 @@ enum class Sampled { bilinear, cubic_spline, band_limited };
 constexpr std::array<std::pair<std::string_view, Sampled>, 3> kInterpolants{
     {{"bilinear", Sampled::bilinear}, {"cubic-spline", Sampled::cubic_spline}, {"band-limited", Sampled::band_limited}}};
 
-height::Shape grid(Table& table, const fs::path& file) {
+// What a grid of a spline holds: coefficients, or the heights that they were made of.
+enum class Values { coefficients, heights };
+
+height::Shape grid(Table& table, const fs::path& file, Values values) {
   const auto sampled = table.word<Sampled>("interpolant", kInterpolants, Sampled::cubic_spline);
   Source source{.file = file.parent_path() / table.text("file"),
                 .pitch = table.number("pitch_mm"),
@@ -136,22 +140,23 @@ height::Shape grid(Table& table, const fs::path& file) {
                 .edge = table.word<height::Edge>("edge", kEdges, height::Edge::clamp)};
   if (sampled == Sampled::bilinear) source.interpolant = height::Interpolant::bilinear;
   if (sampled == Sampled::band_limited) source.shortest_wavelength = table.number("shortest_wavelength_mm");
+  if (values == Values::heights) source.interpolant = height::Interpolant::bilinear;
   return load(source);
 }
 
 // The kind whose name is the word, with its numbers under their keys.
-height::Shape shape(Table& table, const fs::path& file) {
+height::Shape shape(Table& table, const fs::path& file, Values values) {
   std::array<std::pair<std::string_view, std::size_t>, height::kKinds> kinds;
   for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = {height::kKindNames[i], i};
   return height::shape_of_kind(
       table.word<std::size_t>("shape", kinds),
       [&](const auto& number) { return table.number(number.key, number.is_required ? std::nullopt : std::optional(0.0F)); },
-      [&] { return height::Polygons{table.knots("knots_mm")}; }, [&] { return grid(table, file); });
+      [&] { return height::Polygons{table.knots("knots_mm")}; }, [&] { return grid(table, file, values); });
 }
 
-height::Part part(const fs::path& file, const TomlDocument& document, const toml::table& table) {
+height::Part part(const fs::path& file, const TomlDocument& document, const toml::table& table, Values values) {
   Table keys(file, document, table);
-  height::Part part{shape(keys, file), keys.flag("negated")};
+  height::Part part{shape(keys, file, values), keys.flag("negated")};
   keys.expect_no_other();
   return part;
 }
@@ -175,7 +180,39 @@ void round_decimals(toml::node& copy, const toml::node& original, const TomlDocu
   if (auto* number = copy.as_floating_point()) number->get() = static_cast<double>(*document.binary32(original));
 }
 
+Spec spec_of(const fs::path& file, Values values) {
+  const TomlDocument document = parsed(file);
+  Table keys(file, document, document.root());
+  std::array<std::pair<std::string_view, height::Mode>, height::kModes.size()> renderings;
+  for (std::size_t i = 0; i < renderings.size(); ++i) renderings[i] = {height::kModes[i].name, height::kModes[i].mode};
+  Spec spec{{}, keys.word<height::Mode>("render", renderings)};
+  for (const auto& [key, node] : document.root()) {
+    if (key.str() == "render") continue;
+    const bool is_surface = key.str() == "surface";
+    const toml::array* parts = key.str() == "part" || is_surface ? node.as_array() : nullptr;
+    if (!parts)
+      throw Error(file, keys.line_of(node) + "expected render, [[part]] and [[surface]], got " + std::string(key.str()) +
+                            files::suggestion(key.str(), {"render", "part", "surface"}));
+    if (is_surface && spec.mode != height::Mode::force_shaded)
+      throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
+    for (const toml::node& element : *parts) {
+      if (!element.is_table()) keys.fail(element, key.str(), "a table");
+      (is_surface ? spec.map.surface : spec.map.parts).push_back(part(file, document, *element.as_table(), values));
+    }
+  }
+  if (spec.map.parts.empty()) throw Error(file, "expected at least one [[part]], got none");
+  return spec;
+}
+
 }  // namespace
+
+Spec read_spec(const fs::path& file) {
+  return spec_of(file, Values::coefficients);
+}
+
+HeightMap read_heights(const fs::path& file) {
+  return spec_of(file, Values::heights).map;
+}
 
 std::uint32_t PartLines::of(std::string parameter) const {
   if (parameter.find("knot") != std::string::npos) parameter = "knots";
@@ -201,30 +238,6 @@ Lines lines_of_parts(const fs::path& file) {
     return all;
   };
   return {lines("part"), lines("surface")};
-}
-
-Spec read_spec(const fs::path& file) {
-  const TomlDocument document = parsed(file);
-  Table keys(file, document, document.root());
-  std::array<std::pair<std::string_view, height::Mode>, height::kModes.size()> renderings;
-  for (std::size_t i = 0; i < renderings.size(); ++i) renderings[i] = {height::kModes[i].name, height::kModes[i].mode};
-  Spec spec{{}, keys.word<height::Mode>("render", renderings)};
-  for (const auto& [key, node] : document.root()) {
-    if (key.str() == "render") continue;
-    const bool is_surface = key.str() == "surface";
-    const toml::array* parts = key.str() == "part" || is_surface ? node.as_array() : nullptr;
-    if (!parts)
-      throw Error(file, keys.line_of(node) + "expected render, [[part]] and [[surface]], got " + std::string(key.str()) +
-                            files::suggestion(key.str(), {"render", "part", "surface"}));
-    if (is_surface && spec.mode != height::Mode::force_shaded)
-      throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
-    for (const toml::node& element : *parts) {
-      if (!element.is_table()) keys.fail(element, key.str(), "a table");
-      (is_surface ? spec.map.surface : spec.map.parts).push_back(part(file, document, *element.as_table()));
-    }
-  }
-  if (spec.map.parts.empty()) throw Error(file, "expected at least one [[part]], got none");
-  return spec;
 }
 
 std::string shading_polygons(const fs::path& file, const std::vector<height::Knot>& knots, const fs::path& directory) {

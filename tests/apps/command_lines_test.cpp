@@ -102,6 +102,7 @@ TEST(command_lines, a_refusal_says_what_was_expected_and_what_was_got) {
       {"conform --law wall --recording r.csv --answer-timeout 1", {"--answer-timeout: expected without --recording, got both"}},
       {"experiment run p.toml --participant P --session s --uncertified --device null --free-run --watchdog-timeout 1",
        {"--free-run: expected without --watchdog-timeout, got both"}},
+      {"conform compare none.json neither.json", {"none.json: cannot be read: No such file"}, {"neither"}},
       {"energy --law wall --depth 1 --radius nan", {"--radius: expected a length such as", "got \"nan\""}},
       {"energy --law wall --depth 1 --along y", {"--along: expected --height-map beside it"}},
       {"energy --height-map hill.toml --depth 1 --along z", {"--along: expected one of x, y; got \"z\""}},

@@ -62,7 +62,7 @@ const std::vector<Said>& all_said() {
        "the program ended with exit code 1 without an answer; it wrote last on standard error: \"no arm is connected\""},
       {"", "", true, SIGABRT, "the program was killed by signal 6 (Aborted) without an answer"},
       {"", "", true, 0, "the program ended without an answer"},
-      {"", "", true, 127 << 8, "the program could not be started: the shell knows no such command without an answer"},
+      {"", "", true, 127 << 8, "the program could not be started: the shell knows no such command"},
       {"", "", true, kTooMany, "the program had more than 3 processes and threads, and ended without an answer"},
       {"", "", true, std::optional<int>(), "the program ended the process that watches it without an answer"},
       {"last\n", "", true, 0, "last"},

@@ -6,7 +6,7 @@ from __future__ import annotations
 import copy
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, Union
+from typing import Any, Literal, SupportsFloat, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -120,6 +120,8 @@ class HeightMap(Subject):
     True
     """
 
+    _read_heights: npt.NDArray[np.float32] | None = None
+
     def __init__(
         self,
         heights: npt.ArrayLike | File,
@@ -169,9 +171,38 @@ class HeightMap(Subject):
 
     @property
     def heights(self) -> npt.NDArray[np.float32] | None:
-        """The heights (mm) that it was made of, (rows, columns), read-only; None where it was read from a file."""
+        """The heights (mm) that it was made of, (rows, columns), read-only: rows from the smallest y, as in the constructor.
+
+        Those of a file are in mm, too, and band-limited where it says so. They lie where the map has them if it is bilinear; of a
+        spline, the file is read again, and refused with Error where it has changed. None where the map is not samples alone.
+        """
         source = self._made_by[1][0]
-        return source if isinstance(source, np.ndarray) else None
+        if isinstance(source, np.ndarray):
+            return source
+        if self._read_heights is None:
+            pitch, scale = (self._made_by[2][key] for key in ("pitch", "scale"))
+            mm = (None, None) if pitch is None else (length_of(pitch, "pitch"), length_of(scale, "scale"))
+            self._read_heights = self._heights_of(source, *mm)
+        return self._read_heights
+
+    def height(self, x: SupportsFloat, y: SupportsFloat, *, rounding: Rounding = None) -> float:
+        """The height (mm) of the surface at a place of the plane (mm): the exact one, rounded once to binary32.
+
+        x, y: within ±10 000 mm; numbers that binary32 holds, or rounding="nearest". It is U(x, y) of docs/height-maps.md, on
+        which the force begins; a shaded map that has a [[surface]] measures its depth from that one.
+
+        Raises ValueError for a place outside.
+
+        >>> HeightMap([[0, 0, 0], [0, 3, 0], [0, 0, 0]], pitch=2, interpolant="bilinear").height(1, 0)
+        1.5
+        """
+        place = _arrays.as_floats([x, y], "place", rounding)
+        if place.shape != (2,):
+            raise TypeError("expected two numbers x, y in mm")
+        at = float(place[0]), float(place[1])
+        if not all(abs(coordinate) <= 10_000 for coordinate in at):
+            raise ValueError(f"place is {at}; expected x and y within ±10 000 mm")
+        return _forceshade.height_at(self, *at)
 
     def __repr__(self) -> str:
         return f"<HeightMap {self._name}: {self._words}>"

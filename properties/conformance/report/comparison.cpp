@@ -263,7 +263,8 @@ Comparison compare_files(const std::string& before, const std::string& after) {
       throw BadInput(file + ": " + error.what());
     }
   };
-  return compare(text(before), before, text(after), after);
+  const std::string first = text(before);  // it is named first where both are missing
+  return compare(first, before, text(after), after);
 }
 
 std::string words_of(const Comparison& found) {

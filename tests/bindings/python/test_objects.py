@@ -99,9 +99,77 @@ def test_arrays_of_a_mesh_and_of_a_map(tmp_path):
     its = forceshade.HeightMap(heights, **TILES)
     heights[0, 0] = 9
     assert (its.heights == MILD).all() and not its.heights.flags.writeable
-    assert forceshade.HeightMap(ROOT / "examples/leather.toml").heights is None
     (tmp_path / "one.off").write_text("OFF\n3 1 0\n0 0 0\n2 0 0\n0 3 0\n3 0 1 2\n")
     assert forceshade.Mesh(tmp_path / "one.off", unit="m").vertices.tolist() == [[0, 0, 0], [2000, 0, 0], [0, 3000, 0]]
+
+
+def test_a_map_of_a_file_has_the_heights_of_its_samples(tmp_path):
+    """As the picture has them, with the largest y in its first row, times the scale."""
+    leather = forceshade.HeightMap(ROOT / "examples/leather.toml")
+    picture = forceshade.HeightMap(ROOT / "examples/leather.png", pitch="0.15mm", scale="0.4mm", edge="tile", render="height-map-shaded")
+    samples = np.random.default_rng(1).uniform(-1, 1, (7, 9)).astype(np.float32)
+    np.save(tmp_path / "one.npy", samples)
+    assert (leather.heights == picture.heights).all() and leather == picture
+    assert leather.heights.shape[0] > 8 and leather.heights.min() >= 0 and leather.heights.max() <= np.float32(0.4)
+    again = forceshade.HeightMap(leather.heights, pitch="0.15mm", edge="tile", render="height-map-shaded")
+    assert again == leather
+    for interpolant in ("bilinear", "cubic-spline"):
+        its = forceshade.HeightMap(tmp_path / "one.npy", pitch=1, scale=0.5, interpolant=interpolant)
+        heights = its.heights
+        del its  # they keep what they lie in
+        assert heights.dtype == np.float32 and (heights == samples[::-1] / 2).all() and not heights.flags.writeable
+    (tmp_path / "band.toml").write_text(
+        'render = "height-map"\n[[part]]\nshape = "grid"\nfile = "one.npy"\npitch_mm = 1\nscale_mm = 1\n'
+        'interpolant = "band-limited"\nshortest_wavelength_mm = 4\n'
+    )
+    smooth = forceshade.HeightMap(tmp_path / "band.toml")
+    assert smooth.heights.shape == (7, 9) and (smooth.heights != samples[::-1]).any()
+    its = forceshade.HeightMap(tmp_path / "one.npy", pitch=1, scale=1)
+    np.save(tmp_path / "one.npy", samples + np.float32(1))
+    refused(forceshade.Error, "one.npy has changed since the map was read", lambda: its.heights)
+    assert forceshade.HeightMap(ROOT / "examples/gaussian.toml").heights is None
+
+
+MAPS = {
+    "grid": '[[part]]\nshape = "grid"\nfile = "one.npy"\npitch_mm = 1.5\nscale_mm = 1\n',
+    "sum": '[[part]]\nshape = "gaussian"\nx_mm = 1\nheight_mm = 3\nsigma_mm = 2\n[[part]]\nshape = "cone"\nheight_mm = 2\nradius_mm = 5\n'
+    '[[part]]\nshape = "grating"\nheight_mm = 0.25\nwave_x_rad_per_mm = 2\nnegated = true\n',
+    "cap": '[[part]]\nshape = "sphere-cap"\nradius_mm = 10\nwidth_mm = 12\n',
+    "polygons": '[[part]]\nshape = "polygons"\nknots_mm = [[-5, 0], [-1, 2], [3, 2.5], [5, 0]]\n',
+}
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_the_force_begins_at_the_height(tmp_path, name):
+    """The height lies between the binary32 numbers beside the one that is answered: a hand at the lower is inside, at the upper not."""
+    np.save(tmp_path / "one.npy", np.random.default_rng(2).uniform(1, 2, (8, 8)).astype(np.float32))
+    (tmp_path / "map.toml").write_text('render = "height-map"\n' + MAPS[name])
+    its = forceshade.HeightMap(tmp_path / "map.toml")
+    places = np.random.default_rng(3).uniform(-7, 7, (300, 2)).astype(np.float32)
+    places[0] = 0
+    heights = np.float32([its.height(*map(float, place)) for place in places])
+    assert len(set(heights)) > 5
+    for beside, status in ((-np.inf, forceshade.Status.CONTACT), (np.inf, forceshade.Status.FREE)):
+        at = np.column_stack([places, np.nextafter(heights, np.float32(beside))])
+        at = at[np.abs(at[:, 2]) >= 2**-30]
+        assert (its.answers(at)["status"] == status).all()
+
+
+def test_heights_that_are_known():
+    ramp = forceshade.HeightMap([[0, 1, 4], [0, 1, 4]], pitch=1, interpolant="bilinear")
+    assert [ramp.height(x, 0) for x in (-1, -0.5, 0, 0.25, 1, 40)] == [0, 0.5, 1, 1.75, 4, 4]
+    third = forceshade.HeightMap([[0, 1], [0, 1]], pitch=3, interpolant="bilinear")
+    assert third.height(-0.5, 0) == float(np.float32(1 / 3)) and str(third.height(0, 0)) == "0.5"
+    # A tie between two binary32 numbers goes to the even one: the mean of 1 and 1 + 2^-23, and of that and 1 + 2^-22.
+    step = 2.0**-23
+    for low, even in ((1, 1), (1 + step, 1 + 2 * step)):
+        assert forceshade.HeightMap([[low, low + step]] * 2, pitch=1, interpolant="bilinear").height(0, 0) == even
+    level = forceshade.HeightMap(np.zeros((2, 2), np.float32), pitch=1)
+    assert str(level.height(5, 5)) == "0.0"
+    for x in (float("nan"), float("inf"), 10_001):
+        refused(ValueError, "expected x and y within ±10 000 mm", level.height, x, 0)
+    refused(TypeError, "binary32", level.height, 0.1, 0)
+    assert level.height(0.1, 0, rounding="nearest") == 0
 
 
 def test_the_god_object_has_a_point():

@@ -1,16 +1,17 @@
 #!/bin/sh
-# A wheel, made offline with what Debian has, and the sources, installed by pip in virtual environments of their own:
-# wheel_test.sh PYTHON SOURCES BUILD
+# A wheel, the sources and the source distribution, made offline with what Debian has and installed by pip in virtual environments of
+# their own: wheel_test.sh PYTHON SOURCES BUILD
 set -eu
 python=$1 sources=$2 build=$3
-for module in build venv pip setuptools wheel; do
+for module in ensurepip venv pip setuptools wheel; do
   "$python" -c "import $module" 2> /dev/null || { echo "skipped: Python's module $module is not installed"; exit 77; }
 done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export FORCESHADE_BUILD="$build"
 unset PYTHONPATH || true
-before=$(ls -R "$sources/bindings/python")
+listed() { ls -R "$sources/bindings/python"; ls -A "$sources"; }
+before=$(listed)
 works() {
   cd "$scratch"
   "$1/bin/python" -c "
@@ -22,16 +23,29 @@ assert bump.force(3, 0, -0.5) == (1.3490643501281738, 0.0, 2.5137453079223633), 
 assert bump.forces(numpy.zeros((4, 3), numpy.float32)).shape == (4, 3)
 "
 }
+installs() {  # NAME WHAT: in a virtual environment of this name
+  "$python" -m venv --system-site-packages "$scratch/$1"
+  (cd "$sources" && "$scratch/$1/bin/pip" install --no-build-isolation --no-index "$2")
+  works "$scratch/$1"
+}
 
-(cd "$sources/bindings/python" && "$python" -m build --no-isolation --wheel --outdir "$scratch/wheels" .)
-ls "$scratch/wheels"
-"$python" -m venv --system-site-packages "$scratch/of_wheel"
-"$scratch/of_wheel/bin/pip" install --no-index "$scratch"/wheels/forceshade-*.whl
-works "$scratch/of_wheel"
+installs of_sources .
+(cd "$sources" && "$scratch/of_sources/bin/pip" wheel --no-build-isolation --no-index --no-deps --wheel-dir "$scratch/wheels" .)
+installs of_wheel "$(ls "$scratch"/wheels/forceshade-*.whl)"
+(cd "$sources" && "$python" -c "import setuptools.build_meta as backend, sys; backend.build_sdist(sys.argv[1])" "$scratch/dist")
+installs of_distribution "$(ls "$scratch"/dist/forceshade-*.tar.gz)"
 
-"$python" -m venv --system-site-packages "$scratch/of_sources"
-(cd "$sources/bindings/python" && "$scratch/of_sources/bin/pip" install --no-build-isolation --no-index .)
-works "$scratch/of_sources"
+# The source distribution has every file that CMake looks for.
+mkdir "$scratch/unpacked"
+tar -xzf "$scratch"/dist/forceshade-*.tar.gz --strip-components 1 -C "$scratch/unpacked"
+if git -C "$sources" rev-parse > /dev/null 2>&1; then
+  for file in $(git -C "$sources" ls-files | grep -v '/node_modules/'); do
+    case $file in .*) continue ;; esac
+    [ -e "$scratch/unpacked/$file" ] || { echo "expected $file in the source distribution"; exit 1; }
+  done
+fi
+cmake -S "$scratch/unpacked" -B "$scratch/compiled" -G Ninja -DBUILD_TESTING=OFF -DPython3_EXECUTABLE="$python" > "$scratch/configured"
+ninja -C "$scratch/compiled" -n forceshade_python | tail -n 1
 
 # What cmake --install puts below its prefix.
 cmake --install "$build" --component python3-forceshade --prefix "$scratch/prefix"
@@ -39,4 +53,4 @@ PYTHONPATH=$(dirname "$(dirname "$(find "$scratch/prefix" -name 'py.typed')")")
 export PYTHONPATH
 cd "$scratch"
 "$python" -c "import forceshade; assert forceshade.__file__.startswith('$scratch/prefix'); print(forceshade.Law('wall', stiffness=1))"
-[ "$before" = "$(ls -R "$sources/bindings/python")" ] || { echo "expected nothing new among the sources"; exit 1; }
+[ "$before" = "$(listed)" ] || { echo "expected nothing new among the sources"; exit 1; }

@@ -16,21 +16,27 @@ import sysconfig
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
-SOURCES = pathlib.Path(__file__).resolve().parents[2]
+SOURCES = pathlib.Path(__file__).resolve().parent
 BUILD = pathlib.Path(os.environ.get("FORCESHADE_BUILD", SOURCES / "build" / "release"))
+
+
+def run_cmake(*words):
+    try:
+        subprocess.run(["cmake", *words], check=True)
+    except FileNotFoundError:
+        sys.exit("expected cmake 3.25 or later in the PATH, with ninja; scripts/setup installs what the package needs on Debian")
+    except subprocess.CalledProcessError as failed:
+        sys.exit(f"cmake failed with exit code {failed.returncode}; the package needs what scripts/setup installs (docs/python.md)")
 
 
 class CMakeModule(build_ext):
     def build_extension(self, ext):
-        if not (SOURCES / "CMakeLists.txt").exists():
-            sys.exit(f"expected the sources of forceshade in {SOURCES}: the package is compiled in bindings/python of them")
         if not (BUILD / "CMakeCache.txt").exists():
-            subprocess.run(
-                ["cmake", "-S", SOURCES, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
-                + ["-DCMAKE_CXX_FLAGS_RELEASE=-O3", "-DBUILD_TESTING=OFF", f"-DPython3_EXECUTABLE={sys.executable}"],
-                check=True,
+            run_cmake(
+                *["-S", SOURCES, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"],
+                *["-DCMAKE_CXX_FLAGS_RELEASE=-O3", "-DBUILD_TESTING=OFF", f"-DPython3_EXECUTABLE={sys.executable}"],
             )
-        subprocess.run(["cmake", "--build", BUILD, "--target", "forceshade_python"], check=True)
+        run_cmake("--build", BUILD, "--target", "forceshade_python")
         made = BUILD / "python" / "forceshade" / f"_forceshade{sysconfig.get_config_var('EXT_SUFFIX')}"
         if not made.exists():
             sys.exit(f"{BUILD} compiles for another Python than {sys.executable}; expected another folder in FORCESHADE_BUILD")
