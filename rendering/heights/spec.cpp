@@ -129,7 +129,7 @@ enum class Sampled { bilinear, cubic_spline, band_limited };
 constexpr std::array<std::pair<std::string_view, Sampled>, 3> kInterpolants{
     {{"bilinear", Sampled::bilinear}, {"cubic-spline", Sampled::cubic_spline}, {"band-limited", Sampled::band_limited}}};
 
-// What a grid of a spline holds: coefficients, or the heights that they were made of.
+// The content of the grid of a spline: coefficients, or the heights that they were made of.
 enum class Values { coefficients, heights };
 
 height::Shape grid(Table& table, const fs::path& file, Values values) {

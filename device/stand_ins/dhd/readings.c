@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What else a client reads: versions, forces, velocities, joints and encoders. The joints are invented, since no document has
+// Readings beside those of a frame: versions, forces, velocities, joints and encoders. The joints are invented, since no document has
 // those of a device: each of three turns with one axis, by 1 rad for 0.1 m, and a wrist or a gripper rests at 0.
 
 #include <math.h>

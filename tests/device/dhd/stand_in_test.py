@@ -147,7 +147,7 @@ def near(name, expected, *counts, **more):
         print(name, result, flat, expected)
 I, U = ctypes.c_int, ctypes.c_uint
 """
-# What public clients read, with the values of a device at rest in the joints that it lacks.
+# Readings of public clients, with the values of a device at rest in the joints that it lacks.
 READINGS = """
 version = [I() for _ in range(4)]
 dhd.dhdGetSDKVersion(*(ctypes.byref(part) for part in version))

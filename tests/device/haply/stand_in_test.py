@@ -207,7 +207,7 @@ def every_fault_is_seen():
                             (["--log", "/none/log"], "/none/log: cannot be written: No such file")):
         done = subprocess.run([sys.executable, program, "haply", "--port", "0", *words], capture_output=True, text=True)
         checks.expect(done.returncode == 2 and expected in done.stderr and "Traceback" not in done.stderr, f"{words}: {done}")
-    # What is not read, or read as text, is judged for all that it has.
+    # A message that is not read, or read as text, is judged for all that it has.
     for text, words, expected in (
             (force(ZERO).encode(), (), set()),
             (force({"x": 0, "y": 0, "z": 1000.0}).encode(), (), {"absurd-force"}),
