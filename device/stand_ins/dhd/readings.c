@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Readings beside those of a frame: versions, forces, velocities, joints and encoders. The joints are invented, since no document has
-// those of a device: each of three turns with one axis, by 1 rad for 0.1 m, and a wrist or a gripper rests at 0.
+// Readings beside those of a frame: versions, forces, velocities, joints and encoders. The joints are invented, since no
+// document has those of a device: each of three turns with one axis, by 1 rad for 0.1 m, and a wrist or a gripper rests at 0.
 
 #include <math.h>
 #include <poll.h>
@@ -255,7 +255,7 @@ PUBLISHED int dhdUpdateEncoders(signed char id) {
   return call_ends(0, ERROR_NONE);
 }
 
-// Of those that the mask names.
+// The encoders that the mask names.
 PUBLISHED int dhdGetEnc(int encoders[kJoints], unsigned char mask, signed char id) {
   if (!begins("dhdGetEnc", id, true, encoders, kJoints * sizeof *encoders)) return -1;
   for (int i = 0; i < kMoved; ++i)
@@ -314,7 +314,7 @@ BASE_ANGLE(BaseAngleZDeg, 1, kDegrees)
 BASE_ANGLE(DeviceAngleRad, 0, 1)
 BASE_ANGLE(DeviceAngleDeg, 0, kDegrees)
 
-// Of the keyboard, which is standard input.
+// The keyboard, which is standard input.
 PUBLISHED bool dhdKbHit(void) {
   struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
   return poll(&input, 1, 0) == 1 && (input.revents & POLLIN) != 0;
