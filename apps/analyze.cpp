@@ -23,6 +23,7 @@
 #include "forceshade/checks.h"
 #include "rendering/subjects/options.h"
 #include "study/analysis/figures.h"
+#include "study/analysis/origins.h"
 #include "study/analysis/page.h"
 #include "study/analysis/thesis.h"
 #include "study/experiments/results_csv.h"
@@ -67,7 +68,20 @@ experiments::Results read_folders(const std::vector<std::string>& folders) {
     if (name == analysis::kOverall) throw BadInput("participant: expected a name other than \"overall\", which the tables use");
   if (all.matching.empty() && all.classification.empty())
     throw BadInput(folders.front() + ": expected at least one trial, got none");
+  if (const std::string fault = analysis::fault_of(analysis::origins_of(all)); !fault.empty()) throw BadInput("folder: " + fault);
   return all;
+}
+
+Json origins_json(const analysis::Origins& origins) {
+  Json devices = Json::object();
+  for (const auto& [device, trials] : origins.devices) devices[device.empty() ? "not recorded" : device] = trials;
+  return {{"people", origins.people},
+          {"virtual_participants", origins.models},
+          {"not_recorded", origins.not_recorded},
+          {"trials_by_device", devices},
+          {"trials_certified", origins.certified},
+          {"trials_not_certified", origins.uncertified},
+          {"trials_not_recorded", origins.unknown}};
 }
 
 Json number_json(double value) {
@@ -133,6 +147,7 @@ std::string analysis_json(const analysis::Analysis& analysis, const AnalyzeOptio
               {"psychometric_shape", options.shape},
               {"psychometric_refits", analysis.options.psychometric_count},
               {"width_mil", analysis.options.width}}},
+            {"answered_by", origins_json(analysis::origins_of(analysis.results))},
             {"matching", Json::array()},
             {"classification", Json::array()},
             {"psychometric", Json::array()}};
@@ -149,8 +164,9 @@ std::vector<std::string> files_of(const experiments::Results& results, const ana
   std::vector<std::string> stems;
   for (const auto& [stimulus, vision] : conditions) {
     const std::string name = analysis::condition_name(stimulus, vision);
-    if (std::ranges::find(stems, "matching-" + name) != stems.end())
-      throw BadInput("stimulus: expected names that differ in letters and digits; two are " + name);
+    const auto is_same = [&](const std::string& stem) { return files::folded_name(stem) == files::folded_name("matching-" + name); };
+    if (std::ranges::any_of(stems, is_same))
+      throw BadInput("stimulus: expected names that differ in letters, not only capital ones, and digits; two are " + name);
     stems.insert(stems.end(), {"matching-" + name, "satisfaction-" + name});
   }
   if (!results.classification.empty()) stems.emplace_back("psychometric");
@@ -189,7 +205,7 @@ int analyze(AnalyzeOptions& options, const OutFolder& out) {
     drawn.clear();
     figures.clear();
   }
-  files::OutputFolder folder(out.path());
+  files::OutputFolder& folder = out.folder();
   for (const auto& [name, bytes] : figures) folder.write(name, bytes);
   folder.write("tables.csv", analysis::to_csv(analysis));
   folder.write("report.html", analysis::to_html(analysis, pictures, drawn));

@@ -5,7 +5,6 @@
 
 #include "apps/command.h"
 #include "apps/page.h"
-#include "files/output_folder.h"
 #include "files/printable.h"
 #include "forceshade/certificate.h"
 #include "rendering/breakdown.h"
@@ -50,8 +49,7 @@ std::vector<std::string> certificate_files() {
   return {"certificate.json", "certificate.html", "evidence.json"};
 }
 
-int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory) {
-  files::OutputFolder folder(directory);
+int write_certificate(const properties::Certificate& certificate, files::OutputFolder& folder) {
   folder.write("certificate.json", to_json(certificate));
   folder.write("evidence.json", evidence_of(certificate));
   folder.write("certificate.html",
@@ -59,7 +57,7 @@ int write_certificate(const properties::Certificate& certificate, const std::fil
   folder.commit();
   for (const properties::SubjectResult& subject : certificate.subjects) print(subject.name(), subject);
   const properties::Assessment assessment = assessed(certificate);
-  std::printf("%s\n", (directory / "certificate.html").c_str());
+  std::printf("%s\n", (folder.path() / "certificate.html").c_str());
   if (assessment.standing == properties::Standing::insufficient)
     std::printf("too little for drive: %s\nto gather it: %s\n", files::printable(assessment.lacks).c_str(),
                 files::printable(assessment.remedy).c_str());

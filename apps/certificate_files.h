@@ -2,10 +2,10 @@
 #pragma once
 // What certify writes and says when it has checked.
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "files/output_folder.h"
 #include "forceshade/certificate.h"
 
 namespace forceshade::apps {
@@ -17,6 +17,6 @@ std::vector<std::string> certificate_files();
 // certificate.json, certificate.html and evidence.json, all or none: the page without pictures, and a warning, where gnuplot
 // does not draw them. Prints what was found of each subject, what drive would find lacking and how to gather it, and, in the
 // last line, the standing. Returns the exit code. Throws files::OutputError.
-int write_certificate(const properties::Certificate& certificate, const std::filesystem::path& directory);
+int write_certificate(const properties::Certificate& certificate, files::OutputFolder& folder);
 
 }  // namespace forceshade::apps

@@ -117,7 +117,7 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
     certificate->subjects[i].options = subjects::written_for_shell(named);
   }
   if (!options.junit.empty()) write_file(options.junit, junit_of(*certificate, times));
-  return write_certificate(*certificate, out.path());
+  return write_certificate(*certificate, out.folder());
 }
 
 int run(const CertifyOptions& options, const SubjectOption& subject, const OutFolder& out, bool radius_is_given) {
@@ -126,11 +126,11 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
   std::optional<properties::SweepPlan> sweeps;
   if (options.exhaustive.is_given) sweeps = sweep_plan(options.exhaustive, named, radius_is_given);
   properties::CertifyOptions what{.subjects = subject.subjects()};
+  if (sweeps) return run_exhaustive(options.exhaustive, *sweeps, options.threads, out);
   // Before the work, so that a path that cannot be written to is said at once.
   out.expect_room_for(certificate_files());
   expect_folder_of("--junit", options.junit);
-  if (!sweeps) return run_points(options, std::move(what), subject, out);
-  return run_exhaustive(options.exhaustive, *sweeps, options.threads, out);
+  return run_points(options, std::move(what), subject, out);
 }
 
 }  // namespace

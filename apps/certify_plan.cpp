@@ -168,7 +168,7 @@ int merge_plan(const std::string& path, const OutFolder& out) {
   const Progress progress = progress_of(folder);
   const properties::Certificate certificate = merged_units(opened, units, folder, progress);
   if (!certificate.sweeps.results.empty()) print_sweeps(certificate.sweeps);
-  if (progress.missing.empty()) return write_certificate(certificate, out.path());
+  if (progress.missing.empty()) return write_certificate(certificate, out.folder());
   out.make();
   write_file(evidence, properties::evidence_of(certificate, progress.missing));
   std::printf("incomplete: %" PRIu64 " of %" PRIu64 " units are done, so there is no certificate yet; what they found: %s\n",

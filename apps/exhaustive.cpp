@@ -147,7 +147,12 @@ int run_exhaustive(const ExhaustiveOptions& options, const properties::SweepPlan
   const Shard shard = parse_shard(options.shards);
   const Sweeps all = properties::planned(plan);
   if (all.results.empty()) throw BadInput("--sweeps: expected a kind of sweep that the law has, got none of them");
-  out.make();
+  if (shard.n > 1) {
+    out.make_for_several();
+  } else {
+    out.expect_room_for(certificate_files());
+    out.make();
+  }
   const std::string file = std::filesystem::path(out.path()) /
                            ("exhaustive-" + std::to_string(shard.k) + "-of-" + std::to_string(shard.n) + ".json");
   Certificate part = begin_or_resume(file, properties::part_of(all, shard.k, shard.n));
@@ -159,7 +164,7 @@ int run_exhaustive(const ExhaustiveOptions& options, const properties::SweepPlan
   }
   print_sweeps(sweeps);
   if (sweeps.is_whole()) {
-    const int result = write_certificate(part, out.path());
+    const int result = write_certificate(part, out.folder());
     std::filesystem::remove(file);  // the certificate says all that it said
     return result;
   }
@@ -194,7 +199,7 @@ void add_merge(CLI::App& certify, int& result) {
     const Certificate certificate = properties::merged(std::move(files));
     out->expect_room_for(certificate_files());
     if (!certificate.sweeps.results.empty()) print_sweeps(certificate.sweeps);
-    result = write_certificate(certificate, out->path());
+    result = write_certificate(certificate, out->folder());
   });
 }
 

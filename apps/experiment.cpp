@@ -20,6 +20,7 @@
 #include "files/printable.h"
 #include "study/apparatus/certificates.h"
 #include "study/apparatus/motion.h"
+#include "study/apparatus/session_run.h"
 #include "study/experiments/bids.h"
 #include "study/experiments/results_csv.h"
 #include "study/experiments/session_results.h"
@@ -149,6 +150,10 @@ struct Driving {
     return terminal ? experiments::KeyNames{} : window::key_names(window_settings().keys);
   }
 
+  experiments::Origin answers() const {
+    return apparatus::origin_of(experiments::AnsweredBy::person, device, !certificates.empty());
+  }
+
   OpenFront front(const Eigen::Vector3f& at) const {
     if (terminal) return [](Bumps&, device::Steering*) -> std::unique_ptr<Front> { return std::make_unique<TerminalFront>(); };
     return [its = window_settings(), at](Bumps& bumps, device::Steering* steering) -> std::unique_ptr<Front> {
@@ -172,7 +177,8 @@ int run(const RunOptions& options) {
   const std::uint64_t seed = options.seed.value_or(system::random());
   return run_session(protocol, session, options.driving.front(session.origin), [&] {
     return experiments::RecordedSession::start(options.session, options.protocol, options.participant, seed,
-                                               options.driving.key_names());
+                                               options.driving.key_names(), experiments::Sync::each_event,
+                                               options.driving.answers());
   });
 }
 
@@ -180,13 +186,18 @@ int resume(const std::string& folder, const Driving& driving) {
   const experiments::SavedSession saved = experiments::read_session(folder);
   const SessionOptions session = driving.options();
   return run_session(saved.protocol, session, driving.front(session.origin),
-                     [&] { return experiments::RecordedSession::resume(folder, driving.key_names()); });
+                     [&] {
+                       return experiments::RecordedSession::resume(folder, driving.key_names(), experiments::Sync::each_event,
+                                                                   driving.answers());
+                     });
 }
 
-// Nothing that is there is replaced.
-void expect_empty(const std::string& option, const std::string& folder) {
-  if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder)))
-    throw BadInput(option + ": expected a folder that does not exist or is empty, got \"" + folder + '"');
+// A folder for results, where nothing that is there is replaced; none for an option that was not given.
+std::unique_ptr<files::OutputFolder> new_folder(const std::string& option, const std::string& path) {
+  if (path.empty()) return nullptr;
+  auto folder = std::make_unique<files::OutputFolder>(path);
+  if (folder->is_for_an_empty_path()) return folder;
+  throw BadInput(option + ": expected a folder that does not exist or is empty, got \"" + path + '"');
 }
 
 struct ExportOptions {
@@ -197,14 +208,12 @@ struct ExportOptions {
 int write_out(const ExportOptions& options) {
   if (options.csv.empty() && options.bids.empty()) throw BadInput("expected --csv DIR, --bids DIR or both; got neither");
   const std::vector<fs::path> folders(options.sessions.begin(), options.sessions.end());
-  if (!options.csv.empty()) {
-    expect_empty("--csv", options.csv);
-    write_results(experiments::results_of(folders), options.csv);
-  }
-  if (!options.bids.empty()) {
-    expect_empty("--bids", options.bids);
-    experiments::export_bids(folders, options.bids, apparatus::motion_of, options.authors);
-  }
+  const std::unique_ptr<files::OutputFolder> csv = new_folder("--csv", options.csv), bids = new_folder("--bids", options.bids);
+  const experiments::Results results = experiments::results_of(folders);
+  if (csv) write_results(results, *csv);
+  if (bids) experiments::export_bids(folders, *bids, apparatus::motion_of, options.authors);
+  if (csv) csv->commit();
+  if (bids) bids->commit();
   return kHeld;
 }
 

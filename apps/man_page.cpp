@@ -179,7 +179,7 @@ void add_man(CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::App* each : tree(app)) names.push_back(page_name(*each) + ".1");
     out->expect_room_for(names);
-    files::OutputFolder folder(out->path());
+    files::OutputFolder& folder = out->folder();
     for (const CLI::App* each : tree(app)) folder.write(page_name(*each) + ".1", man_page(*each, version));
     folder.commit();
   });

@@ -103,7 +103,7 @@ OutFolder::OutFolder(CLI::App& command, const std::string& help)
   add_overwrite(command);
 }
 
-void OutFolder::make() const {
+void OutFolder::make_for_several() const {
   namespace fs = std::filesystem;
   if (path_.empty()) throw CLI::RequiredError("--out");
   std::error_code ignored;
@@ -113,12 +113,27 @@ void OutFolder::make() const {
   make_directory("--out", path_);
 }
 
+void OutFolder::claim() const {
+  try {
+    folder_ = std::make_unique<files::OutputFolder>(path_);  // the one before, if any, is given up last
+  } catch (const files::OutputError& error) {
+    throw BadInput(std::string("--out: ") + error.what());
+  }
+}
+
+void OutFolder::make() const {
+  make_for_several();
+  // A claim from before the folder was there is beside it, where others no longer look.
+  if (!folder_ || folder_->so_far().parent_path() != folder_->path()) claim();
+}
+
 void OutFolder::expect_room_for(const std::vector<std::string>& files) const {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const bool was_there = fs::exists(path_, ignored);
-  make();
+  make_for_several();
   if (!was_there) fs::remove(path_, ignored);
+  claim();
   for (const std::string& name : files) {
     const fs::path file = fs::path(path_) / name;
     if (const fs::file_status at = fs::symlink_status(file, ignored); fs::exists(at) && !fs::is_regular_file(at))

@@ -6,8 +6,11 @@
 // are written to.
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "files/output_folder.h"
 
 namespace forceshade::apps {
 
@@ -37,7 +40,7 @@ void expect_room_for_results(const std::string& json, const std::string& junit);
 // Whether --overwrite was given.
 bool overwrites(const CLI::App& command);
 
-// --out DIR.
+// --out DIR. One process has the folder at a time, until the command ends: another one that wants it is refused before any work.
 class OutFolder {
  public:
   OutFolder(CLI::App& command, const std::string& help);
@@ -45,17 +48,26 @@ class OutFolder {
   // The command needs it. Not where a subcommand has an --out of its own: then make() says that it is missing.
   void require() { option_->required(); }
 
-  // The folder is there afterwards. Throws BadInput.
+  // The folder is there afterwards. Throws BadInput, also where another process has it.
   void make() const;
 
-  // Throws BadInput where the folder cannot be made or written to, or has one of these files, unless it may be replaced. Only
-  // the folders that it is in are there afterwards, so that a files::OutputFolder can make it whole.
+  // As make(), for a folder that several processes write into, each a file of its own.
+  void make_for_several() const;
+
+  // Throws BadInput where the folder cannot be made or written to, another process has it, or it has one of these files, unless
+  // it may be replaced. Only the folders that it is in are there afterwards, so that folder() can make it whole.
   void expect_room_for(const std::vector<std::string>& files) const;
 
   const std::string& path() const { return path_; }
 
+  // After make() or expect_room_for().
+  files::OutputFolder& folder() const { return *folder_; }
+
  private:
+  void claim() const;
+
   std::string path_;
+  mutable std::unique_ptr<files::OutputFolder> folder_;
   const CLI::App& command_;
   CLI::Option* option_;
 };

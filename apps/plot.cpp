@@ -201,7 +201,7 @@ struct MeshPlotOptions {
     const std::string name = std::filesystem::path(title).stem();
     const std::vector<std::string> names{name + end + ".svg", name + end + ".png"};
     out.expect_room_for(names);
-    files::OutputFolder folder(out.path());
+    files::OutputFolder& folder = out.folder();
     const std::string caption = std::to_string(mesh.triangles.size()) + " triangles" + words;
     write(mesh_picture(mesh, path, direction, name, {title, caption}, values), name + end, folder);
     finish(folder, out, names);
@@ -257,7 +257,7 @@ void add_plot(CLI::App& app, int&) {
     for (const Description& what : all) views.push_back(view_of(what, *options));
     const std::vector<std::string> names = files(views, kinds);
     out->expect_room_for(names);
-    files::OutputFolder folder(out->path());
+    files::OutputFolder& folder = out->folder();
     for (const PlannedView& one : views) {
       const SideView view = one.view();
       for (const Kind& kind : kinds) write(kind.draw(view), stem(one.name, kind), folder);
@@ -277,7 +277,7 @@ void add_figures(CLI::App& app, int&) {
     for (const properties::ThesisFigure& figure : figures)
       for (const char* ending : {".svg", ".png", ".csv"}) names.push_back(figure.name + ending);
     out->expect_room_for(names);
-    files::OutputFolder folder(out->path());
+    files::OutputFolder& folder = out->folder();
     for (const properties::ThesisFigure& figure : figures) {
       write(figure.picture, figure.name, folder);
       folder.write(figure.name + ".csv", figure.csv);

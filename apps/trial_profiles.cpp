@@ -7,7 +7,7 @@
 
 #include "apps/command.h"
 #include "study/apparatus/motion.h"
-#include "study/experiments/session_folder.h"
+#include "study/experiments/session_results.h"
 
 namespace forceshade::apps {
 namespace {
@@ -45,7 +45,10 @@ struct Span {
 std::optional<Span> span_of(const SavedSession& session, const Named& one) {
   if (session.participant != one.participant) return std::nullopt;
   std::optional<Span> found, going;
-  for (const experiments::Event& event : session.events) {
+  const std::vector<experiments::TrialUse> uses = experiments::uses_of(session);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const experiments::Event& event = session.events[i];
+    if (uses[i] != experiments::TrialUse::result) continue;
     if (event.kind == EventKind::trial_started) {
       going = Span{event.run, event.time, 0, event.trial, event.trial.radius};
     } else if (event.kind == EventKind::answered && going && going->trial.number == one.trial) {

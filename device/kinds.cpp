@@ -24,9 +24,11 @@ constexpr std::array kKinds{
            return std::make_unique<Replay>(Replay::load(file));
          }},
     Kind{"simulated", "[:MODEL[:FILE.csv]]", "a simulated PHANToM in a simulated hand that strokes, or means to go as recorded",
-         [](const std::string& rest, Attendant& attendant, Forces) { return open_simulated(rest, attendant); }},
+         [](const std::string& rest, Attendant& attendant, Forces) { return open_simulated(rest, attendant); },
+         nullptr, true},
     Kind{"mouse", "[:MODEL]", "a simulated PHANToM whose hand goes where the mouse points over a window that shows the surface",
-         [](const std::string& model, Attendant& attendant, Forces) { return open_mouse(model, attendant); }},
+         [](const std::string& model, Attendant& attendant, Forces) { return open_mouse(model, attendant); },
+         nullptr, true},
     Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom,
          phantom_checks},
     Kind{"command", ":PROGRAM", "whatever a program of one's own drives: it answers forces with positions, in lines of JSON",
@@ -61,6 +63,10 @@ std::vector<Check> checks_before_opening(const std::string& name) {
   for (const Kind& kind : kKinds)
     if (kind.name == kind_of(name) && kind.checks) return kind.checks(rest_of(name));
   return {};
+}
+
+bool is_simulated(const std::string& name) {
+  return std::ranges::any_of(kKinds, [&](const Kind& kind) { return kind.is_simulated && kind.name == kind_of(name); });
 }
 
 std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces) {

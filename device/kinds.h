@@ -25,6 +25,8 @@ struct Kind {
   // What can be said of such a device before it is opened, for `device check`; null: nothing.
   std::vector<Check> (*checks)(const std::string& rest) = nullptr;
 
+  bool is_simulated = false;  // a model of an arm, of which somebody may believe that it was there
+
   std::string form() const { return std::string(name) + std::string(rest); }
 };
 
@@ -32,5 +34,8 @@ std::span<const Kind> kinds();
 
 // Those of the kind of this device, "phantom:Left arm" for instance; none where there is no such kind.
 std::vector<Check> checks_before_opening(const std::string& name);
+
+// Whether the device of this name is a simulated one.
+bool is_simulated(const std::string& name);
 
 }  // namespace forceshade::device

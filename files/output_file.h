@@ -65,6 +65,9 @@ void sync_folder(const std::string& folder);
 // What is thrown: `path: cannot DO: reason`. `reason` is an errno.
 OutputError output_failure(const std::string& path, const std::string& what, int reason);
 
+// The name with small letters of ASCII for capital ones: where two have the same, some file systems have one file.
+std::string folded_name(std::string name);
+
 // ".npy" for a file FILE.npy, and for FILE.NPY.
 std::string format_ending(const std::string& path);
 

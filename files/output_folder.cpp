@@ -3,7 +3,9 @@
 
 #include <fcntl.h>
 #include <stdio.h>  // NOLINT(modernize-deprecated-headers): renameat2
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +17,8 @@ namespace forceshade::files {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kPartial = ".partial-00000000";
 
 // The path without a slash at its end.
 fs::path plain(const fs::path& path) {
@@ -46,20 +50,70 @@ struct Renamed {
 
 OutputFolder::OutputFolder(const fs::path& path) : path_(plain(path)) {
   std::error_code ignored;
-  is_there_ = fs::is_directory(path_, ignored);
   fs::create_directories(folder_of(path_), ignored);
-  // In it, because it may be a mount point, or in a folder that cannot be written to.
-  int failed = 0;
+  // In it, because it may be a mount point, or in a folder that cannot be written to. Until the lock is held, another process
+  // may put PATH in place, and the partial folder belongs in it then.
   do {
-    partial_ = partial_name(is_there_ ? path_.string() + '/' : path_.string());
-    failed = ::mkdir(partial_.c_str(), 0777);
-  } while (failed != 0 && errno == EEXIST);
-  if (failed != 0) throw output_failure(path_, "make a folder for its files", errno);
+    is_there_ = fs::is_directory(path_, ignored);
+    const std::string stem = is_there_ ? path_.string() + '/' : path_.string();
+    while (!has_claimed(stem + kPartial)) {
+    }
+    for (int failed = EEXIST; partial_.empty() && failed == EEXIST;) {  // no locks here
+      partial_ = partial_name(stem);
+      failed = ::mkdir(partial_.c_str(), 0777) == 0 ? 0 : errno;
+      if (failed != 0) partial_.clear();
+      if (failed != 0 && failed != EEXIST) throw output_failure(path_, "make a folder for its files", failed);
+    }
+    if (fs::is_directory(path_, ignored) == is_there_) return;
+    give_up();
+  } while (true);
+}
+
+// Tries to have the partial folder of this name, locked. False where it went while this was tried. True without partial_ where
+// the file system has no locks.
+bool OutputFolder::has_claimed(const fs::path& partial) {
+  const bool is_made = ::mkdir(partial.c_str(), 0777) == 0;
+  if (!is_made && errno != EEXIST) throw output_failure(path_, "make a folder for its files", errno);
+  lock_ = ::open(partial.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0 && errno == ENOENT) return false;
+  if (lock_ < 0) throw output_failure(path_, "open the folder for its files", errno);
+  const bool is_locked = ::flock(lock_, LOCK_EX | LOCK_NB) == 0;
+  const int reason = is_locked ? 0 : errno;
+  struct stat ours {}, there {};
+  const bool is_that = ::fstat(lock_, &ours) == 0 && ::stat(partial.c_str(), &there) == 0 && ours.st_ino == there.st_ino;
+  if (!is_locked || !is_that) {
+    ::close(std::exchange(lock_, -1));
+    if (reason == EWOULDBLOCK)
+      throw OutputError(path_.string() + ": another run is writing this folder; give each run a folder of its own");
+    if (!is_locked && is_made) ::rmdir(partial.c_str());
+    return !is_locked;
+  }
+  partial_ = partial;
+  std::error_code ignored;
+  std::vector<fs::path> left;  // by a process that was killed
+  for (const fs::directory_entry& entry : fs::directory_iterator(partial_, ignored)) left.push_back(entry.path());
+  for (const fs::path& one : left) fs::remove_all(one, ignored);
+  return true;
+}
+
+// Removed before it is unlocked: nobody else can have a folder of this name in between and lose it.
+void OutputFolder::give_up() {
+  std::error_code ignored;
+  if (!partial_.empty()) fs::remove_all(std::exchange(partial_, {}), ignored);
+  if (lock_ >= 0) ::close(std::exchange(lock_, -1));
 }
 
 OutputFolder::~OutputFolder() {
+  give_up();
+}
+
+bool OutputFolder::is_for_an_empty_path() const {
   std::error_code ignored;
-  if (!partial_.empty()) fs::remove_all(partial_, ignored);
+  if (!fs::exists(fs::symlink_status(path_, ignored))) return true;
+  if (!fs::is_directory(path_, ignored)) return false;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path_, ignored))
+    if (entry.path().filename() != partial_.filename()) return false;
+  return true;
 }
 
 void OutputFolder::write(const std::string& name, const std::string& text) const {
@@ -74,8 +128,8 @@ void OutputFolder::commit() {
     put_in_place();
   else if (::rename(partial_.c_str(), path_.c_str()) != 0)
     throw output_failure(path_, "put the finished folder in place", errno);
-  std::error_code ignored;
-  fs::remove_all(std::exchange(partial_, {}), ignored);  // the files that were replaced
+  if (!is_there_) partial_.clear();
+  give_up();  // with the files that were replaced
   sync_folder(is_there_ ? path_ : folder_of(path_));
 }
 

@@ -66,6 +66,7 @@ struct SessionPlan {
   std::string device;                       // its name, for the record
   Eigen::Vector3f origin{0, 0, 0};          // mm: the middle of the scene in the device's workspace
   device::ServoOptions servo = {};          // its placement stays as it is
+  bool is_virtual = false;                  // a model answers, and no person: the session says so, and all that is made of it
 
   // Called with words for the experimenter: what was repaired in the log, or failed beside what is thrown.
   std::function<void(const std::string& words)> tell = [](const std::string&) {};

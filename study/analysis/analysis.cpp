@@ -6,6 +6,7 @@
 #include "files/csv.h"
 #include "files/printable.h"
 #include "study/analysis/number_words.h"
+#include "study/analysis/origins.h"
 #include "study/analysis/thesis.h"
 
 namespace forceshade::analysis {
@@ -112,9 +113,9 @@ std::string csv_number(double value) {
   return std::isfinite(value) ? files::shortest(value) : "";
 }
 
-std::string csv_end(const char* column, const Estimate& estimate, const std::string& thesis) {
+std::string csv_end(const char* column, const Estimate& estimate, const std::string& thesis, const std::string& who) {
   return std::string(",").append(column) + ',' + csv_number(estimate.value) + ',' + csv_number(estimate.interval.low) + ',' +
-         csv_number(estimate.interval.high) + ',' + thesis + '\n';
+         csv_number(estimate.interval.high) + ',' + thesis + ',' + who + '\n';
 }
 
 }  // namespace
@@ -158,11 +159,13 @@ std::string to_text(const Analysis& analysis) {
   if (!analysis.matching.empty()) text += summary_text(analysis.matching);
   if (!analysis.classification.empty()) text += classification_text(analysis.classification);
   if (!analysis.psychometric.empty()) text += psychometric_text(analysis.psychometric);
+  for (const std::string& sentence : sentences_of(origins_of(analysis.results))) text += files::printable(sentence) + '\n';
   return text + method_of(analysis.options) + '\n';
 }
 
 std::string to_csv(const Analysis& analysis) {
-  std::string text = "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis\n";
+  std::string text = "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis,answered_by\n";
+  const Origins origins = origins_of(analysis.results);
   constexpr std::array<const char*, 4> kNames{"slope", "mean_sd_percent", "mean_satisfaction", "mean_steps"};
   constexpr std::array<const char*, 4> kAnswers{"percent_1", "percent_2", "percent_3", "percent_4"};
   for (const MatchingTable& table : analysis.matching) {
@@ -172,7 +175,8 @@ std::string to_csv(const Analysis& analysis) {
         const bool has_thesis = thesis != nullptr && &row == &table.rows.back();
         text += (thesis == nullptr ? "" : thesis->number) + ',' + csv_text(table.stimulus) +
                 (table.vision ? ",yes,," : ",no,,") + csv_text(row.participant) + ',' + std::to_string(row.trials) +
-                csv_end(kNames[k], row.columns[k], has_thesis ? fixed(thesis->overall().values[k], kMatchingDecimals[k]) : "");
+                csv_end(kNames[k], row.columns[k], has_thesis ? fixed(thesis->overall().values[k], kMatchingDecimals[k]) : "",
+                        answered_by(origins, row.participant));
       }
   }
   for (const ClassificationRow& row : analysis.classification) {
@@ -181,7 +185,8 @@ std::string to_csv(const Analysis& analysis) {
       text += std::string(thesis == nullptr ? "" : "6.9") + ',' + csv_text(row.stimulus) + ",," + files::shortest(row.radius) +
               ',' + csv_text(row.participant) + ',' + std::to_string(row.trials) +
               csv_end(kAnswers[k], row.percents[k],
-                      thesis != nullptr && row.participant == kOverall ? std::to_string(thesis->percents[k]) : "");
+                      thesis != nullptr && row.participant == kOverall ? std::to_string(thesis->percents[k]) : "",
+                      answered_by(origins, row.participant));
   }
   return text;
 }

@@ -36,11 +36,11 @@ std::string heading_of(const MatchingTable& table);
 // How intervals were made: level, method, unit, count, seed.
 std::string method_of(const AnalysisOptions& options);
 
-// Tables 6.1 to 6.9 and 7.1 with intervals, beside the thesis's overall rows; psychometric fits; the method.
+// Tables 6.1 to 6.9 and 7.1 with intervals, beside the thesis's overall rows; psychometric fits; who answered; the method.
 std::string to_text(const Analysis& analysis);
 
 // The same numbers as CSV, one row for each of them: table, stimulus, vision, radius, participant, trials, column, value,
-// interval, and the thesis's overall number.
+// interval, the thesis's overall number, and who answered.
 std::string to_csv(const Analysis& analysis);
 
 }  // namespace forceshade::analysis

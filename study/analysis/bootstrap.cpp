@@ -95,7 +95,7 @@ std::vector<Interval> bca_intervals(const std::vector<Stratum>& strata, const St
 std::vector<Interval> bca_intervals(const std::vector<Stratum>& strata, const Statistic& statistic, const World& world,
                                     const Resampling& resampling, std::string_view purpose) {
   const std::vector<double> values = statistic(all_but(strata, nullptr));
-  const bool has_units = std::ranges::any_of(strata, [](const Stratum& stratum) { return !stratum.empty(); });
+  const bool has_units = std::ranges::any_of(strata, [](const Stratum& stratum) { return stratum.size() > 1; });
   if (!has_units || resampling.count == 0) return std::vector<Interval>(values.size());
   Random random(resampling.seed, purpose);
   std::vector<std::vector<double>> resampled(values.size());

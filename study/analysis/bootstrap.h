@@ -46,7 +46,8 @@ using Statistic = std::function<std::vector<double>(const std::vector<std::size_
 // One interval for each statistic. Every resample draws from each stratum as many units as it has. The bias correction counts
 // the resamples below the statistic of the data, and half of those equal to it; the acceleration is that of several samples
 // (Davison and Hinkley 1997, section 5.3), by the jackknife over all units. There is no interval where the statistic is
-// undefined for the data, a resample or a jackknife sample, or where there is no unit. `purpose` chooses the random stream.
+// undefined for the data, a resample or a jackknife sample, or where no stratum has two units: one trial does not show how much
+// another would differ. `purpose` chooses the random stream.
 std::vector<Interval> bca_intervals(const std::vector<Stratum>& strata, const Statistic& statistic,
                                     const Resampling& resampling, std::string_view purpose);
 

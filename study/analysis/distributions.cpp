@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/analysis/distributions.h"
 
+#include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/erf.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
@@ -27,6 +28,10 @@ double normal_quantile(double probability) {
 
 double chi_square_tail(double value, double degrees_of_freedom) {
   return boost::math::gamma_q(degrees_of_freedom / 2, value / 2, InDouble());
+}
+
+double beta_quantile(double probability, double a, double b) {
+  return boost::math::ibeta_inv(a, b, probability, InDouble());
 }
 
 }  // namespace forceshade::analysis

@@ -12,4 +12,7 @@ double normal_quantile(double probability);
 // The probability that a chi-square variable of so many degrees of freedom (above 0) exceeds `value` (0 or more).
 double chi_square_tail(double value, double degrees_of_freedom);
 
+// The number below which a variable with the beta distribution lies with this probability.
+double beta_quantile(double probability, double a, double b);
+
 }  // namespace forceshade::analysis

@@ -6,6 +6,7 @@
 #include "certificate/report/plot_text.h"
 #include "study/analysis/figures.h"
 #include "study/analysis/number_words.h"
+#include "study/analysis/origins.h"
 #include "study/analysis/thesis.h"
 
 namespace forceshade::analysis {
@@ -191,18 +192,26 @@ std::vector<properties::Picture> pictures(const Analysis& analysis, const Profil
     all.push_back(position_profile(profiles.positions[i]));
     all.back().frame.id.append("-").append(std::to_string(i + 1));
   }
+  if (origins_of(analysis.results).are_virtual())
+    for (properties::Picture& one : all) one.frame.description += ", virtual participants";
   return all;
 }
 
 std::string to_html(const Analysis& analysis, const std::vector<properties::Picture>& pictures,
                     const std::vector<std::string>& drawn) {
   const std::size_t people = participants_of(analysis.results).size();
+  const Origins origins = origins_of(analysis.results);
+  const bool are_virtual = origins.are_virtual();
+  std::string statements;
+  for (const std::string& sentence : sentences_of(origins)) statements += (statements.empty() ? "" : " ") + escaped(sentence);
+  if (!statements.empty()) statements = "<p class=\"statement\"><strong>" + statements + "</strong></p>\n";
   return properties::document(
       "forceshade analysis",
-      "<header>\n<h1>forceshade: analysis of the experiments</h1>\n<p class=\"statement\">" +
-          properties::plural(people, "participant") + ", " + properties::grouped(analysis.results.matching.size()) +
+      std::string("<header>\n<h1>forceshade: analysis of the experiments") + (are_virtual ? " with virtual participants" : "") +
+          "</h1>\n<p class=\"statement\">" + properties::plural(people, are_virtual ? "virtual participant" : "participant") +
+          ", " + properties::grouped(analysis.results.matching.size()) +
           " matching and " + properties::grouped(analysis.results.classification.size()) +
-          " classification trials.</p>\n<p class=\"statement\">" + escaped(method_of(analysis.options)) + ".</p>\n</header>\n" +
+          " classification trials.</p>\n" + statements + "<p class=\"statement\">" + escaped(method_of(analysis.options)) + ".</p>\n</header>\n" +
           matching_html(analysis.matching) + classification_html(analysis.classification) +
           psychometric_html(analysis.psychometric) + figures_html(pictures, drawn),
       kTables);

@@ -135,10 +135,16 @@ int drawn(Random& random, int trials, double probability) {
   return chosen;
 }
 
-Interval quantiles(std::vector<double> values, double level) {
+// The place of a parameter in Limits.
+enum Place { kThreshold, kScale, kGuess, kLapse };
+
+// Of one parameter. None where its ends are the same to what a search resolves: then nearly all data sets that were drawn are
+// the same, or the parameter is at an end of its range in nearly all, and how far it may be from there is not known.
+Interval quantiles(std::vector<double> values, double level, const Limits& limits, Place place) {
   std::ranges::sort(values);
   if (values.empty()) return {};
-  return {quantile(values, (1 - level) / 2), quantile(values, (1 + level) / 2)};
+  const Interval interval{quantile(values, (1 - level) / 2), quantile(values, (1 + level) / 2)};
+  return interval.high - interval.low > 1e-6 * (limits.high[place] - limits.low[place]) ? interval : Interval{};
 }
 
 }  // namespace
@@ -181,10 +187,10 @@ std::optional<PsychometricEstimate> estimate(const std::string& participant, std
       participant,
       std::move(points),
       *found,
-      quantiles(thresholds, resampling.level),
-      quantiles(scales, resampling.level),
-      quantiles(guesses, resampling.level),
-      quantiles(lapses, resampling.level),
+      quantiles(thresholds, resampling.level, limits, kThreshold),
+      quantiles(scales, resampling.level, limits, kScale),
+      quantiles(guesses, resampling.level, limits, kGuess),
+      quantiles(lapses, resampling.level, limits, kLapse),
       resampling.count == 0 ? kUndefined : static_cast<double>(as_large) / static_cast<double>(resampling.count + 1),
       degrees > 0 ? chi_square_tail(found->deviance, degrees) : kUndefined};
 }

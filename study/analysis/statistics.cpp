@@ -131,9 +131,13 @@ ResidualWorld residual_world(const std::vector<TrialNumbers>& trials, const std:
   world.strata.resize(strata.size());
   for (const Stratum& stratum : strata) world.draws.push_back(stratum.size());
   for (std::size_t k = 0; k < strata.size(); ++k) {
-    std::size_t pooled = 0;
+    std::size_t pooled = 0, freedom = 0;
     for (std::size_t other = 0; other < strata.size(); ++other)
-      if (people[other] == people[k]) pooled += strata[other].size();
+      if (people[other] == people[k]) {
+        pooled += strata[other].size();
+        freedom += strata[other].size() - 1;
+      }
+    if (freedom == 0) world.is_determined = false;
     for (std::size_t i = 0; i < pooled; ++i) {
       world.strata[k].push_back({world.trials.size()});
       world.trials.push_back({trials[strata[k].front().front()].reference, 0, 0, 0});
@@ -149,16 +153,19 @@ ResidualWorld residual_world(const std::vector<TrialNumbers>& trials, const std:
     const std::vector<double> means = is_radius ? drawn_together(moments) : means_of(moments);
     for (std::size_t k = 0; k < strata.size(); ++k) {
       std::vector<double> deviations;
-      double squares = 0;
+      double squares = 0, freedom = 0;
       for (std::size_t other = 0; other < strata.size(); ++other)
-        if (people[other] == people[k])
+        if (people[other] == people[k]) {
+          freedom += moments[other].count - 1;
           for (const std::vector<std::size_t>& unit : strata[other]) {
             const double deviation = trials[unit.front()].*number - moments[other].mean;
             deviations.push_back(is_radius ? deviation / moments[other].mean : deviation);
             squares += deviations.back() * deviations.back();
           }
-      const double scale =
-          squares > 0 ? std::sqrt(variance_of(moments[k]) * static_cast<double>(deviations.size()) / squares) : 0;
+        }
+      const double size = is_radius ? moments[k].mean : 1;
+      const double variance = moments[k].count < 2 ? size * size * squares / freedom : variance_of(moments[k]);
+      const double scale = squares > 0 ? std::sqrt(variance * static_cast<double>(deviations.size()) / squares) : 0;
       for (std::size_t i = 0; i < deviations.size(); ++i)
         world.trials[world.strata[k][i].front()].*number = means[k] + scale * deviations[i];
     }

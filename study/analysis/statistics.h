@@ -51,12 +51,15 @@ struct ResidualWorld {
   std::vector<TrialNumbers> trials;
   std::vector<Stratum> strata;
   std::vector<std::size_t> draws;  // as many as the stratum of the data has trials
+  // Whether each participant has two trials at some reference radius. Else nothing shows how far a trial of theirs deviates.
+  bool is_determined = true;
 };
 
 // Resampling of residuals (Davison and Hinkley 1997, section 3.2). A stratum holds the trials of one participant at one
 // reference radius; `people` has one number for each stratum, the same for strata of the same participant. A drawn trial has
 // the stratum's mean plus a deviation from the mean that any of the participant's trials had, at any radius, scaled to the
-// stratum's own standard deviation, which divides by n - 1. Deviations of the radius are compared in percent of the mean. So
+// stratum's own standard deviation, which divides by n - 1; that of a stratum of one trial is the participant's, of all strata.
+// Deviations of the radius are compared in percent of the mean. So
 // the shape of the distribution is that of all of a participant's trials: 12 trials alone have shorter tails than what they
 // were drawn from, and intervals for a standard deviation would be too short. At each reference radius the participants' mean
 // radii are drawn together until the variance between them is the unbiased estimate: as observed it holds the errors of the

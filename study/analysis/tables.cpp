@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "files/csv.h"
+#include "study/analysis/distributions.h"
 #include "study/analysis/random.h"
 #include "study/analysis/thesis.h"
 
@@ -72,7 +73,9 @@ MatchingRow matching_row(const std::vector<MatchingResult>& trials, const std::v
     for (const Stratum& stratum : strata) people.push_back(hash_of(trials[stratum.front().front()].participant));
     const ResidualWorld world = residual_world(numbers, strata, people);
     const auto of_world = [&](const std::vector<std::size_t>& some) { return columns_of(summary_of(world.trials, some)); };
-    intervals = bca_intervals(strata, columns, World{world.strata, world.draws, of_world}, resampling, purpose);
+    intervals.resize(columns_of({}).size());
+    if (world.is_determined)
+      intervals = bca_intervals(strata, columns, World{world.strata, world.draws, of_world}, resampling, purpose);
   } else {
     intervals = bca_intervals(strata, columns, resampling, purpose);
   }
@@ -83,10 +86,13 @@ MatchingRow matching_row(const std::vector<MatchingResult>& trials, const std::v
   return row;
 }
 
-// The exact interval of a proportion that is 0 or 1, in %, which has a closed form.
-Interval exact_percent(bool is_all, std::size_t trials, double level) {
+// The exact interval of a proportion, in %; it has a closed form where the proportion is 0 or 1.
+Interval exact_percent(std::size_t chosen, std::size_t trials, double level) {
   const double tail = 100 * std::pow((1 - level) / 2, 1 / static_cast<double>(trials));
-  return is_all ? Interval{tail, 100} : Interval{0, 100 - tail};
+  if (chosen == 0) return {0, 100 - tail};
+  if (chosen == trials) return {tail, 100};
+  const auto some = static_cast<double>(chosen), others = static_cast<double>(trials - chosen);
+  return {100 * beta_quantile((1 - level) / 2, some, others + 1), 100 * beta_quantile((1 + level) / 2, some + 1, others)};
 }
 
 ClassificationRow classification_row(const std::vector<ClassificationResult>& trials, const std::vector<std::size_t>& rows,
@@ -103,11 +109,15 @@ ClassificationRow classification_row(const std::vector<ClassificationResult>& tr
     return result;
   };
   const std::vector<double> values = percents(rows);
+  const bool is_of_one_person = resampling.unit == Unit::participants && strata.front().size() < 2;
   const std::vector<Interval> intervals = bca_intervals(
       strata, percents, resampling, "classification/" + row.stimulus + '/' + files::shortest(row.radius) + '/' + participant);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const bool is_none = values[k] == 0, is_all = values[k] == 100;
-    row.percents[k] = {values[k], is_none || is_all ? exact_percent(is_all, rows.size(), resampling.level) : intervals[k]};
+    const auto chosen = static_cast<std::size_t>(std::ranges::count_if(
+        rows, [&](std::size_t i) { return trials[i].answer == static_cast<int>(k) + 1; }));
+    const bool is_same = !(intervals[k].low < intervals[k].high);  // in every resample
+    const bool is_exact = is_same && !is_of_one_person && (resampling.count > 0 || chosen % rows.size() == 0);
+    row.percents[k] = {values[k], is_exact ? exact_percent(chosen, rows.size(), resampling.level) : intervals[k]};
   }
   return row;
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "device/kinds.h"
 #include "forceshade/recording.h"
 #include "recorder/settings.h"
 #include "study/experiments/session_folder.h"
@@ -76,7 +77,15 @@ std::optional<experiments::Motion> motion_of(const fs::path& session, int run) {
     const recorder::Recording first(parts.front());
     if (const auto settings = recorder::safety_settings_in(first.metadata(), first.path()))
       motion.ticks_per_second = settings->rate_hz;
-    if (const auto found = first.metadata().find("device_model"); found != first.metadata().end()) motion.model = found->second;
+    const auto text = [&](const char* key) {
+      const auto found = first.metadata().find(key);
+      return found == first.metadata().end() ? std::string() : found->second;
+    };
+    motion.model = text("device_model");
+    if (device::is_simulated(text("device"))) {
+      motion.manufacturer = "none, simulated by forceshade";
+      motion.model = "simulated " + motion.model;
+    }
   }
   motion.next = [reader = std::make_shared<PartReader>(std::move(parts))] { return reader->next(); };
   return motion;

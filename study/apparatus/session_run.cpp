@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "device/kinds.h"
 #include "study/apparatus/certificates.h"
 
 namespace forceshade::apparatus {
@@ -46,11 +47,20 @@ void tell_what_fails(const Tell& tell, const Work& work) {
 }
 
 RecordedSession opened(const SessionPlan& plan) {
-  if (plan.protocol.empty()) return RecordedSession::resume(plan.session);
-  return RecordedSession::start(plan.session, plan.protocol, plan.participant, plan.seed);
+  using experiments::AnsweredBy;
+  using experiments::Sync;
+  const experiments::Origin origin =
+      origin_of(plan.is_virtual ? AnsweredBy::model : AnsweredBy::person, plan.device, !plan.certificates.empty());
+  if (plan.protocol.empty()) return RecordedSession::resume(plan.session, {}, Sync::each_event, origin);
+  return RecordedSession::start(plan.session, plan.protocol, plan.participant, plan.seed, {}, Sync::each_event, origin);
 }
 
 }  // namespace
+
+experiments::Origin origin_of(experiments::AnsweredBy who, const std::string& device, bool is_certified) {
+  const bool is_said = device.starts_with("simulated") || !device::is_simulated(device);
+  return {who, is_said ? device : device + " (simulated)", is_certified};
+}
 
 Outcome run_session(RecordedSession& recorded, Bumps& bumps, device::Device& device, Front& front, LoopPlan plan,
                     const Tell& tell, const std::atomic<bool>& stop) {

@@ -11,6 +11,7 @@
 #include "forceshade/checks.h"
 #include "forceshade/device.h"
 #include "study/apparatus/recorded_loop.h"
+#include "study/apparatus/session_run.h"
 #include "study/experiments/random.h"
 #include "study/experiments/session_folder.h"
 #include "study/experiments/virtual_participant.h"
@@ -90,7 +91,10 @@ class Hand {
 std::size_t run_virtual_session(const VirtualPlan& plan, int number, const std::atomic<bool>& stop) {
   const std::string id = "V" + std::to_string(number);
   const std::uint64_t seed = experiments::Random(plan.seed, static_cast<std::uint64_t>(number)).next();
-  RecordedSession recorded = RecordedSession::start(plan.out / id, plan.protocol, id, seed, {}, experiments::Sync::never);
+  const std::string name = "simulated:" + plan.model + ":mouse";
+  RecordedSession recorded =
+      RecordedSession::start(plan.out / id, plan.protocol, id, seed, {}, experiments::Sync::never,
+                             origin_of(experiments::AnsweredBy::model, name, !plan.certificates.empty()));
   Session& session = recorded.session();
   const experiments::Protocol& protocol = session.protocol();
   Bumps bumps(protocol, read_until(stop));
@@ -98,7 +102,6 @@ std::size_t run_virtual_session(const VirtualPlan& plan, int number, const std::
                                               seed + 1);
   SteeringOnly steered;
   Hand hand(steered.hand, (0.5 * protocol.spacing + protocol.width) * experiments::kMillimetresPerMil);
-  const std::string name = "simulated:" + plan.model + ":mouse";
   std::unique_ptr<RecordedLoop> loop;
   int trial = 0;  // that the stroke was of
   const auto aim = [&] {

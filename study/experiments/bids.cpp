@@ -13,6 +13,7 @@
 #include "files/csv.h"
 #include "files/output_file.h"
 #include "files/output_folder.h"
+#include "study/experiments/bids_events.h"
 #include "study/experiments/error.h"
 #include "study/experiments/session_folder.h"
 
@@ -23,140 +24,14 @@ namespace fs = std::filesystem;
 using BidsJson = nlohmann::ordered_json;
 
 constexpr const char* kTrackingSystem = "stylus";
-constexpr const char* kMissing = "n/a";
 
 void write_text(const fs::path& file, const std::string& text) {
-  files::OutputFile out(file.string());
-  out.stream() << text;
-  out.commit();
+  files::write_file(file.string(), text);
 }
 
 void write_json(const fs::path& file, const BidsJson& json) {
   write_text(file, json.dump(2) + '\n');
 }
-
-// One row of an events file; what is empty becomes n/a.
-struct EventRow {
-  double onset = 0;
-  std::optional<double> duration;
-  std::string type;
-  std::string trial, stimulus, radius, initial, initial_radius, repetition, vision, matching_radius, response;
-};
-
-constexpr const char* kEventColumns =
-    "onset\tduration\ttrial_type\ttrial\tstimulus\tradius_mil\tinitial\tinitial_radius_mil\trepetition\tvision\tmatching_"
-    "radius_mil\t"
-    "response\n";
-
-// The trials that were answered, without onset and duration, which BIDS keeps out of a file of behaviour.
-constexpr const char* kBehaviourColumns =
-    "trial_type\ttrial\tstimulus\tradius_mil\tinitial\tinitial_radius_mil\trepetition\tvision\tmatching_radius_mil\t"
-    "response\tresponse_time\n";
-
-std::string cells_of(const EventRow& row) {
-  std::string cells;
-  for (const std::string* field : {&row.type, &row.trial, &row.stimulus, &row.radius, &row.initial, &row.initial_radius,
-                                   &row.repetition, &row.vision, &row.matching_radius, &row.response})
-    cells += (cells.empty() ? "" : "\t") + (field->empty() ? kMissing : *field);
-  return cells;
-}
-
-std::string line_of(const EventRow& row) {
-  return files::shortest(row.onset) + '\t' + (row.duration ? files::shortest(*row.duration) : kMissing) + '\t' + cells_of(row) +
-         '\n';
-}
-
-// The rows of each run. A trial's row is written when the trial ends, so rows are sorted by onset afterwards.
-class Rows {
- public:
-  explicit Rows(const SavedSession& session) : session_(session), blocks_(order(session.protocol, session.seed)) {
-    for (const Event& event : session.events) add(event);
-    interrupt();
-    for (auto& [run, rows] : rows_)
-      std::ranges::stable_sort(rows, [](const EventRow& a, const EventRow& b) { return a.onset < b.onset; });
-  }
-
-  const std::map<int, std::vector<EventRow>>& by_run() const { return rows_; }
-
- private:
-  void add(const Event& event) {
-    switch (event.kind) {
-      case EventKind::run_started:
-        interrupt();
-        run_ = event.run;
-        rows_[run_];
-        break;
-      case EventKind::run_ended: interrupt(); break;
-      case EventKind::block_started: vision_ = std::ranges::find(blocks_, event.block, &Block::number)->vision; break;
-      case EventKind::trial_started: {
-        const Trial& trial = event.trial;
-        const bool is_matching = session_.protocol.experiment == Experiment::matching;
-        EventRow row;
-        row.onset = event.time;
-        row.type = event.block == 0 ? "practice" : std::string(name_of(session_.protocol.experiment));
-        if (trial.number > 0) row.trial = std::to_string(trial.number);
-        row.stimulus = trial.stimulus;
-        row.radius = std::to_string(trial.radius);
-        row.repetition = std::to_string(trial.repetition);
-        row.vision = vision_ ? "yes" : "no";
-        if (is_matching) {
-          row.initial = trial.initial == InitialRadius::large   ? "large"
-                        : trial.initial == InitialRadius::small ? "small"
-                                                                : "same";
-          row.initial_radius = row.matching_radius = std::to_string(trial.initial_radius);
-        }
-        trial_ = row;
-        break;
-      }
-      case EventKind::radius_changed: {
-        EventRow row;
-        row.onset = event.time;
-        row.duration = 0;
-        row.type = "radius_change";
-        if (trial_) {
-          row.trial = trial_->trial;
-          trial_->matching_radius = std::to_string(event.radius);
-        }
-        row.matching_radius = std::to_string(event.radius);
-        rows_[run_].push_back(row);
-        break;
-      }
-      case EventKind::answered:
-        trial_->duration = event.time - trial_->onset;
-        trial_->response = std::to_string(event.answer);
-        rows_[run_].push_back(*std::exchange(trial_, std::nullopt));
-        break;
-      case EventKind::break_started:
-        pause_ = EventRow();
-        pause_->onset = event.time;
-        pause_->type = "break";
-        break;
-      case EventKind::break_ended:
-        pause_->duration = event.time - pause_->onset;
-        rows_[run_].push_back(*std::exchange(pause_, std::nullopt));
-        break;
-      case EventKind::match_done:
-      case EventKind::question_answered:
-      case EventKind::session_ended: break;
-    }
-  }
-
-  // What an end of the run left unfinished, of unknown duration.
-  void interrupt() {
-    if (trial_) {
-      trial_->type = "interrupted";
-      rows_[run_].push_back(*std::exchange(trial_, std::nullopt));
-    }
-    if (pause_) rows_[run_].push_back(*std::exchange(pause_, std::nullopt));
-  }
-
-  const SavedSession& session_;
-  std::vector<Block> blocks_;
-  std::map<int, std::vector<EventRow>> rows_;
-  std::optional<EventRow> trial_, pause_;
-  bool vision_ = true;
-  int run_ = 0;
-};
 
 BidsJson described(const std::string& description, const char* unit = nullptr) {
   BidsJson column{{"Description", description}};
@@ -198,6 +73,8 @@ void describe_trials(BidsJson& json, const SavedSession& session) {
   json["repetition"] = described("Number of the repetition of the condition, from 1");
   json["vision"] = with_levels("Whether the bumps were shown on the screen", {{"yes", "Shown"}, {"no", "Hidden"}});
   json["matching_radius_mil"] = described("Radius of the matching bump after the event", "mil (0.0254 mm)");
+  json["used"] = with_levels("Whether the results use the trial that the event belongs to",
+                             {{"yes", "They do"}, {"no", "They do not: it is practice, interrupted or abandoned"}});
   json["response"] = described(is_matching ? "Satisfaction index, 1 (entirely different) to 10 (no difference)"
                                            : "Number of the picture: 1 plane, 2 two polygons, 3 three polygons, 4 cylinder");
 }
@@ -206,7 +83,8 @@ void describe_trials(BidsJson& json, const SavedSession& session) {
 BidsJson kinds_of_trials() {
   return {{"matching", "A trial of the matching experiment"},
           {"classification", "A trial of the classification experiment"},
-          {"practice", "A trial for practice, without use of its answer"}};
+          {"practice", "A trial for practice, without use of its answer"},
+          {"abandoned", "A trial that was answered, without use of its answer: after an interruption its block was begun again"}};
 }
 
 BidsJson events_sidecar(const SavedSession& session) {
@@ -214,7 +92,7 @@ BidsJson events_sidecar(const SavedSession& session) {
   json["onset"] = described("Beginning of the event, from the first tick of the run", "s");
   json["duration"] = described("Until the answer was entered; n/a where the run ended before", "s");
   BidsJson kinds = kinds_of_trials();
-  kinds["interrupted"] = "A trial that the end of the run interrupted; it was begun again in a later run";
+  kinds["interrupted"] = "A trial that the end of the run interrupted; a later run begins it, or its block, again";
   kinds["radius_change"] = "The participant changed the radius of the matching bump";
   kinds["break"] = "A break between trials";
   json["trial_type"] = with_levels("Kind of the event", kinds);
@@ -286,16 +164,16 @@ void write_motion(const fs::path& base, const SavedSession& session, const Motio
 }
 
 void write_events(const fs::path& base, const SavedSession& session, const std::vector<EventRow>& rows) {
-  std::string text = kEventColumns;
+  std::string text = header_of_events();
   for (const EventRow& row : rows) text += line_of(row);
   write_text(base.string() + "_events.tsv", text);
   write_json(base.string() + "_events.json", events_sidecar(session));
 }
 
 void write_behaviour(const fs::path& base, const SavedSession& session, const std::vector<EventRow>& rows) {
-  std::string text = kBehaviourColumns;
+  std::string text = header_of_behaviour();
   for (const EventRow& row : rows)
-    if (!row.response.empty()) text += cells_of(row) + '\t' + files::shortest(*row.duration) + '\n';
+    if (!row.response.empty()) text += behaviour_line_of(row);
   write_text(base.string() + "_beh.tsv", text);
   write_json(base.string() + "_beh.json", behaviour_sidecar(session));
 }
@@ -306,19 +184,19 @@ void make_folder(const fs::path& folder) {
   if (error) throw Error(folder, "cannot be made: " + error.message());
 }
 
-// Letters and digits alone (BIDS, "Participant names and other labels").
+// Letters and digits alone (BIDS, "Participant names and other labels"). Whoever knows BIDS calls participants sub-01.
 std::string label_of(const std::string& participant) {
-  std::string label = participant;
+  const bool has_prefix = participant.size() > 4 && files::folded_name(participant.substr(0, 4)) == "sub-";
+  std::string label = participant.substr(has_prefix ? 4 : 0);
   std::erase(label, '-');
-  return label;
+  return label.empty() ? "sub" : label;
 }
 
 void export_session(const fs::path& from, const SavedSession& session, const fs::path& folder, const MotionOf& motion_of) {
   const std::string subject = "sub-" + label_of(session.participant);
   const std::string prefix = subject + "_task-" + std::string(name_of(session.protocol.experiment));
-  const Rows rows(session);
   make_folder(folder / subject / "beh");
-  for (const auto& [run, its_rows] : rows.by_run()) {
+  for (const auto& [run, its_rows] : event_rows(session)) {
     const std::string suffix = "_run-" + std::to_string(run);
     write_events(folder / subject / "beh" / (prefix + suffix), session, its_rows);
     write_behaviour(folder / subject / "beh" / (prefix + suffix), session, its_rows);
@@ -333,43 +211,116 @@ void export_session(const fs::path& from, const SavedSession& session, const fs:
   }
 }
 
-}  // namespace
+// A participant's sessions together.
+struct Participant {
+  std::string pseudonym;
+  std::vector<std::string> answered_by, devices, certified;
 
-void export_bids(std::span<const fs::path> sessions, const fs::path& folder, const MotionOf& motion_of,
-                 const std::vector<std::string>& authors) {
-  std::error_code ignored;
-  if (fs::exists(folder, ignored) && (!fs::is_directory(folder, ignored) || !fs::is_empty(folder, ignored)))
-    throw Error(folder, "expected no file of this name, or an empty folder");
-  // All that can be refused is refused before anything is written.
-  std::vector<SavedSession> all;
-  std::map<std::string, std::string> participants;  // by label
-  std::set<std::pair<std::string, Experiment>> done;
-  for (const fs::path& from : sessions) {
-    const SavedSession& session = all.emplace_back(read_session(from));
-    const auto [at, is_new] = participants.try_emplace(label_of(session.participant), session.participant);
-    if (at->second != session.participant)
-      throw Error(from, "participants " + at->second + " and " + session.participant +
-                            " become one in BIDS, where labels have no dashes: rename one");
-    if (!done.insert({session.participant, session.protocol.experiment}).second)
-      throw Error(from, "participant " + session.participant + " did the same experiment in an earlier session");
+  static void add(std::vector<std::string>& words, const std::string& more) {
+    const std::string known = more.empty() ? kMissing : more;
+    if (std::ranges::find(words, known) == words.end()) words.push_back(known);
   }
-  files::OutputFolder whole(folder);
-  for (std::size_t i = 0; i < all.size(); ++i) export_session(sessions[i], all[i], whole.so_far(), motion_of);
-  std::string rows = "participant_id\tpseudonym\n";
-  for (const auto& [label, participant] : participants) rows += "sub-" + label + '\t' + participant + '\n';
-  write_text(whole.so_far() / "participants.tsv", rows);
-  write_json(whole.so_far() / "participants.json",
-             {{"pseudonym", described("Identifier in the session; nothing else about participants was recorded")}});
-  write_text(
-      whole.so_far() / "README",
+
+  void add(const SavedSession& session) {
+    add(answered_by, std::string(name_of(session.answered_by)));
+    for (const Event& event : session.events) {
+      if (event.kind != EventKind::run_started) continue;
+      add(devices, event.device);
+      add(certified, !event.certified ? "" : *event.certified ? "yes" : "no");
+    }
+  }
+};
+
+std::string joined(const std::vector<std::string>& words, const char* between = "; ") {
+  std::string all;
+  for (const std::string& one : words) all += (all.empty() ? "" : between) + one;
+  return all;
+}
+
+// "sub-V1, sub-V2", those of which this word is said.
+std::string subjects_with(const std::map<std::string, Participant>& participants,
+                          std::vector<std::string> Participant::*words, const std::string& word) {
+  std::vector<std::string> subjects;
+  for (const auto& [label, participant] : participants)
+    if (std::ranges::find(participant.*words, word) != (participant.*words).end()) subjects.push_back("sub-" + label);
+  return joined(subjects, ", ");
+}
+
+std::string readme_of(const std::map<std::string, Participant>& participants) {
+  std::string text =
       "Haptic shape perception: sessions of forceshade's matching and classification experiments, after Morgenbesser and\n"
       "Srinivasan, Force Shading for Shape Perception in Haptic Virtual Environments (MIT, 1995).\n"
-      "Trials, answers and changes of the radius: sub-*/beh. Positions and forces of the stylus: sub-*/motion.\n"
-      "Exported by forceshade.\n");
-  BidsJson about{{"Name", "Force shading for shape perception"}, {"BIDSVersion", "1.9.0"}, {"DatasetType", "raw"}};
+      "Trials, answers and changes of the radius: sub-*/beh. Positions and forces of the stylus: sub-*/motion.\n";
+  const std::string model(name_of(AnsweredBy::model));
+  if (const std::string subjects = subjects_with(participants, &Participant::answered_by, model); !subjects.empty())
+    text += "No person answered for " + subjects + ": it is a virtual participant, a model on a simulated device.\n";
+  if (const std::string subjects = subjects_with(participants, &Participant::certified, "no"); !subjects.empty())
+    text += "The forces were not certified for " + subjects + ".\n";
+  return text + "Who answered, on which device, and whether the forces were certified: participants.tsv.\nExported by forceshade.\n";
+}
+
+BidsJson participants_sidecar() {
+  return {{"pseudonym", described("Identifier in the session; nothing else about participants was recorded")},
+          {"answered_by", with_levels("Who answered", {{"person", "A person"},
+                                                       {"virtual participant", "A model of a person, and nobody"}})},
+          {"device", described("The devices that gave the forces, as forceshade names them; simulated: none was there")},
+          {"certified", with_levels("Whether the forces were certified", {{"yes", "They were"},
+                                                                          {"no", "They were not"},
+                                                                          {"yes; no", "Not in every run"},
+                                                                          {"no; yes", "Not in every run"}})}};
+}
+
+// Words of what was exported of each participant, by label. All that can be refused is refused before anything is written.
+std::map<std::string, Participant> participants_of(std::span<const fs::path> folders, const std::vector<SavedSession>& sessions) {
+  std::map<std::string, Participant> participants;
+  std::map<std::string, std::string> by_folded;
+  std::set<std::pair<std::string, Experiment>> done;
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    const SavedSession& session = sessions[i];
+    const std::string& name = session.participant;
+    const auto [at, is_new] = by_folded.try_emplace(files::folded_name(label_of(name)), name);
+    if (at->second != name)
+      throw Error(folders[i], "participants " + at->second + " and " + name +
+                                  " become one in BIDS, where labels have no dashes and no \"sub-\" of their own, and where file "
+                                  "systems may take capital letters for small ones: rename one");
+    if (!done.insert({name, session.protocol.experiment}).second)
+      throw Error(folders[i], "participant " + name + " did the same experiment in an earlier session");
+    Participant& its = participants[label_of(name)];
+    its.pseudonym = name;
+    its.add(session);
+  }
+  return participants;
+}
+
+}  // namespace
+
+void export_bids(std::span<const fs::path> sessions, files::OutputFolder& whole, const MotionOf& motion_of,
+                 const std::vector<std::string>& authors) {
+  if (!whole.is_for_an_empty_path()) throw Error(whole.path(), "expected no file of this name, or an empty folder");
+  std::vector<SavedSession> all;
+  for (const fs::path& from : sessions) all.push_back(read_session(from));
+  const std::map<std::string, Participant> participants = participants_of(sessions, all);
+  for (std::size_t i = 0; i < all.size(); ++i) export_session(sessions[i], all[i], whole.so_far(), motion_of);
+  std::string rows = "participant_id\tpseudonym\tanswered_by\tdevice\tcertified\n";
+  for (const auto& [label, its] : participants)
+    rows += "sub-" + label + '\t' + its.pseudonym + '\t' + joined(its.answered_by) + '\t' + joined(its.devices) + '\t' +
+            joined(its.certified) + '\n';
+  write_text(whole.so_far() / "participants.tsv", rows);
+  write_json(whole.so_far() / "participants.json", participants_sidecar());
+  write_text(whole.so_far() / "README", readme_of(participants));
+  const bool is_virtual = !all.empty() && std::ranges::all_of(all, [](const SavedSession& one) { return one.answered_by == AnsweredBy::model; });
+  BidsJson about{{"Name", std::string("Force shading for shape perception") + (is_virtual ? ", virtual participants" : "")},
+                 {"BIDSVersion", "1.9.0"},
+                 {"DatasetType", "raw"}};
   if (!authors.empty()) about["Authors"] = authors;
   about["GeneratedBy"] = BidsJson::array({{{"Name", "forceshade"}}});
   write_json(whole.so_far() / "dataset_description.json", about);
+}
+
+void export_bids(std::span<const fs::path> sessions, const fs::path& folder, const MotionOf& motion_of,
+                 const std::vector<std::string>& authors) {
+  files::OutputFolder whole(folder);
+  export_bids(sessions, whole, motion_of, authors);
   whole.commit();
 }
 

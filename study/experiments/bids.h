@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "files/output_folder.h"
+
 namespace forceshade::experiments {
 
 // One tick: s since the first of its run; mm; N on the hand. Axes as in docs/laws.md: x right, y away from the user, z up.
@@ -26,11 +28,16 @@ struct Motion {
 // The motion of a session's run, from 1; nothing where none was recorded.
 using MotionOf = std::function<std::optional<Motion>(const std::filesystem::path& session, int run)>;
 
-// Writes the data set into `folder`, which must not exist or be empty, whole or not at all. Pseudonyms lose their dashes, which
-// BIDS does not allow in labels; the original is a column of participants.tsv. Throws Error where two pseudonyms become one, or
-// a participant did an experiment twice; files::OutputError where the disk is full. `authors`: of the data set, a name each, in
-// their order; where there are none the data set names none.
+// Writes the data set into `folder`, which must not exist or be empty, whole or not at all. In labels pseudonyms lose what BIDS
+// does not allow there, dashes, and "sub-" before them, which every label has; the original is a column of participants.tsv.
+// Throws Error where two pseudonyms become one, on file systems that fold case, too, or a participant did an experiment twice;
+// files::OutputError where the disk is full. `authors`: of the data set, a name each, in their order; where there are none the
+// data set names none.
 void export_bids(std::span<const std::filesystem::path> sessions, const std::filesystem::path& folder,
                  const MotionOf& motion_of = {}, const std::vector<std::string>& authors = {});
+
+// The same into a folder that the caller commits.
+void export_bids(std::span<const std::filesystem::path> sessions, files::OutputFolder& folder, const MotionOf& motion_of,
+                 const std::vector<std::string>& authors);
 
 }  // namespace forceshade::experiments

@@ -2,7 +2,9 @@
 #pragma once
 // What a participant answered, one row a trial: what a session yields and what the analysis takes (thesis 5.5, 5.6, chapter 6).
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace forceshade::experiments {
@@ -10,6 +12,22 @@ namespace forceshade::experiments {
 // Where a matching trial's radius began, beside the reference radius: the symbols +, × and o of the thesis's plots. Where the
 // largest or smallest initial radius equals the reference, that trial is still of its own condition.
 enum class InitialRadius { large, same, small };
+
+// Who answers: a person, or a model of one (virtual_participant.h). Sessions of earlier versions and results of other programs
+// do not say it.
+enum class AnsweredBy { not_recorded, person, model };
+
+// "", "person", "virtual participant": in files.
+std::string_view name_of(AnsweredBy who);
+
+// Where an answer comes from. What was not recorded is empty.
+struct Origin {
+  AnsweredBy answered_by = AnsweredBy::not_recorded;
+  std::string device = {};               // that gave the forces, by the name with which it was opened; printable
+  std::optional<bool> certified = {};    // whether these forces were
+
+  friend bool operator==(const Origin&, const Origin&) = default;
+};
 
 struct MatchingResult {
   std::string participant;  // a pseudonym
@@ -23,6 +41,7 @@ struct MatchingResult {
   int satisfaction = 0;  // 1 to 10
   int steps = 0;         // changes of the radius
   double seconds = 0;    // from the first tick of the trial to the satisfaction entered
+  Origin origin = {};
 };
 
 struct ClassificationResult {
@@ -33,6 +52,7 @@ struct ClassificationResult {
   int repetition = 0;
   int answer = 0;  // 1 to 4: plane, two polygons, three polygons, cylinder (figure 5-8)
   double seconds = 0;
+  Origin origin = {};
 };
 
 // The matching radius through one trial: figure 6-6 of the thesis.

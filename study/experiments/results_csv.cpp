@@ -13,7 +13,6 @@
 
 #include "files/csv.h"
 #include "files/output_file.h"
-#include "files/output_folder.h"
 #include "files/printable.h"
 #include "study/experiments/error.h"
 
@@ -37,8 +36,14 @@ const std::vector<std::string> kMatchingColumns{"participant",
 const std::vector<std::string> kClassificationColumns{"participant", "trial",  "stimulus", "radius_mil",
                                                       "repetition",  "answer", "seconds"};
 const std::vector<std::string> kRadiusColumns{"participant", "trial", "step", "seconds", "radius_mil"};
+const std::vector<std::string> kOriginColumns{"answered_by", "device", "certified"};  // which a file may lack
 constexpr std::array<std::string_view, 3> kInitials{"large", "same", "small"};
 constexpr int kLargestMil = 1'000'000, kMostSeconds = 1'000'000, kMostSteps = 1'000'000;
+
+std::vector<std::string> with_origin(std::vector<std::string> columns) {
+  columns.insert(columns.end(), kOriginColumns.begin(), kOriginColumns.end());
+  return columns;
+}
 
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"") == std::string::npos) return text;
@@ -92,13 +97,35 @@ InitialRadius initial_in(const files::Reader& reader, std::size_t column) {
   throw reader.unexpected(column, "large, same or small");
 }
 
+std::string cells_of(const Origin& origin) {
+  const char* certified = !origin.certified ? "" : *origin.certified ? "yes" : "no";
+  return std::string(name_of(origin.answered_by)) + ',' + quoted(origin.device) + ',' + certified;
+}
+
+// first: the index of the first of its columns.
+Origin origin_in(const files::Reader& reader, std::size_t first) {
+  Origin origin;
+  if (reader.has(first)) {
+    for (const AnsweredBy who : {AnsweredBy::person, AnsweredBy::model})
+      if (reader.text(first) == name_of(who)) origin.answered_by = who;
+    if (reader.text(first) != name_of(origin.answered_by))
+      throw reader.unexpected(first, "person, virtual participant or nothing");
+  }
+  if (reader.has(first + 1)) origin.device = files::printable(reader.text(first + 1));
+  if (reader.has(first + 2) && !reader.text(first + 2).empty()) {
+    origin.certified = reader.text(first + 2) == "yes";
+    if (!*origin.certified && reader.text(first + 2) != "no") throw reader.unexpected(first + 2, "yes, no or nothing");
+  }
+  return origin;
+}
+
 // Calls `read` for each row; whether there was a file. The first two columns are participant and trial, which come once.
 template <class Read>
 bool read_file(const fs::path& file, const std::vector<std::string>& columns, bool is_once, const Read& read) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return false;
   std::ifstream in = files::open_input(file.string());
-  files::Reader reader(in, file.string(), columns);
+  files::Reader reader(in, file.string(), columns, kOriginColumns);
   std::map<std::pair<std::string, int>, std::size_t> seen;
   while (reader.next()) {
     std::string participant = words_in(reader, 0);
@@ -117,23 +144,27 @@ bool read_file(const fs::path& file, const std::vector<std::string>& columns, bo
 
 void write_results(const Results& results, const fs::path& path) {
   files::OutputFolder whole(path);
+  write_results(results, whole);
+  whole.commit();
+}
+
+void write_results(const Results& results, const files::OutputFolder& whole) {
   const fs::path& folder = whole.so_far();
   using files::shortest;
-  write_file(folder / "matching.csv", kMatchingColumns, results.matching, [](std::ostream& out, const MatchingResult& r) {
+  write_file(folder / "matching.csv", with_origin(kMatchingColumns), results.matching, [](std::ostream& out, const MatchingResult& r) {
     out << quoted(r.participant) << ',' << r.trial << ',' << (r.vision ? "yes" : "no") << ',' << quoted(r.stimulus) << ','
         << kInitials[static_cast<std::size_t>(r.initial)] << ',' << r.repetition << ',' << shortest(r.reference_radius) << ','
         << shortest(r.initial_radius) << ',' << shortest(r.final_radius) << ',' << r.satisfaction << ',' << r.steps << ','
-        << shortest(r.seconds);
+        << shortest(r.seconds) << ',' << cells_of(r.origin);
   });
-  write_file(folder / "classification.csv", kClassificationColumns, results.classification,
+  write_file(folder / "classification.csv", with_origin(kClassificationColumns), results.classification,
              [](std::ostream& out, const ClassificationResult& r) {
                out << quoted(r.participant) << ',' << r.trial << ',' << quoted(r.stimulus) << ',' << shortest(r.radius) << ','
-                   << r.repetition << ',' << r.answer << ',' << shortest(r.seconds);
+                   << r.repetition << ',' << r.answer << ',' << shortest(r.seconds) << ',' << cells_of(r.origin);
              });
   write_file(folder / "radius.csv", kRadiusColumns, results.radius_changes, [](std::ostream& out, const RadiusChange& r) {
     out << quoted(r.participant) << ',' << r.trial << ',' << r.step << ',' << shortest(r.seconds) << ',' << shortest(r.radius);
   });
-  whole.commit();
 }
 
 Results read_results(const fs::path& folder) {
@@ -143,13 +174,14 @@ Results read_results(const fs::path& folder) {
         if (in.text(2) != "yes" && in.text(2) != "no") throw in.unexpected(2, "yes or no");
         all.matching.push_back({std::move(participant), trial, in.text(2) == "yes", words_in(in, 3), initial_in(in, 4),
                                 whole_in(in, 5, 1, kMostSteps), radius_in(in, 6), radius_in(in, 7), radius_in(in, 8),
-                                whole_in(in, 9, 1, 10), whole_in(in, 10, 0, kMostSteps), seconds_in(in, 11)});
+                                whole_in(in, 9, 1, 10), whole_in(in, 10, 0, kMostSteps), seconds_in(in, 11), origin_in(in, 12)});
       });
   const bool has_classification =
       read_file(folder / "classification.csv", kClassificationColumns, true,
                 [&](const files::Reader& in, std::string participant, int trial) {
                   all.classification.push_back({std::move(participant), trial, words_in(in, 2), radius_in(in, 3),
-                                                whole_in(in, 4, 1, kMostSteps), whole_in(in, 5, 1, 4), seconds_in(in, 6)});
+                                                whole_in(in, 4, 1, kMostSteps), whole_in(in, 5, 1, 4), seconds_in(in, 6),
+                                                origin_in(in, 7)});
                 });
   if (!has_matching && !has_classification)
     throw Error(folder, "expected matching.csv, classification.csv or both, found neither");

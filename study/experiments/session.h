@@ -19,7 +19,7 @@
 namespace forceshade::experiments {
 
 enum class EventKind {
-  run_started,     // run
+  run_started,     // run, device, certified
   block_started,   // block; by enter on its instructions
   trial_started,   // block, trial (index), attempt, condition; by the press before it
   radius_changed,  // radius
@@ -44,6 +44,8 @@ struct Event {
   Mil radius = 0;
   int answer = 0;
   std::string text = {};
+  std::string device = {};             // of run_started: Origin::device
+  std::optional<bool> certified = {};  // of run_started
 
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <utility>
 
-#include "files/output_file.h"
+#include "files/output_folder.h"
 #include "files/printable.h"
 #include "study/experiments/error.h"
 #include "study/experiments/json_text.h"
@@ -40,18 +40,19 @@ std::string content_of(const fs::path& file) {
   return text;
 }
 
-void write_whole(const fs::path& file, const std::string& text) {
-  files::OutputFile out(file.string());
-  out.stream() << text;
-  out.commit();
-}
-
 // session.json, but for the experiment, which the protocol holds.
 struct About {
+  AnsweredBy answered_by = AnsweredBy::not_recorded;
   std::string participant;
   std::uint64_t seed = 0;
   fs::path files_from;
 };
+
+AnsweredBy answered_by_in(const std::string& name) {
+  for (const AnsweredBy who : {AnsweredBy::person, AnsweredBy::model})
+    if (name == name_of(who)) return who;
+  throw std::invalid_argument("answered_by: expected person or virtual participant, got " + name);
+}
 
 About read_about(const fs::path& folder) {
   const fs::path file = folder / "session.json";
@@ -62,6 +63,7 @@ About read_about(const fs::path& folder) {
     About about;
     about.participant = text_member(json, "participant");
     if (!is_participant(about.participant)) throw std::invalid_argument("participant: expected letters, digits and dashes");
+    if (json.contains("answered_by")) about.answered_by = answered_by_in(text_member(json, "answered_by"));
     const std::string seed = text_member(json, "seed");
     const auto [end, error] = std::from_chars(seed.data(), seed.data() + seed.size(), about.seed);
     if (error != std::errc() || end != seed.data() + seed.size())
@@ -91,6 +93,18 @@ fs::path log_in(const fs::path& folder) {
   return folder / "trials.jsonl";
 }
 
+// What a session logs, with where its answers come from beside each start of a run.
+template <class Log>
+Session::Log logged(std::shared_ptr<Log> log, const Origin& origin) {
+  return [log = std::move(log), device = files::printable(origin.device), certified = origin.certified](const Event& event) {
+    if (event.kind != EventKind::run_started) return log->append(event);
+    Event start = event;
+    start.device = device;
+    start.certified = certified;
+    log->append(start);
+  };
+}
+
 // `make` builds the session; an event that does not fit becomes an error of its line.
 template <class Make>
 auto with_lines(const fs::path& folder, const Make& make) {
@@ -118,8 +132,9 @@ fs::path ticks_of_run(const fs::path& session, int run) {
 // Appends lines; holds a lock on the file, so that no second process goes on with the same session.
 class RecordedSession::Log {
  public:
-  Log(fs::path file, int flags, Sync sync)
-      : file_(std::move(file)), descriptor_(::open(file_.c_str(), flags | O_WRONLY | O_APPEND | O_CLOEXEC, 0666)), sync_(sync) {
+  // at: where the file is for now; file: its name in messages.
+  Log(const fs::path& at, fs::path file, int flags, Sync sync)
+      : file_(std::move(file)), descriptor_(::open(at.c_str(), flags | O_WRONLY | O_APPEND | O_CLOEXEC, 0666)), sync_(sync) {
     if (descriptor_ < 0) throw failed(file_, "be opened for writing");
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
     ::close(descriptor_);
@@ -163,49 +178,44 @@ class RecordedSession::Log {
 };
 
 RecordedSession RecordedSession::start(const fs::path& folder, const fs::path& protocol_file, const std::string& participant,
-                                       std::uint64_t seed, KeyNames keys, Sync sync) {
+                                       std::uint64_t seed, KeyNames keys, Sync sync, const Origin& origin) {
   if (!is_participant(participant))
     throw Error(folder, "participant: expected 1 to 32 letters, digits and dashes, the first no dash, got \"" +
                             files::printable(participant) + '"');
   Protocol protocol = read_protocol(protocol_file);
   Language language = read_language(protocol.language);
-  std::error_code error;
-  if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder, error)))
+  files::OutputFolder whole(folder);
+  if (!whole.is_for_an_empty_path())
     throw Error(folder, "expected no file of this name, or an empty folder: a session has a folder of its own");
-  const bool is_new = !fs::exists(folder, error);
+  whole.write("protocol.toml", content_of(protocol_file));
+  whole.write("language.toml", content_of(protocol.language));
+  Json about{{"schema", kSessionSchema},
+             {"participant", participant},
+             {"experiment", name_of(protocol.experiment)},
+             {"seed", std::to_string(seed)},
+             {"files_from", fs::absolute(protocol_file).parent_path().string()}};
+  if (origin.answered_by != AnsweredBy::not_recorded) about["answered_by"] = name_of(origin.answered_by);
+  whole.write("session.json", about.dump(2) + '\n');
+  std::error_code error;
+  if (!fs::create_directory(whole.so_far() / "ticks", error)) throw Error(folder, "cannot be made: " + error.message());
   RecordedSession recorded;
-  try {
-    fs::create_directories(folder / "ticks", error);
-    if (error) throw Error(folder, "cannot be made: " + error.message());
-    write_whole(folder / "protocol.toml", content_of(protocol_file));
-    write_whole(folder / "language.toml", content_of(protocol.language));
-    const Json about{{"schema", kSessionSchema},
-                     {"participant", participant},
-                     {"experiment", name_of(protocol.experiment)},
-                     {"seed", std::to_string(seed)},
-                     {"files_from", fs::absolute(protocol_file).parent_path().string()}};
-    write_whole(folder / "session.json", about.dump(2) + '\n');
-    recorded.log_ = std::make_shared<Log>(log_in(folder), O_CREAT | O_EXCL, sync);
-    files::sync_folder(folder);
-  } catch (...) {
-    // Nothing half-written: the folder was empty, or was not there.
-    for (const char* name : {"protocol.toml", "language.toml", "session.json", "trials.jsonl", "ticks"})
-      fs::remove(folder / name, error);
-    if (is_new) fs::remove(folder, error);
-    throw;
-  }
+  recorded.log_ = std::make_shared<Log>(log_in(whole.so_far()), log_in(folder), O_CREAT | O_EXCL, sync);
+  whole.commit();
   recorded.folder_ = folder;
   recorded.participant_ = participant;
-  recorded.session_ = std::make_unique<Session>(
-      std::move(protocol), std::move(language), seed, [log = recorded.log_](const Event& event) { log->append(event); },
-      std::span<const Event>(), keys);
+  recorded.session_ = std::make_unique<Session>(std::move(protocol), std::move(language), seed, logged(recorded.log_, origin),
+                                                std::span<const Event>(), keys);
   return recorded;
 }
 
-RecordedSession RecordedSession::resume(const fs::path& folder, KeyNames keys, Sync sync) {
+RecordedSession RecordedSession::resume(const fs::path& folder, KeyNames keys, Sync sync, const Origin& origin) {
   Opened all = opened(folder, Files::must_exist);
+  const AnsweredBy first = all.about.answered_by, now = origin.answered_by;
+  if (first != now && first != AnsweredBy::not_recorded && now != AnsweredBy::not_recorded)
+    throw Error(folder, "the session was begun by a " + std::string(name_of(first)) + ", so a " + std::string(name_of(now)) +
+                            " cannot go on with it");
   RecordedSession recorded;
-  recorded.log_ = std::make_shared<Log>(log_in(folder), 0, sync);  // locked before it is read
+  recorded.log_ = std::make_shared<Log>(log_in(folder), log_in(folder), 0, sync);  // locked before it is read
   LogText text = read_log(log_in(folder));
   if (std::ranges::any_of(text.events, [](const Event& event) { return event.kind == EventKind::session_ended; }))
     throw Error(folder, "the session is over: there is nothing to go on with");
@@ -218,9 +228,8 @@ RecordedSession RecordedSession::resume(const fs::path& folder, KeyNames keys, S
   recorded.participant_ = all.about.participant;
   recorded.note_ = text.note;
   recorded.run_ = 1 + static_cast<int>(std::ranges::count(text.events, EventKind::run_started, &Event::kind));
-  recorded.session_ = std::make_unique<Session>(
-      std::move(all.protocol), std::move(all.language), all.about.seed,
-      [log = recorded.log_](const Event& event) { log->append(event); }, text.events, keys);
+  recorded.session_ = std::make_unique<Session>(std::move(all.protocol), std::move(all.language), all.about.seed,
+                                                logged(recorded.log_, origin), text.events, keys);
   return recorded;
 }
 
@@ -232,7 +241,8 @@ SavedSession read_session(const fs::path& folder) {
         all.protocol, all.language, all.about.seed, [](const Event&) {}, text.events);
   });
   return {all.about.participant,   all.about.seed,         std::move(all.protocol),
-          std::move(all.language), std::move(text.events), text.note};
+          std::move(all.language), std::move(text.events), text.note,
+          all.about.answered_by};
 }
 
 }  // namespace forceshade::experiments

@@ -2,10 +2,13 @@
 #include "study/experiments/session_results.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
+#include "files/output_file.h"
 #include "study/experiments/error.h"
 
 namespace forceshade::experiments {
@@ -18,12 +21,6 @@ struct Going {
   std::vector<RadiusChange> changes;
 };
 
-// The finished trials of one block, which a repetition of the block replaces.
-struct BlockResults {
-  int block = 0;
-  Results results;
-};
-
 void append(Results& all, const Results& more) {
   all.matching.insert(all.matching.end(), more.matching.begin(), more.matching.end());
   all.classification.insert(all.classification.end(), more.classification.begin(), more.classification.end());
@@ -32,25 +29,59 @@ void append(Results& all, const Results& more) {
 
 }  // namespace
 
+std::string_view name_of(AnsweredBy who) {
+  return who == AnsweredBy::person ? "person" : who == AnsweredBy::model ? "virtual participant" : "";
+}
+
+std::vector<TrialUse> uses_of(const SavedSession& session) {
+  std::vector<TrialUse> uses(session.events.size(), TrialUse::no_trial);
+  const std::size_t none = uses.size();
+  std::size_t started = none;
+  std::map<int, std::vector<std::size_t>> answered;  // events of answered trials by block
+  const auto end_trial = [&](std::size_t end, TrialUse use) {
+    for (std::size_t i = std::exchange(started, none); i < end; ++i)
+      if (session.events[i].attempt > 0) uses[i] = use;
+  };
+  for (std::size_t i = 0; i < session.events.size(); ++i) {
+    const Event& event = session.events[i];
+    if (event.kind == EventKind::run_started) end_trial(i, TrialUse::interrupted);
+    if (event.kind == EventKind::block_started) {
+      for (const std::size_t earlier : answered[event.block]) uses[earlier] = TrialUse::abandoned;
+      answered[event.block].clear();
+    }
+    if (event.kind == EventKind::trial_started) started = i;
+    if (event.kind == EventKind::answered && started != none) {
+      for (std::size_t its = started; its <= i; ++its) answered[event.block].push_back(its);
+      end_trial(i + 1, event.block == 0 ? TrialUse::practice : TrialUse::result);
+    }
+  }
+  end_trial(uses.size(), TrialUse::interrupted);
+  return uses;
+}
+
+Origin origin_of(const SavedSession& session, int run) {
+  const auto is_start = [&](const Event& event) { return event.kind == EventKind::run_started && event.run == run; };
+  const auto start = std::ranges::find_if(session.events, is_start);
+  if (start == session.events.end()) return {session.answered_by, {}, {}};
+  return {session.answered_by, start->device, start->certified};
+}
+
 Results results_of(const SavedSession& session) {
-  std::vector<BlockResults> blocks;
   bool vision = true;
   Going going;
+  Results all;
+  const std::vector<TrialUse> uses = uses_of(session);
   const std::vector<Block> planned = order(session.protocol, session.seed);
-  for (const Event& event : session.events) {
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const Event& event = session.events[i];
+    if (event.kind == EventKind::block_started) vision = std::ranges::find(planned, event.block, &Block::number)->vision;
+    if (uses[i] != TrialUse::result) continue;
     const Trial& trial = going.start.trial;
     const double seconds = event.time - going.start.time;
     const auto radius_change = [&](double at, Mil radius) {
-      going.changes.push_back({session.participant, trial.number, going.steps, at, static_cast<double>(radius)});
+      going.changes.push_back({session.participant, going.start.trial.number, going.steps, at, static_cast<double>(radius)});
     };
     switch (event.kind) {
-      case EventKind::block_started: {
-        std::erase_if(blocks, [&](const BlockResults& one) { return one.block == event.block; });
-        blocks.push_back({event.block, {}});
-        const auto its = std::ranges::find(planned, event.block, &Block::number);
-        vision = its->vision;
-        break;
-      }
       case EventKind::trial_started:
         going = {event, 0, {}};
         if (session.protocol.experiment == Experiment::matching) radius_change(0, event.trial.initial_radius);
@@ -60,33 +91,35 @@ Results results_of(const SavedSession& session) {
         radius_change(seconds, event.radius);
         break;
       case EventKind::answered: {
-        if (event.block == 0) break;
-        Results& results = blocks.back().results;
+        const Origin origin = origin_of(session, event.run);
         if (session.protocol.experiment == Experiment::matching) {
-          results.matching.push_back({session.participant, trial.number, vision, trial.stimulus, trial.initial,
-                                      trial.repetition, static_cast<double>(trial.radius),
-                                      static_cast<double>(trial.initial_radius), static_cast<double>(event.radius),
-                                      event.answer, going.steps, seconds});
-          results.radius_changes.insert(results.radius_changes.end(), going.changes.begin(), going.changes.end());
+          all.matching.push_back({session.participant, trial.number, vision, trial.stimulus, trial.initial, trial.repetition,
+                                  static_cast<double>(trial.radius), static_cast<double>(trial.initial_radius),
+                                  static_cast<double>(event.radius), event.answer, going.steps, seconds, origin});
+          all.radius_changes.insert(all.radius_changes.end(), going.changes.begin(), going.changes.end());
         } else {
-          results.classification.push_back({session.participant, trial.number, trial.stimulus,
-                                            static_cast<double>(trial.radius), trial.repetition, event.answer, seconds});
+          all.classification.push_back({session.participant, trial.number, trial.stimulus, static_cast<double>(trial.radius),
+                                        trial.repetition, event.answer, seconds, origin});
         }
         break;
       }
       default: break;
     }
   }
-  Results all;
-  for (const BlockResults& one : blocks) append(all, one.results);
   return all;
 }
 
 Results results_of(std::span<const std::filesystem::path> folders) {
   Results all;
   std::set<std::tuple<std::string, int, bool>> seen;
+  std::map<std::string, std::string> by_folded;
   for (const std::filesystem::path& folder : folders) {
-    const Results results = results_of(read_session(folder));
+    const SavedSession session = read_session(folder);
+    const std::string& name = session.participant;
+    if (const auto at = by_folded.try_emplace(files::folded_name(name), name).first; at->second != name)
+      throw Error(folder, "participants " + at->second + " and " + name +
+                              " differ in capital letters alone, which many programs and file systems do not tell apart: rename one");
+    const Results results = results_of(session);
     const auto expect_new = [&](const auto& trials, bool is_matching) {
       for (const auto& one : trials)
         if (!seen.insert({one.participant, one.trial, is_matching}).second)

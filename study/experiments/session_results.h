@@ -4,18 +4,28 @@
 
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include "study/experiments/results.h"
 #include "study/experiments/session_folder.h"
 
 namespace forceshade::experiments {
 
+// What becomes of the trial that an event belongs to. abandoned: it was answered, and its block was begun again.
+enum class TrialUse { no_trial, interrupted, abandoned, practice, result };
+
+// Of each event of the session, in their order.
+std::vector<TrialUse> uses_of(const SavedSession& session);
+
+// Where the answers of a run come from.
+Origin origin_of(const SavedSession& session, int run);
+
 // The results of every trial that was answered; practice, trials that an interruption ended and trials of a block that was
 // repeated are left out. A session that is not over has the results it has.
 Results results_of(const SavedSession& session);
 
 // The results of the sessions in these folders together. Throws Error, also where a participant and trial of an experiment
-// come twice.
+// come twice, or two participants differ in capital letters alone.
 Results results_of(std::span<const std::filesystem::path> folders);
 
 }  // namespace forceshade::experiments

@@ -70,6 +70,11 @@ Event event_of(std::string_view line, std::size_t number) {
   event.radius = whole("radius_mil");
   event.answer = whole("answer");
   if (json.contains("text")) event.text = text_member(json, "text");
+  if (json.contains("device")) event.device = text_member(json, "device");
+  if (json.contains("certified")) {
+    if (!member(json, "certified").is_boolean()) throw std::invalid_argument("certified: expected true or false");
+    event.certified = member(json, "certified").get<bool>();
+  }
   if (json.contains("trial")) {
     const Json& trial = member(json, "trial");
     event.trial = {whole_member(trial, "number"),
@@ -103,6 +108,8 @@ std::string line_of(const Event& event, std::size_t number) {
   add("answer", event.answer);
   if (event.kind == EventKind::block_started) json["block"] = event.block;  // 0 is the practice
   if (!event.text.empty()) json["text"] = event.text;
+  if (!event.device.empty()) json["device"] = event.device;
+  if (event.certified) json["certified"] = *event.certified;
   if (event.kind == EventKind::trial_started)
     json["trial"] = {{"number", event.trial.number},
                      {"stimulus", event.trial.stimulus},

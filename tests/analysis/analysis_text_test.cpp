@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "study/analysis/analysis.h"
+#include "study/analysis/origins.h"
 #include "tests/analysis/small_analysis.h"
 #include "tests/support/has.h"
 
@@ -24,10 +27,10 @@ TEST(analysis_text, has_the_tables_in_the_thesiss_layout) {
     EXPECT_TRUE(has(text, part)) << part << "\nin\n" << text;
   const std::string csv = to_csv(small_analysis());
   EXPECT_TRUE(csv.starts_with(
-      "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis\n6.3,bump-1p-shaded,no,,P1,"));
+      "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis,answered_by\n6.3,bump-1p-shaded,no,,P1,"));
   const std::string first = csv.substr(0, csv.find("\n6.3,bump-1p-shaded,no,,P1,60,mean_sd_percent,"));
-  EXPECT_TRUE(first.ends_with(",")) << first;  // the thesis's number stands beside overall rows alone
-  EXPECT_TRUE(has(csv, ",0.43\n6.3,bump-1p-shaded,no,,overall,120,mean_sd_percent,")) << csv;
+  EXPECT_TRUE(first.ends_with(",,not recorded")) << first;  // the thesis's number stands beside overall rows alone
+  EXPECT_TRUE(has(csv, ",0.43,not recorded\n6.3,bump-1p-shaded,no,,overall,120,mean_sd_percent,")) << csv;
   EXPECT_TRUE(has(csv, "\n6.9,bump-1p,,600,overall,48,percent_1,")) << csv;
   const auto lines = std::ranges::count(csv, '\n');
   EXPECT_EQ(lines, 1 + 2 * 3 * 4 + 3 * 21 * 4);
@@ -41,10 +44,10 @@ TEST(analysis_text, in_csv_has_both_ends_of_an_interval_and_nothing_for_what_is_
   row.columns[3] = {5, {5, 5}};  // everybody gave the same answer
   analysis.matching.push_back({"own", true, {row}});
   const std::string csv = to_csv(analysis);
-  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,slope,0.5,0.25,0.75,\n")) << csv;
-  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_sd_percent,,,,\n")) << csv;
-  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_satisfaction,7,,,\n")) << csv;
-  EXPECT_TRUE(has(csv, ",5,5,5,\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,slope,0.5,0.25,0.75,,\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_sd_percent,,,,,\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n,own,yes,,A,9,mean_satisfaction,7,,,,\n")) << csv;
+  EXPECT_TRUE(has(csv, ",5,5,5,,\n")) << csv;
 }
 
 // Tables and fits have numbers of resamples of their own: p of n refits is a multiple of 1 / (1 + n).
@@ -120,32 +123,71 @@ TEST(analysis_text, in_csv_is_this_text_as_a_whole) {
   Analysis analysis = made_analysis();
   analysis.matching[1].stimulus = "own, \"é\"";
   analysis.classification.resize(3);
+  analysis.results.matching = {{.participant = "P1", .origin = {experiments::AnsweredBy::person, "phantom", true}}};
   EXPECT_EQ(to_csv(analysis),
-            "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis\n"
-            "6.2,bump-cylinder,yes,,P1,9,slope,0.912,0.811,1.013,\n"
-            "6.2,bump-cylinder,yes,,P1,9,mean_sd_percent,10.26,9.1,11.2,\n"
-            "6.2,bump-cylinder,yes,,P1,9,mean_satisfaction,7.7,6.6,8.8,\n"
-            "6.2,bump-cylinder,yes,,P1,9,mean_steps,20.4,18.3,22.5,\n"
-            "6.2,bump-cylinder,yes,,overall,18,slope,0.9,0.8,0.96,0.94\n"
-            "6.2,bump-cylinder,yes,,overall,18,mean_sd_percent,12.5,,,12.9\n"
-            "6.2,bump-cylinder,yes,,overall,18,mean_satisfaction,8,7,9,8.3\n"
-            "6.2,bump-cylinder,yes,,overall,18,mean_steps,30.6,28.5,32.7,29\n"
-            ",\"own, \"\"é\"\"\",no,,overall,4,slope,,,,\n"
-            ",\"own, \"\"é\"\"\",no,,overall,4,mean_sd_percent,,,,\n"
-            ",\"own, \"\"é\"\"\",no,,overall,4,mean_satisfaction,6,,,\n"
-            ",\"own, \"\"é\"\"\",no,,overall,4,mean_steps,3.5,,,\n"
-            "6.9,bump-cylinder,,600,overall,24,percent_1,4,1,9,0\n"
-            "6.9,bump-cylinder,,600,overall,24,percent_2,12,5,20,7\n"
-            "6.9,bump-cylinder,,600,overall,24,percent_3,21,11,32,19\n"
-            "6.9,bump-cylinder,,600,overall,24,percent_4,63,,,75\n"
-            ",own,,650.5,overall,8,percent_1,25,,,\n"
-            ",own,,650.5,overall,8,percent_2,26,,,\n"
-            ",own,,650.5,overall,8,percent_3,24,,,\n"
-            ",own,,650.5,overall,8,percent_4,25,,,\n"
-            "6.9,bump-cylinder,,600,P1,12,percent_1,3,,,\n"
-            "6.9,bump-cylinder,,600,P1,12,percent_2,13,,,\n"
-            "6.9,bump-cylinder,,600,P1,12,percent_3,22,,,\n"
-            "6.9,bump-cylinder,,600,P1,12,percent_4,62,,,\n");
+            "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis,answered_by\n"
+            "6.2,bump-cylinder,yes,,P1,9,slope,0.912,0.811,1.013,,person\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_sd_percent,10.26,9.1,11.2,,person\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_satisfaction,7.7,6.6,8.8,,person\n"
+            "6.2,bump-cylinder,yes,,P1,9,mean_steps,20.4,18.3,22.5,,person\n"
+            "6.2,bump-cylinder,yes,,overall,18,slope,0.9,0.8,0.96,0.94,person\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_sd_percent,12.5,,,12.9,person\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_satisfaction,8,7,9,8.3,person\n"
+            "6.2,bump-cylinder,yes,,overall,18,mean_steps,30.6,28.5,32.7,29,person\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,slope,,,,,person\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_sd_percent,,,,,person\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_satisfaction,6,,,,person\n"
+            ",\"own, \"\"é\"\"\",no,,overall,4,mean_steps,3.5,,,,person\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_1,4,1,9,0,person\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_2,12,5,20,7,person\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_3,21,11,32,19,person\n"
+            "6.9,bump-cylinder,,600,overall,24,percent_4,63,,,75,person\n"
+            ",own,,650.5,overall,8,percent_1,25,,,,person\n"
+            ",own,,650.5,overall,8,percent_2,26,,,,person\n"
+            ",own,,650.5,overall,8,percent_3,24,,,,person\n"
+            ",own,,650.5,overall,8,percent_4,25,,,,person\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_1,3,,,,person\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_2,13,,,,person\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_3,22,,,,person\n"
+            "6.9,bump-cylinder,,600,P1,12,percent_4,62,,,,person\n");
+}
+
+experiments::Results results_from(const std::vector<std::pair<std::string, experiments::Origin>>& trials) {
+  experiments::Results results;
+  for (const auto& [participant, origin] : trials) results.classification.push_back({.participant = participant, .origin = origin});
+  return results;
+}
+
+// Whatever is made of results says whose they are; a mixture is refused.
+TEST(origins, are_said_in_whole_sentences) {
+  const experiments::Origin model{experiments::AnsweredBy::model, "simulated:premium-1.5:mouse", false}, person{experiments::AnsweredBy::person, "phantom", true}, unknown;
+  const auto sentences = [](const experiments::Results& results) {
+    std::string all;
+    for (const std::string& one : sentences_of(origins_of(results))) all += one + '\n';
+    return all;
+  };
+  EXPECT_EQ(sentences({}), "");
+  EXPECT_EQ(sentences(results_from({{"V1", model}, {"V1", model}})),
+            "These are virtual participants: a model answered, and no person.\nDevice: simulated:premium-1.5:mouse (2 trials).\n"
+            "Forces: not certified in 2 trials.\n");
+  EXPECT_EQ(sentences(results_from({{"P1", person}})), "Device: phantom (1 trial).\nForces: certified in 1 trial.\n");
+  EXPECT_EQ(sentences(results_from({{"P1", unknown}})),
+            "It was not recorded who answered, a person or a model.\nDevice: not recorded (1 trial).\n"
+            "Forces: not known to be certified in 1 trial.\n");
+  EXPECT_EQ(sentences(results_from({{"P1", person}, {"P2", unknown}, {"P3", {experiments::AnsweredBy::person, "mouse", false}}})),
+            "It was not recorded who answered, a person or a model, for P2.\n"
+            "Devices: not recorded (1 trial), mouse (1 trial), phantom (1 trial).\n"
+            "Forces: certified in 1 trial, not certified in 1 trial, not known to be certified in 1 trial.\n");
+  const auto fault = [](const experiments::Results& results) { return fault_of(origins_of(results)); };
+  EXPECT_EQ(fault(results_from({{"V1", model}, {"V2", model}})), "");
+  EXPECT_EQ(fault(results_from({{"P1", person}, {"P2", unknown}})), "");
+  const std::string both = "expected people or virtual participants, got both: V1 is a virtual participant, a model, and P1 ";
+  EXPECT_EQ(fault(results_from({{"P1", person}, {"V1", model}})), both + "is a person; analyse them separately");
+  EXPECT_EQ(fault(results_from({{"P1", unknown}, {"V1", model}})), both + "is not recorded as one; analyse them separately");
+  const Origins people = origins_of(results_from({{"P1", person}, {"P2", unknown}, {"P2", person}}));
+  EXPECT_EQ(answered_by(people, "P1"), "person");
+  EXPECT_EQ(answered_by(people, "P2"), "person and not recorded");
+  EXPECT_EQ(answered_by(people, kOverall), "person and not recorded");
 }
 
 }  // namespace

@@ -148,7 +148,9 @@ TEST(page, has_these_words_in_its_tables) {
     words.erase(at, words.find('\n', at) + 1 - at);
   EXPECT_EQ(words,
             "forceshade: analysis of the experiments\n"
-            "1 participant, 1\u202F234 matching and 5 classification trials.\n" +
+            "1 participant, 1\u202F234 matching and 5 classification trials.\n"
+            "It was not recorded who answered, a person or a model. Device: not recorded (1239 trials). Forces: not known to be "
+            "certified in 1239 trials.\n" +
                 method_of(analysis.options) +
                 ".\n"
                 "The matching experiment\n"
@@ -183,6 +185,25 @@ TEST(page, has_these_words_in_its_tables) {
                 ": P1|7|21.5 / 18.5 to 24.5|4.2 / 3.2 to 5.8|0.06 / 0.01 to 0.11|0.07 / 0.02 to 0.13|8.5|0.125|0.375|\n"
                 "overall: overall|71|31.5|5.2|0.16|0.17|9.5|-|0.625|\n"
                 "overall: a parameter lies at a limit of its range, so the data do not determine all four.\n");
+}
+
+// In the heading, the first sentences and the name of each figure.
+TEST(page, says_that_participants_were_virtual_and_forces_not_certified) {
+  Analysis analysis = small_analysis();
+  for (auto& trial : analysis.results.matching) trial.origin = {experiments::AnsweredBy::model, "simulated:<x>", false};
+  for (auto& trial : analysis.results.classification) trial.origin = {experiments::AnsweredBy::model, "simulated:<x>", true};
+  const std::vector<properties::Picture> all = pictures(analysis, some_profiles());
+  const std::string words = words_of(to_html(analysis, all, {}));
+  const std::string expected =
+      "forceshade: analysis of the experiments with virtual participants\n2 virtual participants, 240 matching and 1\u202F008 "
+      "classification trials.\nThese are virtual participants: a model answered, and no person. Device: simulated:&lt;x&gt; (1248 "
+      "trials). Forces: certified in 1008 trials, not certified in 240 trials.\n";
+  EXPECT_EQ(words.substr(0, expected.size()), expected);
+  EXPECT_TRUE(has(to_text(analysis), "These are virtual participants: a model answered, and no person.\n"));
+  for (const properties::Picture& one : all) EXPECT_TRUE(one.frame.description.ends_with(", virtual participants")) << one.frame.id;
+  for (auto& trial : analysis.results.classification) trial.origin = {experiments::AnsweredBy::person, "phantom", true};
+  for (auto& trial : analysis.results.matching) trial.origin = {experiments::AnsweredBy::person, "phantom", true};
+  EXPECT_FALSE(has(to_html(analysis, all, {}).substr(0, 2000) + to_text(analysis), "virtual"));
 }
 
 TEST(page, leaves_out_what_was_not_measured) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "study/analysis/number_words.h"
 #include "study/analysis/tables.h"
 
 namespace forceshade::analysis {
@@ -24,6 +25,27 @@ TEST(percentages, of_a_resample_are_divided_by_its_own_number_of_answers) {
   EXPECT_NEAR(overall->percents[0].interval.low, 0, 1e-12);
   EXPECT_NEAR(overall->percents[0].interval.high, 100, 1e-12);
   EXPECT_NEAR(overall->percents[1].interval.high, 100, 1e-12);
+}
+
+// A always said 1 and B always 2, so every resample of trials is the same. Clopper and Pearson for 12 of 24: 29.12 to 70.88 %, for
+// 1 of 1: 2.5 to 100 %. People as units show how far A and B differ, and one of them alone shows nothing of others.
+TEST(percentages, have_the_exact_interval_where_every_resample_is_the_same) {
+  experiments::Results results;
+  for (int i = 0; i < 12; ++i) {
+    results.classification.push_back({"A", i + 1, "bump-2p-shaded", 600, i + 1, 1, 9});
+    results.classification.push_back({"B", i + 1, "bump-2p-shaded", 600, i + 1, 2, 9});
+  }
+  const auto words = [&](std::size_t trials, Unit unit) {
+    experiments::Results some = results;
+    some.classification.resize(trials);
+    const Interval interval = classification_rows(some, {1, 500, 0.95, unit})[0].percents[0].interval;
+    return fixed(interval, 2);
+  };
+  EXPECT_EQ(words(24, Unit::trials), "29.12 to 70.88");
+  EXPECT_EQ(words(2, Unit::trials), "1.26 to 98.74");
+  EXPECT_EQ(words(1, Unit::trials), "2.50 to 100.00");
+  EXPECT_EQ(words(24, Unit::participants), "0.00 to 100.00");
+  EXPECT_EQ(words(1, Unit::participants), "-");
 }
 
 // Where everybody gave the same answer, the interval is that answer, and there is one.

@@ -20,6 +20,7 @@
 #include "study/experiments/virtual_participant.h"
 #include "tests/experiments/bids_study.h"
 #include "tests/experiments/example_protocols.h"
+#include "tests/experiments/small_protocols.h"
 
 namespace forceshade::experiments {
 namespace {
@@ -35,7 +36,7 @@ TEST_F(Bids, behaviour_holds_the_answered_trials_of_the_events) {
     Rows expected;
     for (std::size_t i = 1; i < events.size(); ++i) {
       interrupted += events[i][2] == "interrupted" ? 1 : 0;
-      if (events[i].back() == "n/a") continue;
+      if (events[i][11] == "n/a") continue;
       std::vector<std::string>& row = expected.emplace_back(events[i].begin() + 2, events[i].end());
       row.push_back(events[i][1]);
     }
@@ -53,6 +54,57 @@ TEST_F(Bids, names_the_authors_that_are_given_and_invents_none) {
   const fs::path folder = directory.file("named");
   export_bids(sessions, folder, {}, authors);
   EXPECT_EQ(json_of(folder / "dataset_description.json").value("Authors", std::vector<std::string>()), authors);
+}
+
+// Whoever knows BIDS calls participants sub-01. What only begins like it keeps its letters.
+TEST_F(Bids, a_label_has_its_prefix_once) {
+  for (const auto& [pseudonym, subject] : std::vector<std::pair<std::string, std::string>>{
+           {"sub-01", "sub-01"}, {"Sub-A-7", "sub-A7"}, {"subject-1", "sub-subject1"}, {"sub-", "sub-sub"}, {"01", "sub-01"}}) {
+    const fs::path session = directory.file("session of " + pseudonym), folder = directory.file("of " + pseudonym);
+    RecordedSession::start(session, sessions[1] / "protocol.toml", pseudonym, 1, {}, Sync::never);
+    export_bids(std::vector<fs::path>{session}, folder);
+    EXPECT_TRUE(text_of(folder / "participants.tsv").ends_with("certified\n" + subject + '\t' + pseudonym + "\tn/a\tn/a\tn/a\n"))
+        << text_of(folder / "participants.tsv");
+    EXPECT_TRUE(fs::exists(folder / subject / "beh" / (subject + "_task-matching_run-1_beh.tsv")));
+  }
+}
+
+// A session whose block begins again after an interruption: what went before has a kind of its own, and is not used, whatever
+// the event; the answers that are left are those of the results.
+TEST_F(Bids, trials_of_a_block_that_was_begun_again_are_abandoned) {
+  const fs::path session = directory.file("again"), folder = directory.file("again bids");
+  double time = 0;
+  {
+    RecordedSession recorded =
+        RecordedSession::start(session, directory.write("again.toml", small_matching("block")), "P", 5, {}, Sync::never);
+    go_on(recorded.session(), time, 2 + 4 + 1 + 3 * 4 + 1);  // into the fourth trial of the first block
+  }
+  RecordedSession resumed = RecordedSession::resume(session, {}, Sync::never);
+  time = 0;
+  go_on(resumed.session(), time);
+  export_bids(std::vector<fs::path>{session}, folder);
+  std::map<std::string, int> kinds, used;
+  std::vector<std::string> answers;
+  for (const char* run : {"1", "2"}) {
+    const std::string base = folder / "sub-P/beh/sub-P_task-matching_run-";
+    for (const auto& row : rows_of(base + run + "_beh.tsv")) {
+      ++kinds[row[0] + ' ' + row[10]];
+      if (row[10] == "yes") answers.push_back(row[1] + ' ' + row[9]);
+    }
+    for (const auto& row : rows_of(base + run + "_events.tsv"))
+      if (row[2] == "radius_change" || row[2] == "interrupted") ++used[row[2] + ' ' + row[12] + " in run " + run];
+  }
+  EXPECT_EQ(kinds, (std::map<std::string, int>{
+                       {"trial_type used", 2}, {"practice no", 1}, {"abandoned no", 3}, {"matching yes", 12}}));
+  const Results results = results_of(read_session(session));
+  std::vector<std::string> expected;
+  for (const MatchingResult& trial : results.matching)
+    expected.push_back(std::to_string(trial.trial) + ' ' + std::to_string(trial.satisfaction));
+  EXPECT_EQ(answers, expected);
+  EXPECT_EQ(used["interrupted no in run 1"], 1);
+  EXPECT_GT(used["radius_change no in run 1"], 2);
+  EXPECT_GT(used["radius_change yes in run 2"], 11);
+  EXPECT_EQ(used.size(), 3U);
 }
 
 // How long a run's ticks last, and how many there are in a second.
@@ -79,7 +131,7 @@ TEST_F(Bids, each_cell_is_that_of_the_session) {
   const Rows rows = rows_of(out() / "sub-V1/beh/sub-V1_task-matching_run-1_events.tsv");
   EXPECT_EQ(rows[0],
             (std::vector<std::string>{"onset", "duration", "trial_type", "trial", "stimulus", "radius_mil", "initial",
-                                      "initial_radius_mil", "repetition", "vision", "matching_radius_mil", "response"}));
+                                      "initial_radius_mil", "repetition", "vision", "matching_radius_mil", "response", "used"}));
   const auto whole = [](double number) { return std::to_string(static_cast<int>(number)); };
   const std::array<const char*, 3> initials{"large", "same", "small"};
   std::map<std::string, std::vector<Event>> breaks;
@@ -104,7 +156,8 @@ TEST_F(Bids, each_cell_is_that_of_the_session) {
                                               whole(trial.repetition),
                                               trial.vision ? "yes" : "no",
                                               whole(trial.final_radius),
-                                              whole(trial.satisfaction)};
+                                              whole(trial.satisfaction),
+                                              "yes"};
       EXPECT_EQ(std::vector(row.begin() + 3, row.end()), expected);
       EXPECT_EQ(std::stod(row[0]), starts.at(trials));
       EXPECT_NEAR(std::stod(row[1]), trial.seconds, 1e-9);
@@ -178,7 +231,12 @@ TEST_F(Bids, motion_has_the_ticks_of_its_run) {
 }
 
 TEST_F(Bids, the_data_set_says_who_took_part_and_what_it_is) {
-  EXPECT_EQ(text_of(out() / "participants.tsv"), "participant_id\tpseudonym\nsub-B2\tB-2\nsub-V1\tV1\n");
+  EXPECT_EQ(text_of(out() / "participants.tsv"),
+            "participant_id\tpseudonym\tanswered_by\tdevice\tcertified\nsub-B2\tB-2\tperson\tan arm\tyes; no\n"
+            "sub-V1\tV1\tvirtual participant\tnone\tn/a\n");
+  const std::string readme = text_of(out() / "README");
+  EXPECT_NE(readme.find("No person answered for sub-V1: it is a virtual participant"), std::string::npos) << readme;
+  EXPECT_NE(readme.find("The forces were not certified for sub-B2.\n"), std::string::npos) << readme;
   const nlohmann::json about = json_of(out() / "dataset_description.json");
   EXPECT_EQ(about["Name"], "Force shading for shape perception");
   EXPECT_EQ(about["BIDSVersion"], "1.9.0");
@@ -221,9 +279,11 @@ TEST_F(Bids, of_a_classification_describes_its_own_task) {
         std::vector(row.begin() + 1, row.begin() + 10),
         (std::vector<std::string>{std::to_string(trial.trial), trial.stimulus, std::to_string(static_cast<int>(trial.radius)),
                                   "n/a", "n/a", std::to_string(trial.repetition), "yes", "n/a", std::to_string(trial.answer)}));
-    EXPECT_NEAR(std::stod(row[10]), trial.seconds, 1e-9);
+    EXPECT_EQ(row[10], "yes");
+    EXPECT_NEAR(std::stod(row[11]), trial.seconds, 1e-9);
   }
   EXPECT_EQ(trials, 504U);
+  EXPECT_EQ(json_of(folder / "dataset_description.json")["Name"], "Force shading for shape perception, virtual participants");
 }
 
 TEST_F(Bids, says_why_it_refuses_sessions) {
@@ -239,8 +299,17 @@ TEST_F(Bids, says_why_it_refuses_sessions) {
   EXPECT_EQ(said({second, second}, directory.file("x")),
             second.string() + ": participant B-2 did the same experiment in an earlier session");
   RecordedSession::start(twice, second / "protocol.toml", "B2", 1, {}, Sync::never);
-  EXPECT_EQ(said({second, twice}, directory.file("x")),
-            twice.string() + ": participants B-2 and B2 become one in BIDS, where labels have no dashes: rename one");
+  const auto become_one = [&](const fs::path& from, const std::string& both) {
+    return from.string() + ": participants " + both +
+           " become one in BIDS, where labels have no dashes and no \"sub-\" of their own, and where file systems may take "
+           "capital letters for small ones: rename one";
+  };
+  EXPECT_EQ(said({second, twice}, directory.file("x")), become_one(twice, "B-2 and B2"));
+  for (const char* other : {"b2", "sub-B2", "SUB-b-2"}) {
+    const fs::path folder = directory.file(std::string("other ") + other);
+    RecordedSession::start(folder, second / "protocol.toml", other, 1, {}, Sync::never);
+    EXPECT_EQ(said({second, folder}, directory.file("x")), become_one(folder, std::string("B-2 and ") + other));
+  }
   const std::string file = directory.write("file", "");
   EXPECT_EQ(said(sessions, file), file + ": expected no file of this name, or an empty folder");
   EXPECT_EQ(said(sessions, out()), out().string() + ": expected no file of this name, or an empty folder");

@@ -14,9 +14,10 @@ using tests::TemporaryDirectory;
 
 Results some_results() {
   Results results;
-  results.matching = {{"P 1, left-handed", 1, true, "flat", InitialRadius::large, 1, 600, 1400, 0.1 + 0.2, 7, 12, 61.25},
+  results.matching = {{"P 1, left-handed", 1, true, "flat", InitialRadius::large, 1, 600, 1400, 0.1 + 0.2, 7, 12, 61.25,
+                       {AnsweredBy::person, "phantom:Left, the \"old\" one", true}},
                       {"\"P2\"", 2, false, "round", InitialRadius::same, 4, 800, 800, 812.5, 10, 0, 0},
-                      {"P3", 3, false, "two", InitialRadius::small, 2, 1400, 600, 1e-7, 1, 100000, 1e6}};
+                      {"P3", 3, false, "two", InitialRadius::small, 2, 1400, 600, 1e-7, 1, 100000, 1e6, {AnsweredBy::model, "simulated", false}}};
   results.classification = {{"P3", 1, "three", 1400, 24, 4, 9.5}, {"P3", 2, "bump-1p", 600, 1, 1, 1 / 3.0}};
   results.radius_changes = {{"P3", 3, 0, 0, 600}, {"P3", 3, 1, 2.5, 620}};
   return results;
@@ -48,9 +49,9 @@ TEST(results_csv, reads_back_what_it_writes) {
   for (std::size_t i = 0; i < read.matching.size(); ++i) {
     const MatchingResult &a = read.matching[i], &b = written.matching[i];
     EXPECT_EQ(std::tie(a.participant, a.trial, a.vision, a.stimulus, a.initial, a.repetition, a.reference_radius,
-                       a.initial_radius, a.final_radius, a.satisfaction, a.steps, a.seconds),
+                       a.initial_radius, a.final_radius, a.satisfaction, a.steps, a.seconds, a.origin),
               std::tie(b.participant, b.trial, b.vision, b.stimulus, b.initial, b.repetition, b.reference_radius,
-                       b.initial_radius, b.final_radius, b.satisfaction, b.steps, b.seconds));
+                       b.initial_radius, b.final_radius, b.satisfaction, b.steps, b.seconds, b.origin));
   }
   ASSERT_EQ(read.classification.size(), written.classification.size());
   for (std::size_t i = 0; i < read.classification.size(); ++i) {
@@ -64,8 +65,10 @@ TEST(results_csv, reads_back_what_it_writes) {
     EXPECT_EQ(std::tie(a.participant, a.trial, a.step, a.seconds, a.radius),
               std::tie(b.participant, b.trial, b.step, b.seconds, b.radius));
   }
-  EXPECT_TRUE(folder.read("matching.csv").starts_with(kHeader));
-  EXPECT_TRUE(folder.read("classification.csv").starts_with(kClassificationHeader));
+  const auto with_origin = [](std::string header) { return header.insert(header.size() - 1, ",answered_by,device,certified"); };
+  EXPECT_TRUE(folder.read("matching.csv").starts_with(with_origin(kHeader)));
+  EXPECT_TRUE(folder.read("classification.csv").starts_with(with_origin(kClassificationHeader)));
+  EXPECT_NE(folder.read("matching.csv").find(",1e+06,virtual participant,simulated,no\n"), std::string::npos);
   EXPECT_EQ(folder.entries(), 3);
 }
 
@@ -123,6 +126,28 @@ TEST(results_csv, names_file_line_and_column_of_a_wrong_field) {
                  std::string(kClassificationHeader).append("P,1,bump-1p,600,1,1,9\n").append(row).append("\n"));
     EXPECT_EQ(error_of(folder), std::string("/classification.csv:3: ") + error);
   }
+}
+
+// A file of an earlier version or of another program has none of these columns, or some; a word that is none is refused.
+TEST(results_csv, reads_where_an_answer_comes_from_if_the_file_says_it) {
+  const auto read = [](const std::string& columns, const std::string& cells) {
+    const TemporaryDirectory folder;
+    std::string header = kClassificationHeader;
+    header.insert(header.size() - 1, columns);
+    folder.write("classification.csv", header + "P,1,bump-1p,600,1,1,9" + cells + '\n');
+    const std::string error = error_of(folder);
+    if (error != "no error") return error;
+    const Origin origin = read_results(folder.path()).classification.front().origin;
+    return std::string(name_of(origin.answered_by)) + '|' + origin.device + '|' +
+           (!origin.certified ? "" : *origin.certified ? "yes" : "no");
+  };
+  EXPECT_EQ(read("", ""), "||");
+  EXPECT_EQ(read(",device", ",phantom"), "|phantom|");
+  EXPECT_EQ(read(",certified,answered_by", ",no,person"), "person||no");
+  EXPECT_EQ(read(",answered_by,device,certified", ",virtual participant,simulated,yes"), "virtual participant|simulated|yes");
+  EXPECT_EQ(read(",answered_by", ",robot"),
+            "/classification.csv:2: column 8 (answered_by): expected person, virtual participant or nothing, got \"robot\"");
+  EXPECT_EQ(read(",certified", ",maybe"), "/classification.csv:2: column 8 (certified): expected yes, no or nothing, got \"maybe\"");
 }
 
 TEST(results_csv, says_which_column_is_missing) {

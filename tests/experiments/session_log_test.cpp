@@ -155,15 +155,6 @@ TEST(trial_log, says_of_every_block_which_it_is) {
   }
 }
 
-std::string words_of_reading(const fs::path& folder) {
-  try {
-    read_session(folder);
-    return "";
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
-
 TEST(trial_log, any_changed_byte_is_found_out) {
   const tests::TemporaryDirectory directory;
   const fs::path folder = directory.file("s"), file = folder / "trials.jsonl";
@@ -215,84 +206,6 @@ TEST(trial_log, another_protocol_or_seed_is_refused_with_the_line) {
       << words;
 }
 
-TEST(session_folder, refuses_what_would_mix_two_sessions) {
-  const tests::TemporaryDirectory directory;
-  const fs::path folder = directory.file("s");
-  const std::string protocol = directory.write("p.toml", kSmallClassification);
-  for (const char* id : {"", "Anna Maria", "-x", "ä", "a/b"})
-    EXPECT_THROW(RecordedSession::start(folder, protocol, id, 1), Error) << id;
-  EXPECT_FALSE(fs::exists(folder));
-  double time = 0;
-  {
-    RecordedSession recorded = RecordedSession::start(folder, protocol, "A-1", 1);
-    EXPECT_THROW(RecordedSession::start(folder, protocol, "A-1", 1), Error);
-    EXPECT_THROW(RecordedSession::resume(folder), Error) << "it is open";
-    go_on(recorded.session(), time);
-  }
-  EXPECT_THROW(RecordedSession::resume(folder), Error) << "it is over";
-  EXPECT_NO_THROW(read_session(folder));
-  const std::vector<fs::path> twice{folder, folder};
-  EXPECT_THROW(results_of(twice), Error);
-}
-
-// A full disk, by the limit of a file's size. An empty folder that was there stays, as it may be the user's.
-TEST(session_folder, leaves_nothing_half_written) {
-  for (const bool is_there : {false, true}) {
-    const tests::TemporaryDirectory directory;
-    const fs::path folder = directory.file("s");
-    if (is_there) fs::create_directory(folder);
-    const std::string protocol = directory.write("p.toml", kSmallClassification);
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    rlimit small = before;
-    small.rlim_cur = 1000;  // enough for the protocol, too little for the texts
-    setrlimit(RLIMIT_FSIZE, &small);
-    bool is_refused = false;
-    try {
-      RecordedSession::start(folder, protocol, "A", 1);
-    } catch (const files::OutputError&) {
-      is_refused = true;
-    }
-    setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
-    EXPECT_TRUE(is_refused);
-    EXPECT_EQ(fs::exists(folder), is_there);
-    if (fs::exists(folder)) {
-      EXPECT_TRUE(fs::is_empty(folder));
-    }
-  }
-}
-
-TEST(session_folder, refuses_a_session_json_with_file_and_key) {
-  const tests::TemporaryDirectory directory;
-  const fs::path folder = directory.file("s");
-  RecordedSession::start(folder, directory.write("p.toml", kSmallClassification), "A", 1);
-  const std::string right = directory.read("s/session.json");
-  const auto with = [&](const std::string& key, const std::string& value) {
-    std::string text = right;
-    const std::size_t begin = text.find('"' + key + "\": ") + key.size() + 4;
-    return text.replace(begin, text.find_first_of(",\n", begin) - begin, value);
-  };
-  const std::string deep = std::string(17, '[') + std::string(17, ']'), less_deep = deep.substr(2, 30);
-  for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
-           {with("schema", "2"), "schema: expected 1, got 2"},
-           {with("schema", "1.5"), "schema: expected 1, got 1.5"},
-           {with("schema", "18446744073709551615"), "schema: expected 1, got 18446744073709551615"},
-           {with("schema", less_deep), "schema: expected 1, got " + less_deep},
-           {with("schema", deep), "expected at most 16 levels of objects and lists, got more"},
-           {with("participant", "7"), "participant: expected a text in quotes, got 7"},
-           {with("participant", "\"A\\u0007\""), "participant: expected letters, digits and dashes"},
-           {with("seed", "\"1x\""), "seed: expected a whole number below 2^64 in quotes, got 1x"},
-           {"{}", "the key schema is missing"},
-           {"[]", "expected an object with the key schema"}}) {
-    directory.write("s/session.json", text);
-    EXPECT_EQ(words_of_reading(folder), (folder / "session.json").string() + ": " + expected);
-  }
-  directory.write("s/session.json", right);
-  EXPECT_EQ(words_of_reading(folder), "");
-}
-
 // An event of each kind, with a number of its own in each field that it has.
 TEST(trial_log, reads_back_each_field_of_each_event) {
   const tests::TemporaryDirectory directory;
@@ -309,6 +222,8 @@ TEST(trial_log, reads_back_each_field_of_each_event) {
     event.radius = 500 + kind;
     event.answer = 600 + kind;
     event.text = "ö \"" + std::to_string(kind);
+    event.device = "device \"" + std::to_string(kind);
+    if (kind > 0) event.certified = kind % 2 == 0;
     if (event.kind == EventKind::trial_started) event.trial = {701, "name", 702, InitialRadius::small, 703, 704};
     events.push_back(event);
     text += line_of(event, events.size());

@@ -2,9 +2,11 @@
 #pragma once
 // Protocols of sessions that are short, and one who presses through them.
 
+#include <filesystem>
 #include <string>
 
-#include "study/experiments/session.h"
+#include "study/experiments/error.h"
+#include "study/experiments/session_folder.h"
 #include "tests/experiments/patient.h"
 
 namespace forceshade::experiments {
@@ -54,6 +56,16 @@ stimuli = [{ law = "bump-1p" }, { law = "bump-cylinder" }]
 radii_mil = [600, 1000]
 repetitions = 2
 )";
+
+// Why the session in this folder cannot be read; empty where it can.
+inline std::string words_of_reading(const std::filesystem::path& folder) {
+  try {
+    read_session(folder);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
 
 // Presses until the session is over or `most` presses are done.
 inline void go_on(Session& session, double& time, int most = 100'000) {

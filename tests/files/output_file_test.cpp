@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files and folders that appear whole or not at all, on disks, pipes and devices.
+// Files that appear whole or not at all, on disks, pipes and devices.
 
 #include "files/output_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,7 +17,6 @@
 #include <functional>
 #include <thread>
 
-#include "files/output_folder.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::files {
@@ -242,120 +240,6 @@ TEST(output_file, tells_standard_output_from_other_names) {
   ASSERT_EQ(::mkfifo(directory.file("pipe").c_str(), 0600), 0);
   EXPECT_TRUE(is_written_directly(directory.file("pipe")));
   for (const char* name : {"file", "absent", "."}) EXPECT_FALSE(is_written_directly(directory.file(name))) << name;
-}
-
-TEST(output_folder, appears_whole_at_commit) {
-  const TemporaryDirectory directory;
-  OutputFolder folder(directory.file("made/plots/"));
-  folder.write("a.svg", "a");
-  std::filesystem::create_directory(folder.so_far() / "inner");
-  OutputFile inner(folder.so_far() / "inner/b.svg");
-  inner.stream() << "b";
-  inner.commit();
-  EXPECT_FALSE(std::filesystem::exists(directory.file("made/plots")));
-  folder.commit();
-  EXPECT_EQ(directory.read("made/plots/a.svg"), "a");
-  EXPECT_EQ(directory.read("made/plots/inner/b.svg"), "b");
-  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("made"))), 1);
-}
-
-TEST(output_folder, leaves_nothing_without_commit) {
-  const TemporaryDirectory directory;
-  std::filesystem::create_directory(directory.file("there"));
-  for (const char* name : {"new", "there"}) {
-    const OutputFolder folder(directory.file(name));
-    folder.write("a.svg", "a");
-  }
-  EXPECT_EQ(directory.entries(), 1);
-  EXPECT_TRUE(std::filesystem::is_empty(directory.file("there")));
-}
-
-TEST(output_folder, keeps_the_other_files_of_a_folder_that_is_there) {
-  const TemporaryDirectory directory;
-  std::filesystem::create_directory(directory.file("there"));
-  directory.write("there/mine.txt", "mine");
-  directory.write("there/a.svg", "old");
-  OutputFolder folder(directory.file("there"));
-  folder.write("a.svg", "new");
-  folder.write("b.svg", "b");
-  EXPECT_EQ(directory.read("there/a.svg"), "old");
-  folder.commit();
-  EXPECT_EQ(directory.read("there/a.svg"), "new");
-  EXPECT_EQ(directory.read("there/b.svg"), "b");
-  EXPECT_EQ(directory.read("there/mine.txt"), "mine");
-  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("there"))), 3);
-}
-
-TEST(output_folder, replaces_no_folder_and_no_link_of_that_name) {
-  const TemporaryDirectory directory;
-  std::filesystem::create_directories(directory.file("there/b.svg"));
-  directory.write("there/b.svg/mine.txt", "mine");
-  OutputFolder folder(directory.file("there"));
-  folder.write("a.svg", "a");
-  folder.write("b.svg", "b");
-  EXPECT_THROW(folder.commit(), OutputError);
-  EXPECT_EQ(directory.read("there/b.svg/mine.txt"), "mine");
-  EXPECT_FALSE(std::filesystem::exists(directory.file("there/a.svg")));
-}
-
-// A file on which another one is mounted cannot be renamed: the second of three fails after the first was put in place.
-TEST(output_folder, undoes_what_it_put_in_place_when_a_later_file_fails) {
-  const TemporaryDirectory directory;
-  std::filesystem::create_directory(directory.file("there"));
-  for (const char* name : {"there/a.svg", "there/c.svg", "other"}) directory.write(name, "old");
-  if (::mount(directory.file("other").c_str(), directory.file("there/c.svg").c_str(), nullptr, MS_BIND, nullptr) != 0)
-    GTEST_SKIP() << "this process may not mount";
-  {
-    OutputFolder folder(directory.file("there"));
-    for (const char* name : {"a.svg", "b.svg", "c.svg"}) folder.write(name, "new");
-    try {
-      folder.commit();
-      ADD_FAILURE() << "a mount point was replaced";
-    } catch (const OutputError& error) {
-      EXPECT_EQ(error.what(), directory.file("there/c.svg") + ": cannot put in place: Device or resource busy");
-    }
-  }
-  EXPECT_EQ(::umount(directory.file("there/c.svg").c_str()), 0);
-  EXPECT_EQ(directory.read("there/a.svg"), "old");
-  EXPECT_EQ(directory.read("there/c.svg"), "old");
-  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("there"))), 2);
-}
-
-// A file system of 64 kB, which is full after the second file.
-TEST(output_folder, leaves_nothing_on_a_disk_that_fills_up_and_names_the_file) {
-  const TemporaryDirectory directory;
-  std::filesystem::create_directory(directory.file("disk"));
-  if (::mount("none", directory.file("disk").c_str(), "tmpfs", 0, "size=64k") != 0)
-    GTEST_SKIP() << "this process may not mount";
-  for (const char* there : {"", "there"}) {
-    const std::string path = directory.file("disk/plots");
-    if (*there != '\0') std::filesystem::create_directory(path);
-    try {
-      OutputFolder folder(path);
-      for (const char* name : {"a.svg", "b.svg", "c.svg"}) folder.write(name, std::string(30000, 'x'));
-      folder.commit();
-      ADD_FAILURE() << "it held more than it is large";
-    } catch (const OutputError& error) {
-      EXPECT_EQ(error.what(), path + "/c.svg: cannot write: No space left on device");
-    }
-    EXPECT_EQ(std::filesystem::exists(path), *there != '\0');
-    EXPECT_TRUE(*there == '\0' || std::filesystem::is_empty(path));
-    EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("disk"))), *there == '\0' ? 0 : 1);
-  }
-  // The folder may be the mount point itself: a file cannot be renamed from one file system into another.
-  OutputFolder whole_disk(directory.file("disk"));
-  whole_disk.write("a.svg", "a");
-  EXPECT_NO_THROW(whole_disk.commit());
-  EXPECT_EQ(directory.read("disk/a.svg"), "a");
-  EXPECT_EQ(::umount(directory.file("disk").c_str()), 0);
-}
-
-TEST(output_folder, has_a_name_in_messages_under_which_it_will_appear) {
-  EXPECT_EQ(final_name("out/plots.partial-0123abcd/a.svg"), "out/plots/a.svg");
-  EXPECT_EQ(final_name("plots/.partial-0123abcd/inner/a.svg"), "plots/inner/a.svg");
-  EXPECT_EQ(final_name("a.svg.partial-0123abcd"), "a.svg");
-  for (const char* plain : {"a.partial-012.svg", "x.partial-0123abcde/a", "partial-0123abcd/a"})
-    EXPECT_EQ(final_name(plain), plain);
 }
 
 }  // namespace
