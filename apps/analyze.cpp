@@ -68,7 +68,8 @@ experiments::Results read_folders(const std::vector<std::string>& folders) {
     if (name == analysis::kOverall) throw BadInput("participant: expected a name other than \"overall\", which the tables use");
   if (all.matching.empty() && all.classification.empty())
     throw BadInput(folders.front() + ": expected at least one trial, got none");
-  if (const std::string fault = analysis::fault_of(analysis::origins_of(all)); !fault.empty()) throw BadInput("folder: " + fault);
+  if (const std::string fault = analysis::fault_of(analysis::origins_of(all)); !fault.empty())
+    throw BadInput("folder: " + fault);
   return all;
 }
 
@@ -164,7 +165,9 @@ std::vector<std::string> files_of(const experiments::Results& results, const ana
   std::vector<std::string> stems;
   for (const auto& [stimulus, vision] : conditions) {
     const std::string name = analysis::condition_name(stimulus, vision);
-    const auto is_same = [&](const std::string& stem) { return files::folded_name(stem) == files::folded_name("matching-" + name); };
+    const auto is_same = [&](const std::string& stem) {
+      return files::folded_name(stem) == files::folded_name("matching-" + name);
+    };
     if (std::ranges::any_of(stems, is_same))
       throw BadInput("stimulus: expected names that differ in letters, not only capital ones, and digits; two are " + name);
     stems.insert(stems.end(), {"matching-" + name, "satisfaction-" + name});

@@ -185,11 +185,9 @@ int run(const RunOptions& options) {
 int resume(const std::string& folder, const Driving& driving) {
   const experiments::SavedSession saved = experiments::read_session(folder);
   const SessionOptions session = driving.options();
-  return run_session(saved.protocol, session, driving.front(session.origin),
-                     [&] {
-                       return experiments::RecordedSession::resume(folder, driving.key_names(), experiments::Sync::each_event,
-                                                                   driving.answers());
-                     });
+  return run_session(saved.protocol, session, driving.front(session.origin), [&] {
+    return experiments::RecordedSession::resume(folder, driving.key_names(), experiments::Sync::each_event, driving.answers());
+  });
 }
 
 // A folder for results, where nothing that is there is replaced; none for an option that was not given.

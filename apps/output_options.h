@@ -40,7 +40,8 @@ void expect_room_for_results(const std::string& json, const std::string& junit);
 // Whether --overwrite was given.
 bool overwrites(const CLI::App& command);
 
-// --out DIR. One process has the folder at a time, until the command ends: another one that wants it is refused before any work.
+// --out DIR. One process has the folder at a time, until the command ends: another one that wants it is refused before any
+// work.
 class OutFolder {
  public:
   OutFolder(CLI::App& command, const std::string& help);

@@ -24,11 +24,9 @@ constexpr std::array kKinds{
            return std::make_unique<Replay>(Replay::load(file));
          }},
     Kind{"simulated", "[:MODEL[:FILE.csv]]", "a simulated PHANToM in a simulated hand that strokes, or means to go as recorded",
-         [](const std::string& rest, Attendant& attendant, Forces) { return open_simulated(rest, attendant); },
-         nullptr, true},
+         [](const std::string& rest, Attendant& attendant, Forces) { return open_simulated(rest, attendant); }, nullptr, true},
     Kind{"mouse", "[:MODEL]", "a simulated PHANToM whose hand goes where the mouse points over a window that shows the surface",
-         [](const std::string& model, Attendant& attendant, Forces) { return open_mouse(model, attendant); },
-         nullptr, true},
+         [](const std::string& model, Attendant& attendant, Forces) { return open_mouse(model, attendant); }, nullptr, true},
     Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom,
          phantom_checks},
     Kind{"command", ":PROGRAM", "whatever a program of one's own drives: it answers forces with positions, in lines of JSON",

@@ -79,7 +79,8 @@ bool OutputFolder::has_claimed(const fs::path& partial) {
   if (lock_ < 0) throw output_failure(path_, "open the folder for its files", errno);
   const bool is_locked = ::flock(lock_, LOCK_EX | LOCK_NB) == 0;
   const int reason = is_locked ? 0 : errno;
-  struct stat ours {}, there {};
+  struct stat ours {
+  }, there{};
   const bool is_that = ::fstat(lock_, &ours) == 0 && ::stat(partial.c_str(), &there) == 0 && ours.st_ino == there.st_ino;
   if (!is_locked || !is_that) {
     ::close(std::exchange(lock_, -1));

@@ -11,8 +11,8 @@
 namespace forceshade::analysis {
 
 struct Origins {
-  std::vector<std::string> people, models, not_recorded;  // participants, in the order of the results
-  std::map<std::string, std::size_t> devices;             // trials by device; "" where it was not recorded
+  std::vector<std::string> people, models, not_recorded;    // participants, in the order of the results
+  std::map<std::string, std::size_t> devices;               // trials by device; "" where it was not recorded
   std::size_t certified = 0, uncertified = 0, unknown = 0;  // trials by their forces
 
   bool are_virtual() const { return !models.empty(); }

@@ -209,9 +209,9 @@ std::string to_html(const Analysis& analysis, const std::vector<properties::Pict
       "forceshade analysis",
       std::string("<header>\n<h1>forceshade: analysis of the experiments") + (are_virtual ? " with virtual participants" : "") +
           "</h1>\n<p class=\"statement\">" + properties::plural(people, are_virtual ? "virtual participant" : "participant") +
-          ", " + properties::grouped(analysis.results.matching.size()) +
-          " matching and " + properties::grouped(analysis.results.classification.size()) +
-          " classification trials.</p>\n" + statements + "<p class=\"statement\">" + escaped(method_of(analysis.options)) + ".</p>\n</header>\n" +
+          ", " + properties::grouped(analysis.results.matching.size()) + " matching and " +
+          properties::grouped(analysis.results.classification.size()) + " classification trials.</p>\n" + statements +
+          "<p class=\"statement\">" + escaped(method_of(analysis.options)) + ".</p>\n</header>\n" +
           matching_html(analysis.matching) + classification_html(analysis.classification) +
           psychometric_html(analysis.psychometric) + figures_html(pictures, drawn),
       kTables);

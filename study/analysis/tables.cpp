@@ -113,8 +113,8 @@ ClassificationRow classification_row(const std::vector<ClassificationResult>& tr
   const std::vector<Interval> intervals = bca_intervals(
       strata, percents, resampling, "classification/" + row.stimulus + '/' + files::shortest(row.radius) + '/' + participant);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto chosen = static_cast<std::size_t>(std::ranges::count_if(
-        rows, [&](std::size_t i) { return trials[i].answer == static_cast<int>(k) + 1; }));
+    const auto chosen = static_cast<std::size_t>(
+        std::ranges::count_if(rows, [&](std::size_t i) { return trials[i].answer == static_cast<int>(k) + 1; }));
     const bool is_same = !(intervals[k].low < intervals[k].high);  // in every resample
     const bool is_exact = is_same && !is_of_one_person && (resampling.count > 0 || chosen % rows.size() == 0);
     row.percents[k] = {values[k], is_exact ? exact_percent(chosen, rows.size(), resampling.level) : intervals[k]};

@@ -44,8 +44,8 @@ struct ClassificationRow {
 // The tables in the order of the thesis; conditions that it does not have come after them, by name.
 std::vector<MatchingTable> matching_tables(const experiments::Results& results, const Resampling& resampling);
 
-// The rows of table 6.9, overall, then those of each participant. Where each participant gives an answer always or never, so does
-// every resample: then the interval is the exact one of Clopper and Pearson (1934) for all trials together. It is right
+// The rows of table 6.9, overall, then those of each participant. Where each participant gives an answer always or never, so
+// does every resample: then the interval is the exact one of Clopper and Pearson (1934) for all trials together. It is right
 // for independent trials of one probability; where participants differ it is too long (Hoeffding 1956), never too short.
 std::vector<ClassificationRow> classification_rows(const experiments::Results& results, const Resampling& resampling);
 

@@ -81,10 +81,11 @@ void describe_trials(BidsJson& json, const SavedSession& session) {
 
 // Key by key what the kinds of trials are.
 BidsJson kinds_of_trials() {
-  return {{"matching", "A trial of the matching experiment"},
-          {"classification", "A trial of the classification experiment"},
-          {"practice", "A trial for practice, without use of its answer"},
-          {"abandoned", "A trial that was answered, without use of its answer: after an interruption its block was begun again"}};
+  return {
+      {"matching", "A trial of the matching experiment"},
+      {"classification", "A trial of the classification experiment"},
+      {"practice", "A trial for practice, without use of its answer"},
+      {"abandoned", "A trial that was answered, without use of its answer: after an interruption its block was begun again"}};
 }
 
 BidsJson events_sidecar(const SavedSession& session) {
@@ -238,8 +239,8 @@ std::string joined(const std::vector<std::string>& words, const char* between = 
 }
 
 // "sub-V1, sub-V2", those of which this word is said.
-std::string subjects_with(const std::map<std::string, Participant>& participants,
-                          std::vector<std::string> Participant::*words, const std::string& word) {
+std::string subjects_with(const std::map<std::string, Participant>& participants, std::vector<std::string> Participant::*words,
+                          const std::string& word) {
   std::vector<std::string> subjects;
   for (const auto& [label, participant] : participants)
     if (std::ranges::find(participant.*words, word) != (participant.*words).end()) subjects.push_back("sub-" + label);
@@ -256,13 +257,14 @@ std::string readme_of(const std::map<std::string, Participant>& participants) {
     text += "No person answered for " + subjects + ": it is a virtual participant, a model on a simulated device.\n";
   if (const std::string subjects = subjects_with(participants, &Participant::certified, "no"); !subjects.empty())
     text += "The forces were not certified for " + subjects + ".\n";
-  return text + "Who answered, on which device, and whether the forces were certified: participants.tsv.\nExported by forceshade.\n";
+  return text +
+         "Who answered, on which device, and whether the forces were certified: participants.tsv.\nExported by forceshade.\n";
 }
 
 BidsJson participants_sidecar() {
   return {{"pseudonym", described("Identifier in the session; nothing else about participants was recorded")},
-          {"answered_by", with_levels("Who answered", {{"person", "A person"},
-                                                       {"virtual participant", "A model of a person, and nobody"}})},
+          {"answered_by",
+           with_levels("Who answered", {{"person", "A person"}, {"virtual participant", "A model of a person, and nobody"}})},
           {"device", described("The devices that gave the forces, as forceshade names them; simulated: none was there")},
           {"certified", with_levels("Whether the forces were certified", {{"yes", "They were"},
                                                                           {"no", "They were not"},
@@ -271,7 +273,8 @@ BidsJson participants_sidecar() {
 }
 
 // Words of what was exported of each participant, by label. All that can be refused is refused before anything is written.
-std::map<std::string, Participant> participants_of(std::span<const fs::path> folders, const std::vector<SavedSession>& sessions) {
+std::map<std::string, Participant> participants_of(std::span<const fs::path> folders,
+                                                   const std::vector<SavedSession>& sessions) {
   std::map<std::string, Participant> participants;
   std::map<std::string, std::string> by_folded;
   std::set<std::pair<std::string, Experiment>> done;
@@ -280,9 +283,10 @@ std::map<std::string, Participant> participants_of(std::span<const fs::path> fol
     const std::string& name = session.participant;
     const auto [at, is_new] = by_folded.try_emplace(files::folded_name(label_of(name)), name);
     if (at->second != name)
-      throw Error(folders[i], "participants " + at->second + " and " + name +
-                                  " become one in BIDS, where labels have no dashes and no \"sub-\" of their own, and where file "
-                                  "systems may take capital letters for small ones: rename one");
+      throw Error(folders[i],
+                  "participants " + at->second + " and " + name +
+                      " become one in BIDS, where labels have no dashes and no \"sub-\" of their own, and where file "
+                      "systems may take capital letters for small ones: rename one");
     if (!done.insert({name, session.protocol.experiment}).second)
       throw Error(folders[i], "participant " + name + " did the same experiment in an earlier session");
     Participant& its = participants[label_of(name)];
@@ -308,7 +312,8 @@ void export_bids(std::span<const fs::path> sessions, files::OutputFolder& whole,
   write_text(whole.so_far() / "participants.tsv", rows);
   write_json(whole.so_far() / "participants.json", participants_sidecar());
   write_text(whole.so_far() / "README", readme_of(participants));
-  const bool is_virtual = !all.empty() && std::ranges::all_of(all, [](const SavedSession& one) { return one.answered_by == AnsweredBy::model; });
+  const bool is_virtual =
+      !all.empty() && std::ranges::all_of(all, [](const SavedSession& one) { return one.answered_by == AnsweredBy::model; });
   BidsJson about{{"Name", std::string("Force shading for shape perception") + (is_virtual ? ", virtual participants" : "")},
                  {"BIDSVersion", "1.9.0"},
                  {"DatasetType", "raw"}};

@@ -23,8 +23,8 @@ std::string_view name_of(AnsweredBy who);
 // Where an answer comes from. What was not recorded is empty.
 struct Origin {
   AnsweredBy answered_by = AnsweredBy::not_recorded;
-  std::string device = {};               // that gave the forces, by the name with which it was opened; printable
-  std::optional<bool> certified = {};    // whether these forces were
+  std::string device = {};             // that gave the forces, by the name with which it was opened; printable
+  std::optional<bool> certified = {};  // whether these forces were
 
   friend bool operator==(const Origin&, const Origin&) = default;
 };

@@ -151,12 +151,13 @@ void write_results(const Results& results, const fs::path& path) {
 void write_results(const Results& results, const files::OutputFolder& whole) {
   const fs::path& folder = whole.so_far();
   using files::shortest;
-  write_file(folder / "matching.csv", with_origin(kMatchingColumns), results.matching, [](std::ostream& out, const MatchingResult& r) {
-    out << quoted(r.participant) << ',' << r.trial << ',' << (r.vision ? "yes" : "no") << ',' << quoted(r.stimulus) << ','
-        << kInitials[static_cast<std::size_t>(r.initial)] << ',' << r.repetition << ',' << shortest(r.reference_radius) << ','
-        << shortest(r.initial_radius) << ',' << shortest(r.final_radius) << ',' << r.satisfaction << ',' << r.steps << ','
-        << shortest(r.seconds) << ',' << cells_of(r.origin);
-  });
+  write_file(folder / "matching.csv", with_origin(kMatchingColumns), results.matching,
+             [](std::ostream& out, const MatchingResult& r) {
+               out << quoted(r.participant) << ',' << r.trial << ',' << (r.vision ? "yes" : "no") << ',' << quoted(r.stimulus)
+                   << ',' << kInitials[static_cast<std::size_t>(r.initial)] << ',' << r.repetition << ','
+                   << shortest(r.reference_radius) << ',' << shortest(r.initial_radius) << ',' << shortest(r.final_radius)
+                   << ',' << r.satisfaction << ',' << r.steps << ',' << shortest(r.seconds) << ',' << cells_of(r.origin);
+             });
   write_file(folder / "classification.csv", with_origin(kClassificationColumns), results.classification,
              [](std::ostream& out, const ClassificationResult& r) {
                out << quoted(r.participant) << ',' << r.trial << ',' << quoted(r.stimulus) << ',' << shortest(r.radius) << ','
@@ -174,7 +175,8 @@ Results read_results(const fs::path& folder) {
         if (in.text(2) != "yes" && in.text(2) != "no") throw in.unexpected(2, "yes or no");
         all.matching.push_back({std::move(participant), trial, in.text(2) == "yes", words_in(in, 3), initial_in(in, 4),
                                 whole_in(in, 5, 1, kMostSteps), radius_in(in, 6), radius_in(in, 7), radius_in(in, 8),
-                                whole_in(in, 9, 1, 10), whole_in(in, 10, 0, kMostSteps), seconds_in(in, 11), origin_in(in, 12)});
+                                whole_in(in, 9, 1, 10), whole_in(in, 10, 0, kMostSteps), seconds_in(in, 11),
+                                origin_in(in, 12)});
       });
   const bool has_classification =
       read_file(folder / "classification.csv", kClassificationColumns, true,

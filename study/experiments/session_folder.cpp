@@ -240,9 +240,8 @@ SavedSession read_session(const fs::path& folder) {
     return Session(
         all.protocol, all.language, all.about.seed, [](const Event&) {}, text.events);
   });
-  return {all.about.participant,   all.about.seed,         std::move(all.protocol),
-          std::move(all.language), std::move(text.events), text.note,
-          all.about.answered_by};
+  return {all.about.participant,  all.about.seed, std::move(all.protocol), std::move(all.language),
+          std::move(text.events), text.note,      all.about.answered_by};
 }
 
 }  // namespace forceshade::experiments

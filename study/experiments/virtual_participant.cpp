@@ -326,8 +326,8 @@ std::vector<std::filesystem::path> run_virtual_study(const std::filesystem::path
     std::string name = "V";
     name += std::to_string(i);
     Random seeds(seed, static_cast<std::uint64_t>(i));
-    RecordedSession recorded = RecordedSession::start(folder / name, protocol, name, seeds.next(), {}, sync,
-                                                      {AnsweredBy::model, "none", {}});
+    RecordedSession recorded =
+        RecordedSession::start(folder / name, protocol, name, seeds.next(), {}, sync, {AnsweredBy::model, "none", {}});
     VirtualParticipant participant(read, observer, feel, seeds.next());
     run_to_end(recorded.session(), participant);
     folders.push_back(folder / name);

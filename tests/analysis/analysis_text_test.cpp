@@ -26,8 +26,9 @@ TEST(analysis_text, has_the_tables_in_the_thesiss_layout) {
                            "99 1 0 0", "θ-critical", "95 % BCa intervals (Efron 1987)"})
     EXPECT_TRUE(has(text, part)) << part << "\nin\n" << text;
   const std::string csv = to_csv(small_analysis());
-  EXPECT_TRUE(csv.starts_with(
-      "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis,answered_by\n6.3,bump-1p-shaded,no,,P1,"));
+  EXPECT_TRUE(
+      csv.starts_with("table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis,answered_by\n6.3,bump-"
+                      "1p-shaded,no,,P1,"));
   const std::string first = csv.substr(0, csv.find("\n6.3,bump-1p-shaded,no,,P1,60,mean_sd_percent,"));
   EXPECT_TRUE(first.ends_with(",,not recorded")) << first;  // the thesis's number stands beside overall rows alone
   EXPECT_TRUE(has(csv, ",0.43,not recorded\n6.3,bump-1p-shaded,no,,overall,120,mean_sd_percent,")) << csv;
@@ -123,7 +124,9 @@ TEST(analysis_text, in_csv_is_this_text_as_a_whole) {
   Analysis analysis = made_analysis();
   analysis.matching[1].stimulus = "own, \"é\"";
   analysis.classification.resize(3);
-  analysis.results.matching = {{.participant = "P1", .origin = {experiments::AnsweredBy::person, "phantom", true}}};
+  analysis.results.matching.resize(1);
+  analysis.results.matching[0].participant = "P1";
+  analysis.results.matching[0].origin = {experiments::AnsweredBy::person, "phantom", true};
   EXPECT_EQ(to_csv(analysis),
             "table,stimulus,vision,radius_mil,participant,trials,column,value,low,high,thesis,answered_by\n"
             "6.2,bump-cylinder,yes,,P1,9,slope,0.912,0.811,1.013,,person\n"
@@ -154,30 +157,36 @@ TEST(analysis_text, in_csv_is_this_text_as_a_whole) {
 
 experiments::Results results_from(const std::vector<std::pair<std::string, experiments::Origin>>& trials) {
   experiments::Results results;
-  for (const auto& [participant, origin] : trials) results.classification.push_back({.participant = participant, .origin = origin});
+  for (const auto& [participant, origin] : trials) {
+    results.classification.emplace_back().participant = participant;
+    results.classification.back().origin = origin;
+  }
   return results;
 }
 
 // Whatever is made of results says whose they are; a mixture is refused.
 TEST(origins, are_said_in_whole_sentences) {
-  const experiments::Origin model{experiments::AnsweredBy::model, "simulated:premium-1.5:mouse", false}, person{experiments::AnsweredBy::person, "phantom", true}, unknown;
+  const experiments::Origin model{experiments::AnsweredBy::model, "simulated:premium-1.5:mouse", false},
+      person{experiments::AnsweredBy::person, "phantom", true}, unknown;
   const auto sentences = [](const experiments::Results& results) {
     std::string all;
     for (const std::string& one : sentences_of(origins_of(results))) all += one + '\n';
     return all;
   };
   EXPECT_EQ(sentences({}), "");
-  EXPECT_EQ(sentences(results_from({{"V1", model}, {"V1", model}})),
-            "These are virtual participants: a model answered, and no person.\nDevice: simulated:premium-1.5:mouse (2 trials).\n"
-            "Forces: not certified in 2 trials.\n");
+  EXPECT_EQ(
+      sentences(results_from({{"V1", model}, {"V1", model}})),
+      "These are virtual participants: a model answered, and no person.\nDevice: simulated:premium-1.5:mouse (2 trials).\n"
+      "Forces: not certified in 2 trials.\n");
   EXPECT_EQ(sentences(results_from({{"P1", person}})), "Device: phantom (1 trial).\nForces: certified in 1 trial.\n");
   EXPECT_EQ(sentences(results_from({{"P1", unknown}})),
             "It was not recorded who answered, a person or a model.\nDevice: not recorded (1 trial).\n"
             "Forces: not known to be certified in 1 trial.\n");
-  EXPECT_EQ(sentences(results_from({{"P1", person}, {"P2", unknown}, {"P3", {experiments::AnsweredBy::person, "mouse", false}}})),
-            "It was not recorded who answered, a person or a model, for P2.\n"
-            "Devices: not recorded (1 trial), mouse (1 trial), phantom (1 trial).\n"
-            "Forces: certified in 1 trial, not certified in 1 trial, not known to be certified in 1 trial.\n");
+  EXPECT_EQ(
+      sentences(results_from({{"P1", person}, {"P2", unknown}, {"P3", {experiments::AnsweredBy::person, "mouse", false}}})),
+      "It was not recorded who answered, a person or a model, for P2.\n"
+      "Devices: not recorded (1 trial), mouse (1 trial), phantom (1 trial).\n"
+      "Forces: certified in 1 trial, not certified in 1 trial, not known to be certified in 1 trial.\n");
   const auto fault = [](const experiments::Results& results) { return fault_of(origins_of(results)); };
   EXPECT_EQ(fault(results_from({{"V1", model}, {"V2", model}})), "");
   EXPECT_EQ(fault(results_from({{"P1", person}, {"P2", unknown}})), "");

@@ -146,45 +146,46 @@ TEST(page, has_these_words_in_its_tables) {
                        (at = words.find("Answers in percent of")) != std::string::npos ||
                        (at = words.find("How often a shaded bump")) != std::string::npos;)
     words.erase(at, words.find('\n', at) + 1 - at);
-  EXPECT_EQ(words,
-            "forceshade: analysis of the experiments\n"
-            "1 participant, 1\u202F234 matching and 5 classification trials.\n"
-            "It was not recorded who answered, a person or a model. Device: not recorded (1239 trials). Forces: not known to be "
-            "certified in 1239 trials.\n" +
-                method_of(analysis.options) +
-                ".\n"
-                "The matching experiment\n"
-                "Table 6.2: Circular cylinder, with vision\n"
-                "participant|trials|slope|mean SD (%)|mean SI|mean steps|\n"
-                ": P&lt;1&gt;|9|0.91 / 0.81 to 1.01|10.3 / 9.1 to 11.2|7.7 / 6.6 to 8.8|20.4 / 18.3 to 22.5|\n"
-                "overall: overall|18|0.90 / 0.80 to 0.96|12.5|8.0 / 7.0 to 9.0|30.6 / 28.5 to 32.7|\n"
-                "thesis: thesis|300|0.94|12.9|8.3|29|\n"
-                "Table: own é, no vision\n"
-                "participant|trials|slope|mean SD (%)|mean SI|mean steps|\n"
-                "overall: overall|4|-|-|6.0|3.5|\n"
-                "Table 7.1: overall rows\n"
-                "bump|trials|slope|mean SD (%)|mean SI|mean steps|\n"
-                ": Circular cylinder, vision|18|0.90 / 0.80 to 0.96|12.5|8.0 / 7.0 to 9.0|30.6 / 28.5 to 32.7|\n"
-                "thesis: thesis|300|0.94|12.9|8.3|29|\n"
-                ": own é, no vision|4|-|-|6.0|3.5|\n"
-                "The classification experiment\n"
-                "Table 6.9: all participants\n"
-                "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
-                ": Circular cylinder, 600 mil|24|4 / 1 to 9|12 / 5 to 20|21 / 11 to 32|63|\n"
-                "thesis: thesis|120|*0|7|19|75|\n"
-                ": own, 650 mil|8|25|26|24|25|\n"
-                "P1\n"
-                "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
-                ": Circular cylinder, 600 mil|12|3|13|22|62|\n"
-                ": own, 650 mil|6|1|2|3|94|\n"
-                "P2\n"
-                "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
-                ": own, 650 mil|2|5|6|7|82|\n"
-                "θ-critical\n"
-                "participant|trials|θ-critical (°)|scale (°)|guess|lapse|deviance|p, bootstrap|p, chi-square|\n"
-                ": P1|7|21.5 / 18.5 to 24.5|4.2 / 3.2 to 5.8|0.06 / 0.01 to 0.11|0.07 / 0.02 to 0.13|8.5|0.125|0.375|\n"
-                "overall: overall|71|31.5|5.2|0.16|0.17|9.5|-|0.625|\n"
-                "overall: a parameter lies at a limit of its range, so the data do not determine all four.\n");
+  EXPECT_EQ(
+      words,
+      "forceshade: analysis of the experiments\n"
+      "1 participant, 1\u202F234 matching and 5 classification trials.\n"
+      "It was not recorded who answered, a person or a model. Device: not recorded (1239 trials). Forces: not known to be "
+      "certified in 1239 trials.\n" +
+          method_of(analysis.options) +
+          ".\n"
+          "The matching experiment\n"
+          "Table 6.2: Circular cylinder, with vision\n"
+          "participant|trials|slope|mean SD (%)|mean SI|mean steps|\n"
+          ": P&lt;1&gt;|9|0.91 / 0.81 to 1.01|10.3 / 9.1 to 11.2|7.7 / 6.6 to 8.8|20.4 / 18.3 to 22.5|\n"
+          "overall: overall|18|0.90 / 0.80 to 0.96|12.5|8.0 / 7.0 to 9.0|30.6 / 28.5 to 32.7|\n"
+          "thesis: thesis|300|0.94|12.9|8.3|29|\n"
+          "Table: own é, no vision\n"
+          "participant|trials|slope|mean SD (%)|mean SI|mean steps|\n"
+          "overall: overall|4|-|-|6.0|3.5|\n"
+          "Table 7.1: overall rows\n"
+          "bump|trials|slope|mean SD (%)|mean SI|mean steps|\n"
+          ": Circular cylinder, vision|18|0.90 / 0.80 to 0.96|12.5|8.0 / 7.0 to 9.0|30.6 / 28.5 to 32.7|\n"
+          "thesis: thesis|300|0.94|12.9|8.3|29|\n"
+          ": own é, no vision|4|-|-|6.0|3.5|\n"
+          "The classification experiment\n"
+          "Table 6.9: all participants\n"
+          "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
+          ": Circular cylinder, 600 mil|24|4 / 1 to 9|12 / 5 to 20|21 / 11 to 32|63|\n"
+          "thesis: thesis|120|*0|7|19|75|\n"
+          ": own, 650 mil|8|25|26|24|25|\n"
+          "P1\n"
+          "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
+          ": Circular cylinder, 600 mil|12|3|13|22|62|\n"
+          ": own, 650 mil|6|1|2|3|94|\n"
+          "P2\n"
+          "bump|trials|1 (%)|2 (%)|3 (%)|4 (%)|\n"
+          ": own, 650 mil|2|5|6|7|82|\n"
+          "θ-critical\n"
+          "participant|trials|θ-critical (°)|scale (°)|guess|lapse|deviance|p, bootstrap|p, chi-square|\n"
+          ": P1|7|21.5 / 18.5 to 24.5|4.2 / 3.2 to 5.8|0.06 / 0.01 to 0.11|0.07 / 0.02 to 0.13|8.5|0.125|0.375|\n"
+          "overall: overall|71|31.5|5.2|0.16|0.17|9.5|-|0.625|\n"
+          "overall: a parameter lies at a limit of its range, so the data do not determine all four.\n");
 }
 
 // In the heading, the first sentences and the name of each figure.
@@ -196,11 +197,13 @@ TEST(page, says_that_participants_were_virtual_and_forces_not_certified) {
   const std::string words = words_of(to_html(analysis, all, {}));
   const std::string expected =
       "forceshade: analysis of the experiments with virtual participants\n2 virtual participants, 240 matching and 1\u202F008 "
-      "classification trials.\nThese are virtual participants: a model answered, and no person. Device: simulated:&lt;x&gt; (1248 "
+      "classification trials.\nThese are virtual participants: a model answered, and no person. Device: simulated:&lt;x&gt; "
+      "(1248 "
       "trials). Forces: certified in 1008 trials, not certified in 240 trials.\n";
   EXPECT_EQ(words.substr(0, expected.size()), expected);
   EXPECT_TRUE(has(to_text(analysis), "These are virtual participants: a model answered, and no person.\n"));
-  for (const properties::Picture& one : all) EXPECT_TRUE(one.frame.description.ends_with(", virtual participants")) << one.frame.id;
+  for (const properties::Picture& one : all)
+    EXPECT_TRUE(one.frame.description.ends_with(", virtual participants")) << one.frame.id;
   for (auto& trial : analysis.results.classification) trial.origin = {experiments::AnsweredBy::person, "phantom", true};
   for (auto& trial : analysis.results.matching) trial.origin = {experiments::AnsweredBy::person, "phantom", true};
   EXPECT_FALSE(has(to_html(analysis, all, {}).substr(0, 2000) + to_text(analysis), "virtual"));

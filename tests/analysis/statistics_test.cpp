@@ -104,35 +104,6 @@ TEST(statistics, say_what_the_data_do_not_determine) {
   EXPECT_EQ(fixed(one.columns[1].value, 1) + ' ' + fixed(one.columns[1].interval, 1), "- -");
 }
 
-// What one trial shows: where it is a participant's only one at every radius there is no deviation to draw. Where another radius
-// has more trials it deviates as these do, so the interval is longer than that of a trial without any error, and not of length 0.
-TEST(statistics, of_single_trials_have_an_interval_only_where_others_show_their_deviation) {
-  const auto row_of = [](const std::vector<std::pair<std::string, double>>& trials, Unit unit = Unit::trials) {
-    experiments::Results results;
-    for (std::size_t i = 0; i < trials.size(); ++i)
-      results.matching.push_back({trials[i].first, static_cast<int>(i) + 1, true, "bump-cylinder", {}, 1, trials[i].second, 600,
-                                  trials[i].second + 10.0 * static_cast<double>(i % 3), static_cast<int>(i % 5) + 1,
-                                  static_cast<int>(i), 9});
-    return matching_tables(results, {1, 500, 0.95, unit})[0].overall();
-  };
-  const auto defined = [](const MatchingRow& row) {
-    std::string all;
-    for (const Estimate& column : row.columns) all += column.interval.is_defined() ? '1' : '0';
-    return all;
-  };
-  EXPECT_EQ(defined(row_of({{"A", 600}, {"A", 800}, {"A", 1000}})), "0000");
-  EXPECT_EQ(defined(row_of({{"A", 600}, {"A", 600}, {"A", 600}, {"B", 600}})), "0000") << "B's one trial shows nothing of B";
-  const MatchingRow both = row_of({{"A", 600}, {"A", 600}, {"A", 600}, {"A", 800}});
-  EXPECT_EQ(defined(both), "1011");
-  // Freedom 2 of {600, 610, 620} and no own deviation of 800: the slope is (800 - mean) / 200, of which both ends have an error.
-  const double error_of_cell = 10 / std::sqrt(3.0) / 200, error_of_one = 800 * (10 / 610.0) / 200;
-  EXPECT_GT(both.columns[0].interval.high - both.columns[0].interval.low, 2 * error_of_one);
-  EXPECT_GT(error_of_one, 2 * error_of_cell);
-  // One person is no sample of people.
-  EXPECT_EQ(defined(row_of({{"A", 600}, {"A", 600}, {"A", 800}, {"A", 800}}, Unit::participants)), "0000");
-  EXPECT_EQ(defined(row_of({{"A", 600}, {"A", 600}, {"A", 800}, {"A", 800}})), "1111");
-}
-
 // Table 6.9's percentages by hand: of A's 4 answers 3 are "4" and one is "2"; of B's 4 all are "4".
 TEST(statistics, count_the_answers) {
   experiments::Results results;

@@ -65,6 +65,8 @@ if command -v gnuplot > /dev/null; then
 fi
 { cat second/matching.csv; sed '1d; s/bump-cylinder/own_bump/; s/^\([AB]\),/\12,/' hand/matching.csv; } > broken/matching.csv
 expect 2 'two are own_bump-no-vision' -- analyze broken --out none
+sed -i 's/own_bump/Own_bump/' broken/matching.csv
+expect 2 'two are ' -- analyze broken --out none
 
 # The course of one trial: its radii from radius.csv.
 expect 2 "--trial: expected PARTICIPANT:NUMBER such as P-01:12, got \"A\"" -- analyze hand --trial A --out none
@@ -77,6 +79,21 @@ if command -v gnuplot > /dev/null; then
   grep -q "A, bump-cylinder, no vision, trial 2" course/radius-profiles.svg || { echo "FAILED: the radii have no title"; exit 1; }
 fi
 rm hand/radius.csv
+
+# Who answered is said, and people and virtual participants are not taken together.
+mkdir models people
+sed '1s/$/,answered_by,device,certified/; 2,$s/$/,virtual participant,simulated:premium-1.5,no/' hand/matching.csv > models/matching.csv
+sed '1s/$/,answered_by,device,certified/; 2,$s/$/,person,phantom,yes/; s/^A/P/; s/^B/Q/' hand/matching.csv > people/matching.csv
+expect 0 "These are virtual participants: a model answered, and no person." -- analyze models --bootstrap 100
+also "Device: simulated:premium-1.5 (18 trials)." "Forces: not certified in 18 trials."
+expect 0 "Device: phantom (18 trials)." -- analyze people --bootstrap 100
+same '[["A","B"],[],{"simulated:premium-1.5":18},18]' \
+  "$(analyze models --bootstrap 100 --json | jq -c '.answered_by | [.virtual_participants, .people, .trials_by_device, .trials_not_certified]')"
+expect 2 "got both: A is a virtual participant, a model, and P is a person; analyse them separately" -- analyze models people --out none
+expect 2 "got both: A is a virtual participant, a model, and A is not recorded as one" -- analyze models hand --out none
+PATH=/nonexistent expect 0 "" -- analyze models --bootstrap 100 --out of-models
+expect 0 "2 virtual participants, 18 matching" -- cat of-models/report.html
+expect 0 ",virtual participant" -- cat of-models/tables.csv
 
 # What is refused: file, line and column, and nothing is left behind.
 sed '4s/A,3/A,x/' hand/matching.csv > broken/matching.csv

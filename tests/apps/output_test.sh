@@ -64,6 +64,19 @@ until [ -n "$(ls killed.partial-*/*.svg 2> /dev/null)" ]; do sleep 0.02; done
 kill -KILL $!; wait $! 2> /dev/null
 same "" "$(ls -d killed 2> /dev/null)"
 same 1 "$(ls -d killed.partial-* | wc -l)"
+# A folder is one command's until it ends, whether it was there or not; then it holds the files of that one alone.
+for folder in twice twice-there; do
+  [ $folder = twice ] || mkdir twice-there
+  "$forceshade" plot --law all --what force --out $folder > first.txt 2>&1 &
+  until [ -e $folder.partial-00000000 ] || [ -e $folder/.partial-00000000 ]; do sleep 0.02; done
+  kill -STOP $!
+  for command in "plot --law wall" "certify --law wall --points 1000 --cases 10" "man" "experiment prepare $examples/experiments/matching.toml"; do
+    expect 2 "--out: $folder: another run is writing this folder; give each run a folder of its own" -- "$forceshade" $command --out $folder
+  done
+  kill -CONT $!; wait $!; same 0 $?
+  same 18 "$(ls -A $folder | grep -c -- '-force\.')"
+  same 18 "$(ls -A $folder | wc -l)"
+done
 full() {  # KILOBYTES WORDS OPTION...: with files that are at most so long
   local most=$1 words=$2; shift 2
   expect 2 "$words" -- bash -c 'trap "" XFSZ; ulimit -f "$0"; exec "$@"' "$most" "$forceshade" "$@"

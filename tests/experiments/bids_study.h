@@ -65,10 +65,9 @@ class Bids : public testing::Test {
     sessions = run_virtual_study(directory.file("study"), file, 1, 3);
     const std::filesystem::path second = directory.file("second");
     for (int run = 1; run <= 2; ++run) {
-      RecordedSession recorded = run == 1 ? RecordedSession::start(second, file, "B-2", 1, {}, Sync::never,
-                                                                   {AnsweredBy::person, "an arm", true})
-                                          : RecordedSession::resume(second, {}, Sync::never,
-                                                                    {AnsweredBy::person, "an arm", false});
+      RecordedSession recorded =
+          run == 1 ? RecordedSession::start(second, file, "B-2", 1, {}, Sync::never, {AnsweredBy::person, "an arm", true})
+                   : RecordedSession::resume(second, {}, Sync::never, {AnsweredBy::person, "an arm", false});
       VirtualParticipant participant(protocol, fitted_observer(), feel_of_laws(protocol), 5);
       double time = 0;
       const auto has_run = [&] {

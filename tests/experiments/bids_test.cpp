@@ -63,7 +63,8 @@ TEST_F(Bids, a_label_has_its_prefix_once) {
     const fs::path session = directory.file("session of " + pseudonym), folder = directory.file("of " + pseudonym);
     RecordedSession::start(session, sessions[1] / "protocol.toml", pseudonym, 1, {}, Sync::never);
     export_bids(std::vector<fs::path>{session}, folder);
-    EXPECT_TRUE(text_of(folder / "participants.tsv").ends_with("certified\n" + subject + '\t' + pseudonym + "\tn/a\tn/a\tn/a\n"))
+    EXPECT_TRUE(
+        text_of(folder / "participants.tsv").ends_with("certified\n" + subject + '\t' + pseudonym + "\tn/a\tn/a\tn/a\n"))
         << text_of(folder / "participants.tsv");
     EXPECT_TRUE(fs::exists(folder / subject / "beh" / (subject + "_task-matching_run-1_beh.tsv")));
   }
@@ -129,9 +130,9 @@ TEST_F(Bids, each_cell_is_that_of_the_session) {
   const SavedSession session = read_session(sessions.front());
   const Results results = results_of(session);
   const Rows rows = rows_of(out() / "sub-V1/beh/sub-V1_task-matching_run-1_events.tsv");
-  EXPECT_EQ(rows[0],
-            (std::vector<std::string>{"onset", "duration", "trial_type", "trial", "stimulus", "radius_mil", "initial",
-                                      "initial_radius_mil", "repetition", "vision", "matching_radius_mil", "response", "used"}));
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"onset", "duration", "trial_type", "trial", "stimulus", "radius_mil", "initial",
+                                               "initial_radius_mil", "repetition", "vision", "matching_radius_mil", "response",
+                                               "used"}));
   const auto whole = [](double number) { return std::to_string(static_cast<int>(number)); };
   const std::array<const char*, 3> initials{"large", "same", "small"};
   std::map<std::string, std::vector<Event>> breaks;

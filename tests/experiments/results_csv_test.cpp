@@ -14,10 +14,33 @@ using tests::TemporaryDirectory;
 
 Results some_results() {
   Results results;
-  results.matching = {{"P 1, left-handed", 1, true, "flat", InitialRadius::large, 1, 600, 1400, 0.1 + 0.2, 7, 12, 61.25,
+  results.matching = {{"P 1, left-handed",
+                       1,
+                       true,
+                       "flat",
+                       InitialRadius::large,
+                       1,
+                       600,
+                       1400,
+                       0.1 + 0.2,
+                       7,
+                       12,
+                       61.25,
                        {AnsweredBy::person, "phantom:Left, the \"old\" one", true}},
                       {"\"P2\"", 2, false, "round", InitialRadius::same, 4, 800, 800, 812.5, 10, 0, 0},
-                      {"P3", 3, false, "two", InitialRadius::small, 2, 1400, 600, 1e-7, 1, 100000, 1e6, {AnsweredBy::model, "simulated", false}}};
+                      {"P3",
+                       3,
+                       false,
+                       "two",
+                       InitialRadius::small,
+                       2,
+                       1400,
+                       600,
+                       1e-7,
+                       1,
+                       100000,
+                       1e6,
+                       {AnsweredBy::model, "simulated", false}}};
   results.classification = {{"P3", 1, "three", 1400, 24, 4, 9.5}, {"P3", 2, "bump-1p", 600, 1, 1, 1 / 3.0}};
   results.radius_changes = {{"P3", 3, 0, 0, 600}, {"P3", 3, 1, 2.5, 620}};
   return results;
@@ -139,7 +162,9 @@ TEST(results_csv, reads_where_an_answer_comes_from_if_the_file_says_it) {
     if (error != "no error") return error;
     const Origin origin = read_results(folder.path()).classification.front().origin;
     return std::string(name_of(origin.answered_by)) + '|' + origin.device + '|' +
-           (!origin.certified ? "" : *origin.certified ? "yes" : "no");
+           (!origin.certified   ? ""
+            : *origin.certified ? "yes"
+                                : "no");
   };
   EXPECT_EQ(read("", ""), "||");
   EXPECT_EQ(read(",device", ",phantom"), "|phantom|");
@@ -147,7 +172,8 @@ TEST(results_csv, reads_where_an_answer_comes_from_if_the_file_says_it) {
   EXPECT_EQ(read(",answered_by,device,certified", ",virtual participant,simulated,yes"), "virtual participant|simulated|yes");
   EXPECT_EQ(read(",answered_by", ",robot"),
             "/classification.csv:2: column 8 (answered_by): expected person, virtual participant or nothing, got \"robot\"");
-  EXPECT_EQ(read(",certified", ",maybe"), "/classification.csv:2: column 8 (certified): expected yes, no or nothing, got \"maybe\"");
+  EXPECT_EQ(read(",certified", ",maybe"),
+            "/classification.csv:2: column 8 (certified): expected yes, no or nothing, got \"maybe\"");
 }
 
 TEST(results_csv, says_which_column_is_missing) {

@@ -60,12 +60,14 @@ TEST(session_folder, says_who_answers_and_on_which_device) {
     go_on(recorded.session(), time, 4);
   }
   EXPECT_NE(directory.read("s/session.json").find("\"answered_by\": \"virtual participant\""), std::string::npos);
-  EXPECT_NE(directory.read("s/trials.jsonl").find("\"device\":\"simulated:premium-1.5:mouse\",\"certified\":false"), std::string::npos);
+  EXPECT_NE(directory.read("s/trials.jsonl").find("\"device\":\"simulated:premium-1.5:mouse\",\"certified\":false"),
+            std::string::npos);
   try {
     RecordedSession::resume(folder, {}, Sync::never, person);
     ADD_FAILURE() << "a person went on with a model's session";
   } catch (const Error& error) {
-    EXPECT_EQ(error.what(), folder.string() + ": the session was begun by a virtual participant, so a person cannot go on with it");
+    EXPECT_EQ(error.what(),
+              folder.string() + ": the session was begun by a virtual participant, so a person cannot go on with it");
   }
   Origin certified = model;
   certified.certified = true;
@@ -81,7 +83,8 @@ TEST(session_folder, says_who_answers_and_on_which_device) {
     EXPECT_EQ(trial.origin, trial.trial == 1 ? model : certified) << trial.trial;
   // A person's, on a device whose name no file can hold as it is; and a session of an earlier version.
   RecordedSession::start(directory.file("p"), protocol, "P1", 1, {}, Sync::never, person);
-  EXPECT_EQ(origin_of(read_session(directory.file("p")), 1), (Origin{AnsweredBy::person, files::printable(person.device), true}));
+  EXPECT_EQ(origin_of(read_session(directory.file("p")), 1),
+            (Origin{AnsweredBy::person, files::printable(person.device), true}));
   RecordedSession::start(directory.file("old"), protocol, "P1", 1, {}, Sync::never);
   EXPECT_EQ(directory.read("old/session.json").find("answered_by"), std::string::npos);
   EXPECT_EQ(origin_of(read_session(directory.file("old")), 1), Origin());
@@ -97,7 +100,8 @@ TEST(session_folder, results_refuse_participants_that_differ_in_capital_letters_
     results_of(both);
     ADD_FAILURE() << "P-a and p-A were taken for two";
   } catch (const Error& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with(both[1].string() + ": participants P-a and p-A differ in capital letters"))
+    EXPECT_TRUE(
+        std::string(error.what()).starts_with(both[1].string() + ": participants P-a and p-A differ in capital letters"))
         << error.what();
   }
 }

@@ -131,7 +131,8 @@ TEST(output_folder, has_a_path_alone_until_it_ends) {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory.file("there"));
   std::filesystem::create_directory_symlink("there", directory.file("link"));
-  for (const auto& [first, second] : {std::pair<const char*, const char*>{"new", "new/"}, {"there", "there"}, {"there", "link"}}) {
+  for (const auto& [first, second] :
+       {std::pair<const char*, const char*>{"new", "new/"}, {"there", "there"}, {"there", "link"}}) {
     for (const bool is_committed : {false, true}) {
       {
         OutputFolder folder(directory.file(first));
