@@ -122,6 +122,7 @@ void OutFolder::claim() const {
 }
 
 void OutFolder::make() const {
+  if (!folder_) expect_room_for({});  // also where another process will put the folder in place, and has it beside that place
   make_for_several();
   // A claim from before the folder was there is beside it, where others no longer look.
   if (!folder_ || folder_->so_far().parent_path() != folder_->path()) claim();

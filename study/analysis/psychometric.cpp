@@ -138,8 +138,9 @@ int drawn(Random& random, int trials, double probability) {
 // The place of a parameter in Limits.
 enum Place { kThreshold, kScale, kGuess, kLapse };
 
-// Of one parameter. None where its ends are the same to what a search resolves: then nearly all data sets that were drawn are
-// the same, or the parameter is at an end of its range in nearly all, and how far it may be from there is not known.
+// The interval of one parameter. None where its ends are the same to what a search resolves: then nearly all data sets that
+// were drawn are the same, or the parameter is at an end of its range in nearly all, and how far it may be from there is not
+// known.
 Interval quantiles(std::vector<double> values, double level, const Limits& limits, Place place) {
   std::ranges::sort(values);
   if (values.empty()) return {};

@@ -14,7 +14,7 @@ namespace forceshade::experiments {
 // What becomes of the trial that an event belongs to. abandoned: it was answered, and its block was begun again.
 enum class TrialUse { no_trial, interrupted, abandoned, practice, result };
 
-// Of each event of the session, in their order.
+// Says it of each event of the session, in their order.
 std::vector<TrialUse> uses_of(const SavedSession& session);
 
 // Where the answers of a run come from.
