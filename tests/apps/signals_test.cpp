@@ -57,8 +57,6 @@ Command::Command(const TemporaryDirectory& directory, const Words& arguments, co
   words.push_back(nullptr);
   process_ = fork();
   if (process_ != 0) return;
-  // Undoes what the test was started with: nohup, or a shell that starts it in the background, would have a signal ignored.
-  for (int signal = 1; signal <= SIGRTMAX; ++signal) std::signal(signal, SIG_DFL);
   for (const std::string& variable : environment) putenv(const_cast<char*>(variable.c_str()));
   const int to = open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   dup2(to, STDOUT_FILENO);
@@ -144,7 +142,9 @@ TEST(signals, each_that_would_end_or_stop_the_process_ends_the_run_in_order) {
   for (const int k : {0, 1, SIGRTMAX - SIGRTMIN}) all.emplace_back(SIGRTMIN + k, "SIGRTMIN+" + std::to_string(k));
   for (const auto& [number, name] : all) {
     const TemporaryDirectory here;
+    const auto before = std::signal(number, SIG_DFL);  // nohup, with which the test may have been started, has SIGHUP ignored
     Command run(here, drive());
+    std::signal(number, before);
     wait_for_ticks(here, run);
     run.send(number);
     expect_ended_in_order(here, run, name);
