@@ -31,6 +31,8 @@ int sign(double x) noexcept {
 }  // namespace
 
 Slip slip_of(const Eigen::Matrix3d& mass, const Joints& torque, const Joints& velocity, const Joints& coulomb) noexcept {
+  if ((velocity.array() != 0).all())  // as most of the time
+    return {sign(velocity[0]), sign(velocity[1]), sign(velocity[2])};
   const Eigen::Matrix3d mobility = mass.inverse();
   Joints friction = Joints::Zero();
   for (int i = 0; i < 3; ++i)

@@ -50,24 +50,29 @@ Pull pull_on(const Plant& plant, const Motion& m, const Pose& pose, const Joints
 
 Motion Plant::advanced(Motion m, const Joints& torque, const HermiteStep& way, double period, int steps) const noexcept {
   const double h = period / steps;
+  Point end = point_of(way, period, 0);
+  Pose pose = m.angles;
   for (int k = 0; k < steps; ++k) {
-    const Point begin = point_of(way, period, static_cast<double>(k) / steps),
-                middle = point_of(way, period, (k + 0.5) / steps),
-                end = point_of(way, period, static_cast<double>(k + 1) / steps);
-    const Pose pose = m.angles;
-    const Slip slip = slip_of(arm.mass(pose), pull_on(*this, m, pose, torque, begin).torque, m.velocity, coulomb);
-    const auto rates = [&](const Motion& at, const Point& meant) -> Rates {
-      const Pose there = at.angles;
-      const Pull pull = pull_on(*this, at, there, torque, meant);
-      return {at.velocity, acceleration(arm.mass(there), pull.torque, slip, coulomb), at.hand_velocity, pull.hand_acceleration};
+    const Point begin = end, middle = point_of(way, period, (k + 0.5) / steps);
+    end = point_of(way, period, static_cast<double>(k + 1) / steps);
+    const Eigen::Matrix3d mass = arm.mass(pose);
+    const Pull pull = pull_on(*this, m, pose, torque, begin);
+    const Slip slip = slip_of(mass, pull.torque, m.velocity, coulomb);
+    const auto rates_by = [&](const Motion& at, const Eigen::Matrix3d& its_mass, const Pull& its_pull) -> Rates {
+      return {at.velocity, acceleration(its_mass, its_pull.torque, slip, coulomb), at.hand_velocity, its_pull.hand_acceleration};
     };
-    const Rates a = rates(m, begin), b = rates(moved(m, a, h / 2), middle), c = rates(moved(m, b, h / 2), middle),
+    const auto rates = [&](const Motion& at, const Point& meant) {
+      const Pose there = at.angles;
+      return rates_by(at, arm.mass(there), pull_on(*this, at, there, torque, meant));
+    };
+    const Rates a = rates_by(m, mass, pull), b = rates(moved(m, a, h / 2), middle), c = rates(moved(m, b, h / 2), middle),
                 d = rates(moved(m, c, h), end);
     m.angles += h / 6 * (a.velocity + 2 * (b.velocity + c.velocity) + d.velocity);
     m.velocity += h / 6 * (a.acceleration + 2 * (b.acceleration + c.acceleration) + d.acceleration);
     m.hand += h / 6 * (a.hand_velocity + 2 * (b.hand_velocity + c.hand_velocity) + d.hand_velocity);
     m.hand_velocity += h / 6 * (a.hand_acceleration + 2 * (b.hand_acceleration + c.hand_acceleration) + d.hand_acceleration);
-    m.velocity = stopped_where_reversed(arm.mass(m.angles), m.velocity, slip, coulomb);
+    pose = m.angles;
+    m.velocity = stopped_where_reversed(arm.mass(pose), m.velocity, slip, coulomb);
   }
   return m;
 }
