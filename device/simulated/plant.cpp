@@ -59,7 +59,8 @@ Motion Plant::advanced(Motion m, const Joints& torque, const HermiteStep& way, d
     const Pull pull = pull_on(*this, m, pose, torque, begin);
     const Slip slip = slip_of(mass, pull.torque, m.velocity, coulomb);
     const auto rates_by = [&](const Motion& at, const Eigen::Matrix3d& its_mass, const Pull& its_pull) -> Rates {
-      return {at.velocity, acceleration(its_mass, its_pull.torque, slip, coulomb), at.hand_velocity, its_pull.hand_acceleration};
+      return {at.velocity, acceleration(its_mass, its_pull.torque, slip, coulomb), at.hand_velocity,
+              its_pull.hand_acceleration};
     };
     const auto rates = [&](const Motion& at, const Point& meant) {
       const Pose there = at.angles;

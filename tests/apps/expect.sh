@@ -62,14 +62,14 @@ for file in files:
     jsonschema.Draft7Validator(schema).validate(file)
 END
 }
-# changed PROGRAM [ORIGINAL REPLACEMENT]...: writes the mutated program, with these words in the place of those.
+# changed PROGRAM [ORIGINAL REPLACEMENT]...: writes the mutated program, with these words, which are there once, in the place of those.
 changed() {
-  python3 - "$@" << 'END' || exit 1
-import sys
-text = open(sys.argv[1]).read()
-for old, new in zip(sys.argv[2::2], sys.argv[3::2]):
-    assert text.count(old) == 1, old
-    text = text.replace(old, new)
-open("mutated.py", "w").write(text)
-END
+  local text before; text=$(cat "$1"); shift
+  while [ $# -gt 0 ]; do
+    before=${text%%"$1"*}
+    [ "$before" != "$text" ] && [ "$before$1${text##*"$1"}" = "$text" ] || { echo "FAILED: once expected: $1"; exit 1; }
+    text=$before$2${text##*"$1"}
+    shift 2
+  done
+  printf '%s\n' "$text" > mutated.py
 }

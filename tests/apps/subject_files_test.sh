@@ -6,6 +6,7 @@
 printf 'x_mm,y_mm,z_mm\n1,0,-0.5\n3,0.5,-1\n-40,2,0.25\n' > positions.csv
 "$forceshade" mesh make icosphere --cells 1 --radius 20mm --out ball.off
 mkdir inputs && cp ball.off inputs/ && cp "$examples/groove.toml" inputs/
+printf 'render = "height-map"\n[[part]]\nshape = "plane"\nslope_x = 0.25\n' > inputs/ramp.toml  # of all kinds the fastest to certify
 printf 'law = "bump-2p"\nradius = "1000mil"\nwidth = 30\nstiffness = "250N/m"\n' > inputs/law.toml
 printf 'height-map = "groove.toml"\nstiffness = 0.25\n' > inputs/map.toml
 printf 'mesh = "ball.off"\nunit = "mm"\nsides = "both"\nshading = "edge"\ncontact = "sub-goal"\ncrease = "40deg"\nself-intersecting = true\nstiffness = 0.25\n' \
@@ -18,7 +19,8 @@ for kind in law map mesh; do
   options=${!kind} file=inputs/$kind.toml
   same "$("$forceshade" force $options --input positions.csv 2>&1)" "$("$forceshade" force --subject $file --input positions.csv 2>&1)"
   same "$("$forceshade" properties $options --cases 20 2>&1)" "$("$forceshade" properties --subject=$file --cases 20 2>&1)"
-  "$forceshade" plot $options --out plots-$kind > /dev/null && "$forceshade" plot --subject $file --out plots-of-$kind > /dev/null
+  what=force; [ $kind != mesh ] || what=geometry
+  "$forceshade" plot $options --what $what --out plots-$kind > /dev/null && "$forceshade" plot --subject $file --what $what --out plots-of-$kind > /dev/null
   same "$(cd plots-$kind && sha256sum ./*)" "$(cd plots-of-$kind && sha256sum ./*)"
   # A certificate quotes what it is of; saved beside the file, the text means the same again.
   "$forceshade" certify $options --points 100 --cases 20 --out certificate-$kind > /dev/null
@@ -71,8 +73,8 @@ expect 2 'unknown option "--subject"' -- "$forceshade" geometry --subject inputs
 # A stimulus of an experiment, which has the stiffness of its protocol.
 cp "$examples/experiments/english.toml" .
 protocol() { sed -e '/^stimuli/,/^\]/d' -e "s|^radii_mil.*|stimuli = [ $1 ]|" "$examples/experiments/classification.toml"; }
-printf 'height-map = "groove.toml"\nstiffness = 0.5\n' > inputs/soft.toml
-protocol '{ name = "a", subject = "inputs/soft.toml" }, { name = "b", height-map = "inputs/groove.toml" }' > protocol.toml
+printf 'height-map = "ramp.toml"\nstiffness = 0.5\n' > inputs/soft.toml
+protocol '{ name = "a", subject = "inputs/soft.toml" }, { name = "b", height-map = "inputs/ramp.toml" }' > protocol.toml
 expect 0 "2 bumps can be rendered" -- "$forceshade" experiment check protocol.toml
 "$forceshade" experiment prepare protocol.toml --out certificates > /dev/null || { echo "FAILED: prepare"; exit 1; }
 same 1 "$(ls certificates | wc -l)"  # both are the same renderer

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
-#include <vector>
 
 #include "device/null.h"
 #include "device/passive_rate.h"
@@ -20,59 +19,37 @@ Capabilities capabilities_of(const Model& model) {
   return Simulated(model, std::nullopt).capabilities();
 }
 
-struct Felt {
-  HandOnWall wall;
-  FeltOnWall felt;
-
-  std::string words() const {
-    return std::string(wall.model.name) + ", " + std::string(name_of(wall.passivity)) + ", " +
-           (wall.presses ? "presses" : "strokes") + ", " + std::to_string(wall.rate) + " Hz, " +
-           std::to_string(wall.stiffness) + " N/mm: " + std::to_string(felt.energy) + " mJ";
-  }
-};
-
-// A coarse part of docs/swing.csv.
-const std::vector<Felt>& sweep() {
-  static const std::vector<Felt> all = [] {
-    std::vector<Felt> felt;
-    for (const auto& make : {premium_1_5, omni})
-      for (const Passivity passivity : {Passivity::damping, Passivity::tank, Passivity::observer})
-        for (const bool presses : {false, true})
-          for (const double rate : {100.0, 150.0, 300.0, 1000.0})
-            for (const float stiffness : {0.25F, 1.0F, 2.0F, 5.0F}) {
-              const HandOnWall wall{make(), rate, stiffness, passivity, presses, 4};
-              felt.push_back({wall, felt_on(wall)});
-            }
-    return felt;
-  }();
-  return all;
+std::string words_of(const HandOnWall& wall, const FeltOnWall& felt) {
+  return std::string(wall.model.name) + ", " + std::string(name_of(wall.passivity)) + ", " +
+         (wall.presses ? "presses" : "strokes") + ", " + std::to_string(wall.rate) + " Hz, " + std::to_string(wall.stiffness) +
+         " N/mm: " + std::to_string(felt.energy) + " mJ";
 }
 
-TEST(slow_loop, gives_no_hand_more_than_100_mJ_without_a_word) {
+// A coarse part of docs/swing.csv.
+TEST(slow_loop, gives_no_hand_more_than_100_mJ_without_a_word_and_is_warned_of_wherever_it_gives_energy) {
   double most = 0, most_kept_passive = 0;
-  std::size_t ended = 0;
-  for (const Felt& one : sweep()) {
-    const ServoResult& run = one.felt.run;
-    most = std::max(most, one.felt.energy);
-    ended += run.trip && run.trip->rule == Rule::energy;
-    if (run.passivity != Passivity::observer) most_kept_passive = std::max(most_kept_passive, run.account.owed());
-    EXPECT_TRUE(one.felt.energy <= 100 || run.trip) << one.words();
-  }
+  std::size_t ended = 0, active = 0, quiet = 0;
+  for (const auto& make : {premium_1_5, omni})
+    for (const Passivity passivity : {Passivity::damping, Passivity::tank, Passivity::observer})
+      for (const bool presses : {false, true})
+        for (const double rate : {100.0, 150.0, 300.0, 1000.0})
+          for (const float stiffness : {0.25F, 1.0F, 2.0F, 5.0F}) {
+            const HandOnWall wall{make(), rate, stiffness, passivity, presses, 4};
+            const FeltOnWall felt = felt_on(wall);
+            const ServoResult& run = felt.run;
+            most = std::max(most, felt.energy);
+            ended += run.trip && run.trip->rule == Rule::energy;
+            if (run.passivity != Passivity::observer) most_kept_passive = std::max(most_kept_passive, run.account.owed());
+            EXPECT_TRUE(felt.energy <= 100 || run.trip) << words_of(wall, felt);
+            const bool warned = !words_if_active(static_cast<double>(stiffness), capabilities_of(wall.model), rate).empty();
+            EXPECT_TRUE(felt.energy <= 5 || warned) << words_of(wall, felt);
+            EXPECT_TRUE(felt.swing < 0.2 || warned) << words_of(wall, felt);
+            active += felt.energy > 5;
+            quiet += !warned;
+          }
   std::printf("  at most %.1f mJ, %.1f of those kept passive; %zu runs ended for it\n", most, most_kept_passive, ended);
   EXPECT_LE(most_kept_passive, 50) << "the controller's own bound";
   EXPECT_GT(ended, 5U);
-}
-
-TEST(slow_loop, is_warned_of_wherever_it_gives_a_hand_energy) {
-  std::size_t active = 0, quiet = 0;
-  for (const Felt& one : sweep()) {
-    const bool warned =
-        !words_if_active(static_cast<double>(one.wall.stiffness), capabilities_of(one.wall.model), one.wall.rate).empty();
-    EXPECT_TRUE(one.felt.energy <= 5 || warned) << one.words();
-    EXPECT_TRUE(one.felt.swing < 0.2 || warned) << one.words();
-    active += one.felt.energy > 5;
-    quiet += !warned;
-  }
   EXPECT_GT(active, 20U);
   EXPECT_GT(quiet, 20U);
 }
