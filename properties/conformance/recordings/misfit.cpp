@@ -70,12 +70,16 @@ Placement Misfit::placement(const InputType& numbers) const {
   return placement;
 }
 
-Misfit::ValueType Misfit::whole(const InputType& numbers) const {
+Misfit::ValueType Misfit::whole(const InputType& numbers, const ValueType& forces) const {
   const Placement at = placement(numbers);
-  ValueType residuals = factor(numbers) * rendered_forces(renderer_, path_, samples_, at);
+  ValueType residuals = factor(numbers) * forces;
   for (std::size_t i = 0; i < samples_.size(); ++i)
     residuals.segment<3>(3 * static_cast<Eigen::Index>(i)) += at.offset - samples_[i].force;
   return residuals;
+}
+
+Misfit::ValueType Misfit::whole(const InputType& numbers) const {
+  return whole(numbers, rendered_forces(renderer_, path_, samples_, placement(numbers)));
 }
 
 int Misfit::operator()(const InputType& numbers, ValueType& residuals) const {
@@ -91,7 +95,7 @@ int Misfit::operator()(const InputType& numbers, ValueType& residuals) const {
 int Misfit::df(const InputType& numbers, JacobianType& derivatives) const {
   constexpr double kStep = 1e-2;
   derivatives.setZero(values(), inputs());
-  const ValueType here = whole(numbers);
+  const ValueType forces = rendered_forces(renderer_, path_, samples_, placement(numbers)), here = whole(numbers, forces);
   const Eigen::Index offset_at = unknowns_.offset ? shift_at() + 3 : numbers.size();
   for (Eigen::Index i = 0; i < numbers.size(); ++i) {
     if (i >= offset_at && i < offset_at + 3) {
@@ -102,7 +106,9 @@ int Misfit::df(const InputType& numbers, JacobianType& derivatives) const {
     InputType more = numbers, less = numbers;
     more[i] += kStep;
     less[i] -= kStep;
-    const ValueType above = whole(more) - here, below = here - whole(less);
+    const bool is_placement = i > 0;  // the first number is a factor of the same forces
+    const ValueType above = (is_placement ? whole(more) : whole(more, forces)) - here,
+                    below = here - (is_placement ? whole(less) : whole(less, forces));
     for (Eigen::Index sample = 0; sample < here.size(); sample += 3) {
       if (here.segment<3>(sample).norm() > most_) continue;
       const ValueType& one = above.segment<3>(sample).squaredNorm() < below.segment<3>(sample).squaredNorm() ? above : below;

@@ -61,7 +61,9 @@ class Misfit {
   static double factor(const InputType& numbers);
 
  private:
-  ValueType whole(const InputType& numbers) const;  // the residuals before any is shortened
+  // The residuals before any is shortened. forces: those rendered at the placement of these numbers.
+  ValueType whole(const InputType& numbers, const ValueType& forces) const;
+  ValueType whole(const InputType& numbers) const;
   Eigen::Index shift_at() const { return unknowns_.turns ? 4 : 1; }
 
   const Renderer& renderer_;
