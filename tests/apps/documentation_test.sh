@@ -14,9 +14,12 @@ fail() { echo "FAILED: $*"; exit 1; }
 . ./forceshade.bash || fail "bash cannot read the completion"
 for shell in zsh fish; do "$forceshade" completion $shell > forceshade.$shell || fail "no completion for $shell was written"; done
 
-# complete_words WORD...: sets COMPREPLY to what bash completes after the words; the last one is begun, and may be empty.
+# complete_words WORD...: sets COMPREPLY to what bash completes after the words; the last one is begun, and may be empty. The same
+# words again are not completed again.
+completed=
 complete_words() {
-  COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=()
+  [ "$*" != "$completed" ] || return 0
+  COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=() completed=$*
   _forceshade
 }
 # completes EXPECTED WORD...: EXPECTED is among them.
@@ -31,26 +34,35 @@ completes() {
 # which this test would start thousands.
 has_line() { [[ $'\n'$2$'\n' =~ $'\n'($1)$'\n' ]]; }
 
-# below COMMAND...: its verbs, as its help lists them.
-below() { "$forceshade" "$@" --help | sed -n '/^Commands:/,/^$/ s/^  \([a-z]*\) .*/\1/p'; }
+# helped COMMAND: sets `help` to its help, for which the command is asked once, and `verbs` to those that this lists.
+declare -A helps
+helped() {
+  [ -n "${helps[-$1]-}" ] || helps[-$1]=$("$forceshade" $1 --help)
+  help=${helps[-$1]} verbs=$(sed -n '/^Commands:/,/^$/ s/^  \([a-z]*\) .*/\1/p' <<< "$help")
+}
 commands=("")
-for command in $(below); do
+helped ""
+for command in $verbs; do
   commands+=("$command")
-  for verb in $(below "$command"); do commands+=("$command $verb"); done
+  helped "$command"
+  for verb in $verbs; do commands+=("$command $verb"); done
 done
 [ ${#commands[@]} -ge 21 ] || fail "found only these commands: ${commands[*]}"
 
 for tool in groff mandoc zsh fish; do
   command -v $tool > /dev/null || echo "skipped: what needs $tool, which is not there (Debian package $tool)"
 done
-zsh=$(cat forceshade.zsh) fish=$(cat forceshade.fish)
 for command in "${commands[@]}"; do
   read -ra words <<< "$command"
   page=pages/$(echo forceshade $command | tr ' ' -).1
   [ -s "$page" ] || fail "$page is missing"
-  [ "$("$forceshade" man "${words[@]}")" = "$(cat "$page")" ] || fail "man $command prints another page than $page"
+  [ "$("$forceshade" man "${words[@]}")" = "$(< "$page")" ] || fail "man $command prints another page than $page"
   plain=$(sed -e 's/\\-/-/g' -e 's/\\f[BIR]//g' "$page")
-  options=$("$forceshade" "${words[@]}" --help | grep -o '^  \(-[hv], \)\?--[a-z-]*' | sed 's/.*--/--/')
+  helped "$command"
+  # Their lines alone, since bash looks slowly through all.
+  zsh=$(grep -F "'forceshade${command:+ $command}') known=" forceshade.zsh)
+  fish=$(grep -F "'__forceshade_is \"forceshade${command:+ $command}\"'" forceshade.fish)
+  options=$(grep -o '^  \(-[hv], \)\?--[a-z-]*' <<< "$help" | sed 's/.*--/--/' | sort)
   for option in $options; do
     has_line "(-[hv], )?$option( [^"$'\n'"]*)?" "$plain" || fail "$page lacks $option"
     completes "$option" forceshade "${words[@]}" "${option:0:4}"
@@ -59,7 +71,7 @@ for command in "${commands[@]}"; do
     [[ $'\n'$fish == *$'\n'"complete -c forceshade -n '__forceshade_is \"forceshade${command:+ $command}\"' -l ${option#--} "* ]] ||
       fail "the completion of fish lacks $command $option"
   done
-  for verb in $(below "${words[@]}"); do
+  for verb in $verbs; do
     has_line "\\.B $verb" "$plain" || fail "$page lacks $verb"
     completes "$verb" forceshade "${words[@]}" "${verb:0:2}"
   done

@@ -141,7 +141,7 @@ inline double grid_height(const height::Grid& grid, double x, double y) {
   const auto bump = [&](double t) {
     t = std::fabs(t);
     if (!is_cubic) return std::max(0.0, 1 - t);
-    return t < 1 ? 2.0 / 3 - t * t + t * t * t / 2 : t < 2 ? std::pow(2 - t, 3) / 6 : 0.0;
+    return t < 1 ? 2.0 / 3 - t * t + t * t * t / 2 : t < 2 ? (2 - t) * (2 - t) * (2 - t) / 6 : 0.0;
   };
   const auto kept = [&](long i, long n) {
     return grid.edge == height::Edge::tile ? ((i % n) + n) % n : std::min(std::max(i, 0L), n - 1);
@@ -149,11 +149,15 @@ inline double grid_height(const height::Grid& grid, double x, double y) {
   const double u = x / static_cast<double>(grid.pitch) + (grid.columns - 1.0) / 2,
                v = y / static_cast<double>(grid.pitch) + (grid.rows - 1.0) / 2;
   double sum = 0;
-  for (long i = std::lround(u) - 3; i <= std::lround(u) + 3; ++i)
-    for (long j = std::lround(v) - 3; j <= std::lround(v) + 3; ++j)
+  const long column = std::lround(u), row = std::lround(v);
+  for (long i = column - 3; i <= column + 3; ++i) {
+    const double across = bump(u - static_cast<double>(i));
+    if (across == 0) continue;
+    for (long j = row - 3; j <= row + 3; ++j)
       sum +=
-          bump(u - static_cast<double>(i)) * bump(v - static_cast<double>(j)) *
+          across * bump(v - static_cast<double>(j)) *
           static_cast<double>(grid.values[static_cast<std::size_t>(kept(j, grid.rows) * grid.columns + kept(i, grid.columns))]);
+  }
   return sum;
 }
 
