@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # conform_recording_test.sh FORCESHADE: recordings of other systems: a clean one, such with one fault each, and files that are none.
+python_options=-SE
 . "$(dirname "$0")/expect.sh"
 clean=$examples/recordings/another_system.csv
 columns=(--columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy,fz=fz --length-unit m --force-unit mN)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # subject_files_test.sh FORCESHADE: --subject FILE means what its keys mean as options, everywhere; several laws at once; what a
 # certificate quotes.
+python_options=-SE
 . "$(dirname "$0")/expect.sh"
 
 printf 'x_mm,y_mm,z_mm\n1,0,-0.5\n3,0.5,-1\n-40,2,0.25\n' > positions.csv
