@@ -127,10 +127,8 @@ void report(const Inverse3& arm, Attendant& attendant) {
 
 void report_other_sessions(const haply::Address& address, Attendant& attendant) {
   try {
-    const auto sessions = haply::sessions_in(haply::http_get(address, "/sessions", kHttp));
-    if (sessions && *sessions > 1)
-      attendant.report(std::to_string(*sessions - 1) +
-                       " other sessions of the Inverse Service are open; their forces would be added");
+    const std::string words = haply::words_of_other_sessions(haply::sessions_in(haply::http_get(address, "/sessions", kHttp)));
+    if (!words.empty()) attendant.report(words);
   } catch (const std::runtime_error&) {  // it is only said
   }
 }

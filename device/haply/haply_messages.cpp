@@ -149,6 +149,13 @@ std::optional<std::size_t> sessions_in(const std::string& answer) {
   return list.is_array() ? std::optional(list.size()) : std::nullopt;
 }
 
+std::string words_of_other_sessions(std::optional<std::size_t> sessions) {
+  if (sessions.value_or(0) <= 1) return "";
+  const std::size_t others = *sessions - 1;
+  return others == 1 ? "1 other session of the Inverse Service is open; its forces would be added"
+                     : std::to_string(others) + " other sessions of the Inverse Service are open; their forces would be added";
+}
+
 Message message_of(std::string_view text) {
   const Json json = parsed(text);
   if (!json.is_object()) throw Unexpected("the Inverse Service: expected a JSON object, got " + shown(text));

@@ -3,8 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "device/haply/conversation.h"
+#include "device/haply/haply.h"
+#include "device/haply/haply_link.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device::haply {
 namespace {
@@ -96,6 +105,88 @@ TEST(haply_messages, what_says_nothing_of_its_calibration_has_none) {
   EXPECT_FALSE(message_of(state(kPosition, R"({"calibrated":"yes"})")).arms[0].calibrated);
   EXPECT_FALSE(message_of(state(kPosition, R"({"calibration_state":1})")).arms[0].calibrated);
   EXPECT_TRUE(message_of(state(kPosition, R"({"calibration_state":2})")).arms[0].calibrated);
+}
+
+TEST(haply_messages, other_sessions_than_ours_are_counted) {
+  for (const auto& [answer, words] :
+       {std::pair{"{}", ""},
+        {"[]", ""},
+        {R"([{"id":7}])", ""},
+        {R"([{"id":7},{"id":8}])", "1 other session of the Inverse Service is open; its forces would be added"},
+        {R"({"data":[1,2,3]})", "2 other sessions of the Inverse Service are open; their forces would be added"}})
+    EXPECT_EQ(words_of_other_sessions(sessions_in(answer)), words) << answer;
+}
+
+// Answers each message with the next of these texts, and keeps what it was sent.
+class Scripted final : public Conversation {
+ public:
+  explicit Scripted(std::vector<std::string> answers, std::vector<std::string>* sent = nullptr)
+      : answers_(std::move(answers)), sent_(sent) {}
+  void close(Time) noexcept override {}
+
+ private:
+  void send(std::string_view text) override {
+    if (sent_ != nullptr) sent_->emplace_back(text);
+    ++asked_;
+    was_sent();
+  }
+  void wait(std::int64_t) override {
+    if (!keeps_message() && told_ < std::min(asked_, answers_.size())) came(answers_[told_++]);
+  }
+
+  std::vector<std::string> answers_;
+  std::vector<std::string>* sent_;
+  std::size_t asked_ = 1, told_ = 0;  // the service speaks first
+};
+
+const Version kVersion = version_of("3.5.1");
+
+std::string with_status(const std::string& status) {
+  return state(R"({"x":0,"y":-0.15,"z":0.2})", status);
+}
+
+TEST(haply_link, gives_forces_only_where_arm_power_and_user_let_it) {
+  struct Case {
+    const char* status;
+    bool may_force, calibrated, forces_on;
+    const char* words;
+  };
+  for (const Case& its :
+       {Case{R"({"calibrated":true})", true, true, true, ""},
+        {R"({"calibrated":true,"power_supply":true,"ready":true})", true, true, true, ""},
+        {R"({"calibrated":false})", true, false, true, ""},
+        {R"({"calibrated":true,"power_supply":false})", true, true, false, "its power supply is off"},
+        {R"({"calibrated":true,"ready":false})", true, true, false, "the service reports that it is not ready"},
+        {R"({"calibrated":true})", false, true, false, ""}}) {
+    std::vector<std::string> sent;
+    Link link(std::make_unique<Scripted>(std::vector{with_status("{}"), with_status("{}"), with_status(its.status)}, &sent),
+              kVersion, "049D", {.force = its.may_force});
+    EXPECT_EQ(link.exchange({0, 0, 0.5}).position.norm(), 0);
+    const FrameState seen = link.exchange({0, 0, 0.5});
+    EXPECT_EQ(seen.calibrated, its.calibrated) << its.status;
+    EXPECT_EQ(seen.forces_on, its.forces_on) << its.status;
+    EXPECT_STREQ(seen.forces_off, its.words);
+    EXPECT_EQ(sent.back().find("set_cursor_force") != std::string::npos, its.may_force);
+  }
+}
+
+TEST(haply_device, is_refused_where_forces_would_be_anothers_or_go_another_way) {
+  const auto opening = [](const std::string& config, const std::string& status) -> std::string {
+    const std::string text = R"({"inverse3":[{"device_id":"049D","config":{)" + config + R"(},"status":)" + status + "}]}";
+    Attendant nobody;
+    try {
+      open(std::make_unique<Scripted>(std::vector{text, text}), kVersion, "", {}, nobody);
+    } catch (const DeviceError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(opening("", "{}"), "");
+  EXPECT_EQ(opening(R"("basis":"XYZ")", R"({"in_use":false})"), "");
+  expect_refused(opening("", R"({"in_use":true})"), "another program uses the Inverse3 049D");
+  expect_refused(opening(R"("basis":"XZY")", "{}"), "the Inverse Service's basis: expected XYZ, got XZY");
+  expect_refused(opening(R"("basis":{"permutation":"YXZ"})", "{}"), "expected XYZ, got YXZ");
+  expect_refused(opening(R"("mount":{"scale":{"x":2}})", "{}"), "mount: expected the identity");
 }
 
 TEST(haply_messages, the_buttons_are_those_of_the_first_grip) {
