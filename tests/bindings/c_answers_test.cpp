@@ -234,7 +234,7 @@ TEST(c_handles, of_sessions_end_in_a_sentence_and_come_back) {
   forceshade_subject_free(subject);
 }
 
-// Of 4095 bytes at most, the last of which end a character.
+// They have 4095 bytes at most, the last of which end a character.
 TEST(c_answers, in_words_are_cut_between_two_characters) {
   forceshade_subject made{};
   for (std::size_t before = 0; before < 3; ++before) {

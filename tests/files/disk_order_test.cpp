@@ -152,7 +152,7 @@ TEST(disk_order, says_every_fault_of_the_disk_and_leaves_no_name_without_its_byt
   EXPECT_EQ(failed, 4 + 4 + 6 + 4);
 }
 
-// Of the folder alone: a file system may have nothing to sync of one.
+// A file system may have nothing to sync of a folder.
 TEST(disk_order, takes_a_folder_that_cannot_be_synced_and_no_file) {
   for (const auto& [failing, is_fault] : {std::pair{"sync .", false}, {"sync out.csv", true}}) {
     const tests::TemporaryDirectory directory;
