@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "device/frame_times.h"
 #include "device/frames/framed_device.h"
 #include "device/frames/thread.h"
 #include "system/system.h"
@@ -183,6 +184,37 @@ TEST(frames, say_what_was_seen_of_them) {
     for (std::size_t k = 1; k < it.journal.begins.size(); ++k)
       EXPECT_GT(it.journal.begins[k] - it.journal.begins[k - 1], 990'000) << k;
   });
+}
+
+// Frames of 1 kHz, five gaps to a window.
+TEST(frame_times, say_rate_longest_gap_and_share_of_late_ones) {
+  constexpr std::int64_t kMicrosecond = 1000;
+  for (const auto& [gap, late] : {std::pair{1500, 0.0}, {1501, 0.2}}) {
+    FrameTimes times(1000, 5);
+    std::int64_t now = 7 * system::kSecond;
+    EXPECT_FALSE(times.add(now));
+    for (int k = 0; k < 4; ++k) EXPECT_FALSE(times.add(now += (k == 2 ? gap : 1000) * kMicrosecond)) << k;
+    const auto window = times.add(now += 1000 * kMicrosecond);
+    ASSERT_TRUE(window);
+    EXPECT_NEAR(window->rate, 5e6 / (4000 + gap), 1e-6);
+    EXPECT_NEAR(window->longest_gap, 1e-6 * gap, 1e-12);
+    EXPECT_EQ(window->late, late);
+    // The next window begins where this one ends, and has nothing of it.
+    for (int k = 0; k < 4; ++k) EXPECT_FALSE(times.add(now += 500 * kMicrosecond));
+    const auto next = times.add(now += 500 * kMicrosecond);
+    ASSERT_TRUE(next);
+    EXPECT_NEAR(next->rate, 2000, 1e-6);
+    EXPECT_EQ(next->late, 0);
+    EXPECT_NEAR(next->longest_gap, 0.0005, 1e-12);
+  }
+  EXPECT_EQ(words_of({.rate = 999.96, .longest_gap = 0.0125, .late = 0.0125}),
+            "1000.0 frames a second, 1.25 % of them late, longest gap 12.50 ms");
+  for (const auto& [late, grade] : {std::pair{0.0, "good"},
+                                    {0.001, "good"},
+                                    {0.0011, "fair"},
+                                    {0.02, "fair"},
+                                    {0.021, "poor: forces are held too long now and then"}})
+    EXPECT_STREQ(grade_of({.late = late}), grade) << late;
 }
 
 class Listener final : public Attendant {
