@@ -80,7 +80,7 @@ std::vector<float> path() {
   return all;
 }
 
-// Where numbers lie: in floats, and in statuses.
+// The places of numbers: in floats, and in statuses.
 struct Layout {
   const char* what;
   std::size_t between, component;  // positions and forces

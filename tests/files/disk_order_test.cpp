@@ -112,7 +112,7 @@ const std::vector<Case>& all() {
   return kAll;
 }
 
-// What it says; empty where nothing failed.
+// The words of the failure; empty where nothing failed.
 std::string words_of(const Case& it, const std::string& folder, const std::string& failing, int reason) {
   disk = {.folder = folder, .failing = failing, .reason = reason};
   std::string words;

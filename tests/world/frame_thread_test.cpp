@@ -24,7 +24,7 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-// What a device answers in a frame, counted from 0, and for how long it thinks, in ms.
+// The answers of a device to its frames, counted from 0, and for how long it thinks, in ms.
 struct Script {
   std::function<void(int frame, FrameState& state)> change = [](int, FrameState&) {};
   std::function<double(int frame)> takes = [](int) { return 0.05; };
@@ -114,7 +114,7 @@ TEST(frames, send_a_force_from_the_first_good_window_on) {
     });
 }
 
-// At frame 1200, when all of the force has come.
+// The frame is the 1200th, when all of the force has come.
 TEST(frames, send_no_force_after_one_without_permission_and_then_a_growing_one) {
   struct Case {
     const char* what;
@@ -180,7 +180,7 @@ TEST(frames, say_what_was_seen_of_them) {
     EXPECT_NEAR(seen.longest_trip, 5.5, 0.01);
     EXPECT_TRUE(seen.says_force);
     EXPECT_EQ(seen.largest_difference, 0.25);
-    // What was missed is not made up for.
+    // No frame makes up for one that was missed.
     for (std::size_t k = 1; k < it.journal.begins.size(); ++k)
       EXPECT_GT(it.journal.begins[k] - it.journal.begins[k - 1], 990'000) << k;
   });
