@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "recorder/loss.h"
 #include "recorder/sqlite.h"
 #include "system/system.h"
 
@@ -76,10 +77,7 @@ void Parts::push(const device::Sample& sample) noexcept {
 
 void Parts::close(std::unique_ptr<Part> part, const std::string& why) {
   closing_ = system::Thread("closing part", [this, closed = std::shared_ptr<Part>(std::move(part)), why] {
-    const auto [written, lost, error] = closed->recorder.close(why);
-    if (lost == 0 && error.empty()) return;
-    lost_ = (error.empty() ? closed->path + ": the disk was too slow" : error) + "; recorded " + std::to_string(written) +
-            " samples, lost " + std::to_string(lost);
+    if (const std::string words = words_of_loss(closed->path, closed->recorder.close(why)); !words.empty()) lost_ = words;
   });
 }
 

@@ -11,6 +11,7 @@
 
 #include "files/output_file.h"
 #include "forceshade/recording.h"
+#include "recorder/loss.h"
 
 namespace forceshade::run {
 namespace {
@@ -88,10 +89,8 @@ Record::~Record() {
 std::vector<std::string> Record::close(const std::string& end_reason) {
   closed_ = true;
   std::vector<std::string> faults;
-  const auto [written, lost, error] = recorder_->close(end_reason);
-  if (lost > 0 || !error.empty())
-    faults.push_back(said_of(path_, error.empty() ? recording() + ": the disk was too slow" : error, recording()) +
-                     "; recorded " + std::to_string(written) + " samples, lost " + std::to_string(lost));
+  if (const std::string words = recorder::words_of_loss(recording(), recorder_->close(end_reason)); !words.empty())
+    faults.push_back(said_of(path_, words, recording()));
   if (!is_table()) return faults;
   try {
     recorder::Recording finished(recording());

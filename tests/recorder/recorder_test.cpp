@@ -6,6 +6,7 @@
 
 #include "forceshade/recording.h"
 #include "recorder/layout.h"
+#include "recorder/loss.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/recorder/numbered_samples.h"
 #include "tests/support/allocations.h"
@@ -248,6 +249,14 @@ TEST_IN_THE_WORLD(recorder, without_a_close_is_marked_as_cut_off) {
   Recording recording(path);
   EXPECT_FALSE(recording.ended());
   EXPECT_EQ(recording.extent().samples, 10U);
+}
+
+TEST(recorder, says_what_is_lost_and_is_silent_where_nothing_is) {
+  for (const auto& [result, words] : {std::pair{Recorder::Result{7, 0, ""}, ""},
+                                      {Recorder::Result{7, 1, ""}, "a.fsr: the disk was too slow; recorded 7 samples, lost 1"},
+                                      {Recorder::Result{7, 0, "a.fsr: full"}, "a.fsr: full; recorded 7 samples, lost 0"},
+                                      {Recorder::Result{0, 8, "a.fsr: full"}, "a.fsr: full; recorded 0 samples, lost 8"}})
+    EXPECT_EQ(words_of_loss("a.fsr", result), words);
 }
 
 }  // namespace
