@@ -107,6 +107,36 @@ TEST(servo_loop, counts_unfinished_ticks_and_holds_their_force) {
   EXPECT_EQ(held, 3U);
 }
 
+TEST(servo_loop, counts_the_ticks_without_forces_and_the_fades_that_its_device_reports) {
+  struct Fading final : Pushing {
+    Fading(std::size_t off_from, std::size_t off_to) : from(off_from), to(off_to) {}
+    State state() const noexcept override {
+      const bool is_off = read >= from && read < to;
+      return {.forces_on = !is_off, .forces_off = is_off ? "its power is off" : ""};
+    }
+    ReadResult at(std::size_t reading) noexcept override {
+      read = reading;
+      Reading its = place(reading);
+      its.sent = Sent{.fades = static_cast<int>(reading) / 100, .faded = 0.001 * static_cast<double>(reading)};
+      return its;
+    }
+    std::size_t from, to, read = 0;
+  };
+  struct Case {
+    std::size_t from, to, ticks;
+    const char* words;  // at the end
+  };
+  for (const Case& its : {Case{1000, 1000, 0, nullptr}, {0, 40, 40, nullptr}, {390, 400, 10, "its power is off"}}) {
+    Fading device(its.from, its.to);
+    const Kept run(device, wall(), {.max_seconds = 0.4, .paced = false});
+    ASSERT_EQ(run.ticks, 400U);
+    EXPECT_EQ(run.forces_off_ticks, its.ticks);
+    EXPECT_STREQ(run.forces_off, its.words);
+    EXPECT_EQ(run.fades, 3);
+    EXPECT_DOUBLE_EQ(run.faded, 0.399);
+  }
+}
+
 TEST(servo_loop, ends_when_time_is_up) {
   Endless device;
   const Kept result(device, wall(), {.max_seconds = 0.07, .paced = false});
