@@ -138,6 +138,28 @@ TEST_F(plan_folder, is_worked_through_by_threads_and_workers_once) {
   for (std::uint64_t unit = 0; unit < 1050; ++unit) ASSERT_EQ(folder.kept(unit), "unit " + std::to_string(unit));
 }
 
+// While it is worked on, another worker whose lease ran out keeps a result of the same unit.
+TEST_F(plan_folder, counts_a_result_that_differs_from_the_one_that_came_meanwhile) {
+  const PlanFolder folder(path_, 4);
+  const std::atomic<bool> stop = false;
+  Claims claims(folder, 300, "one");
+  std::uint64_t last_alarms = 0;
+  const Worked worked = work_through(
+      folder, claims, {1},
+      [&](std::uint64_t unit) -> std::string {
+        EXPECT_TRUE(unit == 0 || unit == 3 || folder.keep(unit, unit == 1 ? "mine" : "another's"));
+        return "mine";
+      },
+      [&](const Worked& so_far) { last_alarms = so_far.alarms; }, stop);
+  EXPECT_TRUE(worked.is_complete);
+  EXPECT_EQ(worked.units, 4U);
+  EXPECT_EQ(worked.alarms, 1U);
+  EXPECT_EQ(last_alarms, 1U);
+  EXPECT_EQ(folder.kept(2), "another's");
+  ASSERT_EQ(folder.alarms().size(), 1U);
+  EXPECT_TRUE(folder.alarms()[0].filename().string().starts_with("2.differs-"));
+}
+
 TEST_F(plan_folder, gives_back_what_is_taken_where_a_unit_throws) {
   const PlanFolder folder(path_, 3);
   const std::atomic<bool> stop = false;
