@@ -126,14 +126,22 @@ class Fitting {
       laid_at = best.factor * stiffness_;
       const std::vector<Beginning> beginnings = beginnings_of(some, laid_at);
       if (round == 0 && beginnings.empty()) return "no placement of the subject has a force where the recording has one";
-      if (round == 0 && beginnings.front().factor < 0)
-        return "the stiffness that fits best is below zero: the forces pull towards the surface";
       for (const Solution& each : first_solutions(some, beginnings)) {
         if (!(each.rms < best.rms)) break;
         if (const Solution solution = settled(some, each, unknowns(), kNearly); solution.rms < best.rms) best = solution;
       }
+      // Some place far from the true one explains a part of nearly every recording by attraction.
+      if (round == 0 && beginnings.front().factor < 0 && !(share_left(some, best) < beginnings.front().share))
+        return "the stiffness that fits best is below zero: the forces pull towards the surface";
     }
     return with_other_lags(some, best);
+  }
+
+  // The share of the squared force that a solution leaves, as Beginning has it.
+  double share_left(const Samples& samples, const Solution& solution) const {
+    double measured = 0;
+    for (const Measured& each : samples) measured += (each.force - rest_).squaredNorm();
+    return solution.rms * solution.rms * static_cast<double>(samples.size()) / measured;
   }
 
   // The different ones that the beginnings lead to while all samples count in full, the best one first. A limit to what a
@@ -206,7 +214,8 @@ class Fitting {
         }
       }
       std::ranges::sort(best, {}, &Beginning::share);
-      best.resize(std::min(best.size(), kBeginnings));
+      std::size_t attracting = 0, other = 0;  // of attraction the best one alone, since no fit begins there
+      std::erase_if(best, [&](const Beginning& each) { return each.factor < 0 ? attracting++ > 0 : other++ >= kBeginnings; });
     }
     return best;
   }
@@ -318,6 +327,8 @@ class Fitting {
     if (fit.contacts < kLeastContacts || !(fit.rms <= force / 2))
       return refused("the subject does not explain these forces: the best fit leaves " + brief(fit.rms) + " N of " +
                      brief(force) + " N (root mean square)");
+    if (const auto rounded = static_cast<float>(fit.stiffness); !(rounded >= 0.001F && rounded <= 1000))
+      return refused("the stiffness that fits best is " + brief(fit.stiffness) + " N/mm; expected 0.001 to 1000 N/mm");
     determine(fit, best, kept, force, unknowns);
     return fit;
   }
