@@ -35,7 +35,7 @@ std::span<const Kind> kinds();
 // Those of the kind of this device, "phantom:Left arm" for instance; none where there is no such kind.
 std::vector<Check> checks_before_opening(const std::string& name);
 
-// Whether the device of this name is a simulated one.
+// True of the name of a simulated device.
 bool is_simulated(const std::string& name);
 
 }  // namespace forceshade::device

@@ -31,7 +31,7 @@ class OutputFolder {
   // The partial folder, for writers of files by path; all are to be OutputFiles. It may have folders of its own.
   const std::filesystem::path& so_far() const noexcept { return partial_; }
 
-  // Whether PATH is not there, or is a folder that holds nothing.
+  // True where PATH is not there, or is a folder that holds nothing.
   bool is_for_an_empty_path() const;
 
   // One file. Throws OutputError, which names the file in PATH.

@@ -32,7 +32,7 @@ Version version_of(const std::string& answer);
 
 // How many sessions the answer to GET /sessions lists, if it is such a list.
 std::optional<std::size_t> sessions_in(const std::string& answer);
-// What the user has to be told where ours is not the only one of these; empty otherwise.
+// The warning where ours is not the only one of these; empty otherwise.
 std::string words_of_other_sessions(std::optional<std::size_t> sessions);
 
 // An Inverse3 in a message of the service. What the message leaves out is empty.

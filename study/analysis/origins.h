@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Who answered, on which devices, and whether the forces were certified: what every page and table says of its trials.
+// The origin of trials, which every page and table says: who answered, on which devices, and whether forces were certified.
 
 #include <map>
 #include <string>

@@ -51,7 +51,7 @@ struct ResidualWorld {
   std::vector<TrialNumbers> trials;
   std::vector<Stratum> strata;
   std::vector<std::size_t> draws;  // as many as the stratum of the data has trials
-  // Whether each participant has two trials at some reference radius. Else nothing shows how far a trial of theirs deviates.
+  // True where each participant has two trials at some reference radius. Else nothing shows how far a trial of theirs deviates.
   bool is_determined = true;
 };
 

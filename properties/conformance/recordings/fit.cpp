@@ -17,6 +17,7 @@
 #include "properties/conformance/recordings/rest_force.h"
 #include "properties/conformance/recordings/solution.h"
 #include "properties/conformance/recordings/words.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -327,7 +328,7 @@ class Fitting {
     if (fit.contacts < kLeastContacts || !(fit.rms <= force / 2))
       return refused("the subject does not explain these forces: the best fit leaves " + brief(fit.rms) + " N of " +
                      brief(force) + " N (root mean square)");
-    if (const auto rounded = static_cast<float>(fit.stiffness); !(rounded >= 0.001F && rounded <= 1000))
+    if (error_of_stiffness(static_cast<float>(fit.stiffness)))
       return refused("the stiffness that fits best is " + brief(fit.stiffness) + " N/mm; expected 0.001 to 1000 N/mm");
     determine(fit, best, kept, force, unknowns);
     return fit;

@@ -11,7 +11,7 @@
 
 namespace forceshade::conformance {
 
-// What is fitted, to which samples. All of it is to outlive the call.
+// The numbers that are fitted, and the samples that they are fitted to. All of it is to outlive the call.
 struct Fitted {
   const Renderer& renderer;
   const Path& path;
