@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How often intervals of nominal coverage 0.95 hold the true value, on simulated results. FORCESHADE_COVERAGE=N makes N data
-// sets for each line (docs/analysis.md has the numbers of 5000); without it there are 200, and the allowance is wider by their
-// own error.
+// The share of intervals of nominal coverage 0.95 that hold the true value, on simulated results. FORCESHADE_COVERAGE=N makes
+// N data sets for each line (docs/analysis.md has the numbers of 5000); without it there are 200, and the allowance is wider by
+// their own error.
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ void print(const char* what, const char* column, const Count& count, int of) {
               100.0 * count.above / of);
 }
 
-// What the intervals of the four columns hold, of one observer or of several with fixed habits.
+// Checks the coverage of the four columns' intervals, of one observer or of several with fixed habits.
 void check_trials(const char* what, const std::vector<Observer>& observers, int sets, std::size_t resamples) {
   std::array<double, 4> truth{};
   const auto people = static_cast<double>(observers.size());

@@ -52,9 +52,8 @@ TEST(percentages, have_the_exact_interval_where_every_resample_is_the_same) {
   EXPECT_EQ(words(1, Unit::participants), "-");
 }
 
-// What one trial shows: where it is a participant's only one at every radius there is no deviation to draw. Where another
-// radius has more trials it deviates as these do, so the interval is longer than that of a trial without any error, and not of
-// length 0.
+// A participant's only trial at every radius has no deviation to draw. Where another radius has more trials it deviates as
+// these do, so the interval is longer than that of a trial without any error, and not of length 0.
 TEST(statistics, of_single_trials_have_an_interval_only_where_others_show_their_deviation) {
   const auto row_of = [](const std::vector<std::pair<std::string, double>>& trials, Unit unit = Unit::trials) {
     experiments::Results results;
@@ -93,7 +92,7 @@ TEST(statistics, of_single_trials_have_an_interval_only_where_others_show_their_
       << "one of two has no standard deviation";
 }
 
-// Where everybody gave the same answer, the interval is that answer, and there is one.
+// An interval of answers that are all equal has no width, and is defined.
 TEST(interval, of_no_width_is_defined) {
   EXPECT_TRUE((Interval{5, 5}).is_defined());
   EXPECT_TRUE((Interval{5, 6}).is_defined());

@@ -14,7 +14,7 @@
 namespace forceshade::tests {
 namespace {
 
-// What no message may hold: a library's notation, a number that nobody can read, an error that is none.
+// Fails where a message holds a library's notation, an unreadable number, or an error named "Success".
 void expect_readable(std::string message, const std::string& line, const std::string& users_own = "") {
   message = std::regex_replace(message, std::regex("got \"[^\"]*\""), "");
   for (std::size_t at; !users_own.empty() && (at = message.find(users_own)) != std::string::npos;)
@@ -194,7 +194,7 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
       for (const std::string& value : values) {
         const bool is_file = option == "--json" || option == "--junit" || option == "--record" || option == "--out";
         if (is_file && !value.empty()) continue;
-        if (option == "--json") continue;  // its value may be left out: an empty one is none
+        if (option == "--json") continue;  // its value may be left out, and an empty one counts as left out
         std::vector<std::string> words = words_of(command);
         const std::vector<std::string> others = words_of(line);
         for (std::size_t i = 0; i < others.size(); ++i)

@@ -123,7 +123,7 @@ std::vector<fs::path> parts_of(const std::string& session, int run) {
   return parts;
 }
 
-// What has reached the file, whether or not the run goes on.
+// The ticks that have reached the file, whether or not the run goes on.
 std::uint64_t ticks_of(const fs::path& part) {
   recorder::Recording recording(part.string());
   return recording.extent().samples;
@@ -222,7 +222,7 @@ TEST(experiment, with_another_bump_in_its_list_is_refused_by_recompute) {
   EXPECT_NE(bad.err.find("stimuli.jsonl:"), std::string::npos) << bad.err;
 }
 
-// What is lost is what the recorder had not yet taken, less than the last 100 ms (recorder.loses_less_than_100_ms_when_killed).
+// The ticks lost are those that the recorder had not yet taken, less than 100 ms (recorder.loses_less_than_100_ms_when_killed).
 TEST(experiment, killed_in_the_middle_of_a_trial_goes_on_at_that_trial) {
   const Lab lab;
   const std::string session = lab.file("S");

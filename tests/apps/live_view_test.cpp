@@ -13,7 +13,7 @@
 namespace forceshade::apps {
 namespace {
 
-// What it draws while a second of ticks is pushed, line by line. At tick 450 the loop wakes up 700 us late.
+// The lines drawn while a second of ticks is pushed. At tick 450 the loop wakes up 700 us late.
 std::vector<std::string> drawn() {
   testing::internal::CaptureStderr();
   {

@@ -15,7 +15,7 @@ class Watched {
     line_.emplace("sweeps", is_terminal, [this] { return ProgressLine::Clock::time_point(now_); });
   }
 
-  // What is written to standard error so many seconds later.
+  // Draws so many seconds later; returns what is written to standard error.
   std::string after(int seconds, double done, const std::string& details = "") {
     now_ += std::chrono::seconds(seconds);
     testing::internal::CaptureStderr();

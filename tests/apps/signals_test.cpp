@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each signal does to a run: the command as another process, on the simulated device, judged by its exit code, its words
-// and its recording.
+// The effect of each signal on a run: the command as another process, on the simulated device, judged by its exit code, its
+// words and its recording.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -37,7 +37,7 @@ constexpr std::size_t kInCache = 1024;     // positions: 16 KiB in four arrays
 constexpr std::size_t kCacheMultiple = 8;  // out of cache: as many bytes as this many last-level caches, or more
 constexpr std::size_t kFewestOutOfCache = std::size_t{1} << 24;  // positions: 256 MiB in four arrays
 
-// What each law must meet on one core; the first applies to AVX-512 alone, the third to every vector set and kind of law.
+// Limits for each law on one core; the first applies to AVX-512 alone, the third to every vector set and kind of law.
 constexpr double kMostNanoseconds = 2.5;
 constexpr double kMostTimesCopy = 1.8;
 double most_times_naive(std::string_view law) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the C interface adds to a call and to a batch: each beside the C++ call that it makes, on the same positions, and beside
-// a plain copy.
+// The cost that the C interface adds to a call and to a batch: each beside the C++ call that it makes, on the same positions,
+// and beside a plain copy.
 
 #include <benchmark/benchmark.h>
 
@@ -43,7 +43,7 @@ forceshade_subject subject_of(LawId id) {
   return made;
 }
 
-// Where the C interface puts them too, as it does.
+// Copies the answer to the caller's places, as the C interface does.
 void take(const fast::Evaluation& answer, float* force, Status& status) {
   const volatile float* const components = answer.force.data();
   for (std::size_t axis = 0; axis < 3; ++axis) force[axis] = components[axis];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a tick of the servo loop costs of itself, whatever else the machine does: the same strokes five times over, to the bit,
-// and of each tick the least time. A stall of the machine seldom meets the same tick five times.
+// The time of a tick of the servo loop alone, whatever else the machine does: the same strokes five times over, to the bit, and
+// of each tick the least time. A stall of the machine seldom meets the same tick five times.
 //
-// forceshade_loop_time [SECONDS]: of strokes; 60 unless said.
+// forceshade_loop_time [SECONDS]: of strokes; default: 60.
 
 #include <algorithm>
 #include <atomic>

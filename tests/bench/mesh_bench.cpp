@@ -37,7 +37,6 @@ struct CountedStages {
 
 constexpr auto kStiffness = static_cast<float>(kMeshStiffness);
 
-// What is rendered.
 struct Rendering {
   std::shared_ptr<const fast::Mesh> mesh;
   mesh::Shading shading = mesh::Shading::none;
@@ -252,8 +251,8 @@ void run(const MeshWorkload& workload, const Scale& scale) {
   run_naive(workload, scale);
 }
 
-// Where sheets cross. These ticks are long enough that other programs interrupt one in some hundred of them, so each counts
-// with the shortest of its times.
+// Measures crossing sheets. These ticks are long enough that other programs interrupt one in some hundred of them, so each
+// counts with the shortest of its times.
 void run_crossing(const MeshWorkload& workload, const Scale& scale) {
   const Rendering rendering{std::make_shared<const fast::Mesh>(
       value_of(fast::Mesh::build(unshaded_rendering(workload, mesh::SelfIntersections::allowed)), workload))};

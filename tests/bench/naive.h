@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the batch call is measured against: the thesis's formulas (as docs/laws.md corrects them) written down in binary32,
+// The code that the batch call is compared with: the thesis's formulas (as docs/laws.md corrects them) written in binary32,
 // in a plain loop that the compiler turns into vector code. No domain check, no rounding promise: what a haptics programmer
 // would have without this library. Included by each tests/bench/naive_<set>.cpp, compiled for the instructions of
 // fast/batch_<set>.cpp.

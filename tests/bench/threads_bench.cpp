@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What threads add: batches of laws out of cache beside a copy by as many threads, and a tick of each of a million paths over a
-// mesh. forceshade_threads_bench; the last number of a name is that of the threads.
+// The gain of threads: batches of laws out of cache beside a copy by as many threads, and a tick of each of a million paths
+// over a mesh. forceshade_threads_bench; a name ends with the number of threads.
 
 #include <benchmark/benchmark.h>
 

@@ -17,7 +17,7 @@
 
 namespace forceshade::bench {
 
-// How often the program has called operator new, which timing.cpp replaces.
+// The number of calls of operator new, which timing.cpp replaces.
 extern std::atomic<std::size_t> allocations;
 
 using Clock = std::chrono::steady_clock;

@@ -210,7 +210,7 @@ TEST(c_handles, are_each_given_once_and_are_none_before_and_after) {
     const std::uint64_t again = table->add(std::make_unique<int>(-1));
     EXPECT_NE(again, 0U) << "its slot is there again";
     EXPECT_NE(again, handles[i]);
-    EXPECT_EQ(table->find(handles[i]), nullptr) << "the old one is none";
+    EXPECT_EQ(table->find(handles[i]), nullptr) << "the old handle is invalid";
     EXPECT_EQ(*table->find(again), -1);
     EXPECT_EQ(table->add(std::make_unique<int>(0)), 0U) << "no other one is";
     handles[i] = again;

@@ -156,7 +156,7 @@ TEST_P(CThreads, advance_each_path_as_a_session_of_its_own) {
       contacts += status == FORCESHADE_CONTACT ? 1 : 0;
       slipping += state.slipping;
       if (tick % 16 != 15 || i % 5 != 0) continue;
-      // A path that begins again, with a state of 0 or with one that is none of any mesh.
+      // A path that begins again, with a state of 0 or with one that belongs to no mesh.
       forceshade_session_reset(sessions[i]);
       states[i] = beginning();
       longer[i].its = beginning(sizeof(Longer));

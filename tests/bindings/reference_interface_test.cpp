@@ -236,7 +236,7 @@ TEST(reference_interface, compares_a_component_with_rational_numbers_in_every_fo
   EXPECT_EQ(sign(bump, in_bump, 0, "1.3490643153346555444"), -1);
   EXPECT_EQ(sign(bump, in_bump, 2, "1e10000"), -1);
   EXPECT_EQ(sign(bump, in_bump, 2, "1e-10000"), 1);
-  // What is along y, and where there is no force, is 0.
+  // The component along y is 0, and so is every one where there is no force.
   for (const auto& [at, axis] : {std::pair(in_bump, 1U), std::pair(outside, 0U), std::pair(outside, 2U)}) {
     EXPECT_EQ(sign(bump, at, axis, "0"), 0);
     EXPECT_EQ(sign(bump, at, axis, "-0/3"), 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the C interface of the exact side says of a renderer that is wrong. The library checks no renderer but its own, which is
+// The answers of the exact side's C interface about a wrong renderer. The library checks no renderer but its own, which is
 // right; so this program is made of the library's sources and of a function here that opens a wrong one. CMakeLists.txt gives
-// subject_of() another name in all of them, so that it is not that of the checking library.
+// subject_of() another name in all of them, so that it does not collide with the checking library's.
 
 #include <gtest/gtest.h>
 

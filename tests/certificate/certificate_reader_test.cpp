@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is no certificate, or contradicts itself, is refused in words that name the key. Faults are made at every place of
+// Refuses a text that is no certificate or contradicts itself, in words that name the key. Faults are made at every place of
 // certificates that are right.
 
 #include <gtest/gtest.h>
@@ -44,8 +44,8 @@ void walk(const Json& json, const Place& place, const std::function<void(const P
     for (std::size_t i = 0; i < json.size(); ++i) walk(json[i], place / i, visit);
 }
 
-// make(json, place) changes one thing of a certificate: the result must be refused, and the words must hold what make gives.
-// Where it gives nothing, nothing was changed. Returns how many faults were made.
+// make(json, place) changes one thing of a certificate: the result must be refused, and the words must hold what make gives. If
+// it gives nothing, nothing was changed. Returns how many faults were made.
 int refused_everywhere(const std::function<std::string(Json&, const Place&)>& make) {
   int faults = 0;
   for (std::size_t i = 1; i < texts().size(); ++i) {  // the first has nothing that the second lacks
@@ -193,7 +193,7 @@ TEST(certificate_reader, refuses_a_verdict_that_the_rest_does_not_bear_out) {
   EXPECT_GT(refused_everywhere([](Json& json, const Place& place) -> std::string {
               if (!json[place].is_boolean()) return "";
               const std::string key = place.back();
-              // That a law is said not to be conservative contradicts nothing that is written.
+              // A law that is not conservative contradicts nothing else of a certificate.
               if (key == "conservative") return "";
               json[place] = !json[place].get<bool>();
               return "is ";

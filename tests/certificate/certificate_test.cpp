@@ -72,7 +72,7 @@ TEST(certificate, says_what_kind_of_force_each_law_is) {
   }
 }
 
-// What the witness gives is beneath what a loop can give, where no loop is known that gives as much.
+// The witness gives less than the bound, where no loop is known that gives as much.
 TEST(certificate, says_what_the_witness_gives_and_not_what_is_possible) {
   const LawSubject subject(LawId::bump_3p_shaded, kBump);
   const auto law = std::get<reference::Law>(reference::Law::build(LawId::bump_3p_shaded, kBump));
@@ -87,7 +87,7 @@ TEST(certificate, says_what_the_witness_gives_and_not_what_is_possible) {
   }
 }
 
-// What was measured is the renderer's: one that is twice as stiff gives twice the energy around the same loops.
+// The renderer's energy is measured: one that is twice as stiff gives twice the energy around the same loops.
 TEST(certificate, says_what_the_renderer_gave_around_the_witness_and_not_what_the_law_gives) {
   const LawSubject right(LawId::bump_2p, kBump), stiffer(LawId::bump_2p, kBump, [](LawId law, Parameters parameters) {
     parameters.stiffness *= 2;

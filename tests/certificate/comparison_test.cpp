@@ -29,7 +29,7 @@ using fast::InstructionSet;
 
 constexpr Parameters kThesisBump{15.24F, 25.4F, 0.5F};
 
-// What is compared, made anew with every change of a test to its calls.
+// Makes the compared subject anew, with a test's change to its calls.
 using Change = std::function<Renderer(Renderer)>;
 using Subjects = std::function<std::shared_ptr<const Subject>(const Change&)>;
 

@@ -49,7 +49,7 @@ inline properties::SubjectResult made_law(LawId law = LawId::bump_2p, const Para
   return made_subject(identity_of(law, parameters));
 }
 
-// A map that nobody has: its digest is made up.
+// A map that does not exist: its digest is made up.
 inline Identity made_map_identity(height::Mode mode = height::Mode::true_height, float stiffness = 0.5F) {
   Identity identity = identity_of("hill.toml", {}, mode, stiffness);
   identity.digest = std::string(64, 'c');

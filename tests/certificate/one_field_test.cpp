@@ -46,7 +46,7 @@ std::set<std::string> places(const Certificate& one, const Certificate& other) {
 struct OneField {
   std::function<void(Certificate&)> change;
   std::set<std::string> differs;  // where, in what is written
-  std::string refused = "";       // what drive says of subjects[0], or its beginning; empty where it is driven all the same
+  std::string refused = "";       // drive's refusal of subjects[0], or its beginning; empty where it is driven all the same
 };
 
 template <class Change>
@@ -307,7 +307,7 @@ TEST(one_field, of_points_reaches_the_merged_certificate) {
   }
 }
 
-// What makes two sweeps different ones: no part of the one joins those of the other.
+// Changes that make another sweep: no part of the one joins those of the other.
 TEST(one_field, of_a_sweep_or_of_a_part_s_units_does_not_join) {
   const std::vector<std::pair<std::string, std::function<void(Sweeps&)>>> changes{
       {"law", [](Sweeps& s) { s.results[0].sweep.law = LawId::bump_3p; }},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The folder of a plan: a unit is taken by one, its result is written once, and what differs or is damaged is said.
+// The folder of a plan: a unit is taken by one, its result is written once, and what differs or is damaged is reported.
 
 #include "certificate/plan_folder.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a device may be driven with: each thing that a certificate can lack, and the words that say so.
+// The refusals of drive: each thing that a certificate can lack, and the words for it.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ void expect_words(const std::string& said, const std::string& words) {
   EXPECT_NE(said.find(words), std::string::npos) << "expected: " << words << "; got: " << said;
 }
 
-// What is wrong with a law's findings is as wrong with a map's.
+// Changes the findings of a law and of a map, and expects the refusal of each.
 void expect_both(const std::function<void(Findings&)>& change, const std::string& of_a_law, const std::string& of_a_map) {
   Certificate certificate = tests::made_certificate();
   change(certificate.subjects[0]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a certificate states about driving a device: the same as drive's refusal, in the JSON and on the page.
+// The statements of a certificate about driving a device: the same as drive's refusal, in the JSON and on the page.
 
 #include <gtest/gtest.h>
 

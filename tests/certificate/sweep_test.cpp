@@ -159,7 +159,7 @@ TEST(sweep, adds_the_time_that_it_takes_to_that_before) {
   EXPECT_GT(continued(part, 1, 1).seconds, 1000);
 }
 
-// What was found before it was stopped stays found, and what is found later is added.
+// The findings before a stop stay, and later ones are added.
 TEST(sweep, keeps_what_it_found_when_it_goes_on) {
   Sweeps part = part_of(small_plan(), 1, 256);
   part = continued(part, 2, 1);

@@ -198,7 +198,7 @@ TEST(wrong_in_one_thing, the_number_of_invalid_positions_of_one_set_s_batch_call
   }
 }
 
-// What it leaves unwritten is what the call before it left there.
+// A renderer that writes no answer leaves there the answer of the call before.
 TEST(wrong_in_one_thing, a_single_call_of_one_set_that_does_not_write_an_answer_again) {
   std::vector<float> values(16, 0.5F);
   const HeightMap flat{{{std::make_shared<const height::Grid>(
