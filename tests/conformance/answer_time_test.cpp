@@ -20,7 +20,7 @@ TEST(timing, takes_the_nearest_rank_in_whatever_order_they_come) {
   EXPECT_EQ(timing_of({}).answers, 0U);
 }
 
-// What it was requested, one after the other.
+// Records the requests, one after the other.
 class Recorder final : public RendererUnderTest {
  public:
   explicit Recorder(std::vector<std::pair<float, bool>>& requested) : requested_(requested) {}

@@ -50,7 +50,7 @@ TEST(conform, holds_of_the_own_renderer_on_every_kind_of_scene) {
   EXPECT_EQ(names.size(), kInvariants.size() - 1);  // all but that of energy, which the own renderer does not declare
 }
 
-// Where objects move, what depends on the tick is compared with the definition alone.
+// Compares what depends on the tick, where objects move, with the definition alone.
 TEST(conform, looks_at_objects_that_move) {
   scene::Motion motion{{}, true};
   for (int tick = 0; tick < 100; ++tick) motion.poses.push_back({{0, 0, static_cast<float>(tick) / 8}, {1, 0, 0.5F, 0}});

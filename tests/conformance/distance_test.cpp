@@ -82,7 +82,7 @@ TEST(is_within, decides_a_decimal_tolerance_exactly) {
   EXPECT_GT(cases, 3000);
 }
 
-// What is nearest to the exact force is not the exact force: its own error counts in N.
+// The binary32 nearest to the exact force is not exact: its own error counts in N.
 TEST(is_within, takes_the_exact_force_and_not_the_rounded_one) {
   const auto law = std::get<reference::Law>(reference::Law::build(LawId::bump_2p, {15.24F, 25.4F, 0.5F}));
   const Eigen::Vector3f position(3, 0, -0.5F);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How often the stated errors of a fit hold the truth, over recordings with known stiffness, place, offset, lag and noise.
+// The share of fits whose stated errors hold the truth, over recordings with known stiffness, place, offset, lag and noise.
 // FORCESHADE_DRAWS=20 makes a thousand recordings (docs/conformance.md has what came of them).
 #include <gtest/gtest.h>
 

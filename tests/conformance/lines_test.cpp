@@ -40,7 +40,7 @@ TEST(lines, are_nothing_where_they_are_others) {
   EXPECT_FALSE(numbers_in(line_of(kAnswers, {}), kAnswers)) << "the general reader says what is wrong with an empty list";
   for (std::size_t length = 0; length < right.size(); ++length)
     EXPECT_FALSE(numbers_in(right.substr(0, length), kAnswers)) << length;
-  // No other character is right anywhere in what is none, and a digit only where one stands.
+  // Any other character makes the line wrong; only a digit may take a digit's place.
   for (std::size_t at = 0; at < right.size(); ++at)
     for (const char c : {'\0', ' ', 'g', '"', ',', '\x80', '/', ':', '@', '`'}) {
       std::string other = right;

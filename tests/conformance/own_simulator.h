@@ -26,7 +26,7 @@ using Eigen::Vector3d;
 // A plane, so that a flat mesh has no inner edges; or triangles. Degenerate ones are left out.
 class Ground {
  public:
-  Ground() = default;  // there is none
+  Ground() = default;  // no ground
 
   explicit Ground(const Simulation& scene) {
     if (const auto* box = std::get_if<GroundBox>(&scene.ground)) {
@@ -91,7 +91,7 @@ class Ground {
   double height_ = -kInfinite;
 };
 
-// What a defect sees and may change.
+// The state that a defect sees and may change.
 struct World {
   Simulation scene;
   Ground ground = {};

@@ -57,7 +57,7 @@ Description odd_tetrahedron() {
           rendering_of_mesh({{{0, 0, 0}, {50, 3, 2}, {7, 31, -4}, {11, 5, 23}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}})};
 }
 
-// What fails: kExact and names of invariants.
+// The failures: kExact and names of invariants.
 Names failures(const Description& scene, const Spoiler& spoiler, const Tolerance& tolerance = {}, std::uint64_t points = 3000) {
   const Conformance its = conform(scene, own_renderer(scene, spoiler), {.points = points, .tolerance = tolerance});
   EXPECT_FALSE(its.failure) << *its.failure;

@@ -16,7 +16,7 @@ class Alternation {
  public:
   static constexpr float kFelt = 0.02F;  // N
 
-  // Whether its last three changes alternate. The smallest of the three is then in `size`.
+  // Returns true if the last three changes alternate by more than kFelt along an axis; `size` is the smallest of the three.
   bool next(const Eigen::Vector3f& force) {
     changes_ = {changes_[1], changes_[2], Eigen::Vector3f(force - last_)};
     last_ = force;

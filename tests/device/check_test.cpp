@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is found out about a driver's files and a device's nodes, and what is said of it.
+// The findings about a driver's files and a device's nodes, and the words that report them.
 
 #include "device/check.h"
 
@@ -113,7 +113,7 @@ TEST(check, names_the_package_where_it_is_known) {
   EXPECT_EQ(package_of("libforceshade_lacking_first.so.5"), "");
 }
 
-// A made-up machine: a Touch on USB, a keyboard, something on FireWire, and what is none of these.
+// A made-up machine: a Touch on USB, a keyboard, something on FireWire, and other nodes.
 TEST(check, of_device_nodes_finds_the_vendors_by_its_numbers) {
   const TemporaryDirectory machine;
   for (const char* folder : {"dev", "sys/usb/touch/port", "sys/usb/keyboard/port", "sys/class/tty/ttyACM3",

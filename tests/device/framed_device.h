@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is expected of every device whose frames a thread of ours makes.
+// The tests of every device whose frames a thread of ours makes.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ inline void wait_for_frame(Device& device) {
   device.wait_for_frame(system::now() + std::chrono::nanoseconds(kLongest).count());
 }
 
-// What its next reading without a position says.
+// The fault in place of its next reading without a position.
 inline Fault fault_of(Device& device) {
   for (;; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
     const ReadResult last = device.read();
@@ -33,7 +33,7 @@ inline Fault fault_of(Device& device) {
   }
 }
 
-// Drives it with a force until there is a fault, whose words these are, or those of what did not start.
+// Drives it with a force until there is a fault; returns its words, or those of a failed start.
 inline std::string driven(Device& device, double rate) {
   if (const auto fault = device.start(rate)) return fault->words;
   for (;;) {

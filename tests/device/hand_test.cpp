@@ -60,7 +60,7 @@ TEST(tremor, is_the_same_for_the_same_seed_and_another_for_another) {
   EXPECT_NE(a.at(1.23).position.x(), a.at(1.23).position.y());
 }
 
-// Its power outside 8 to 12 Hz is none: every tone lies within; its size is what was asked for.
+// Its power outside 8 to 12 Hz is 0: every tone lies within; its size is what was asked for.
 TEST(tremor, has_the_size_asked_for_and_beats_at_8_to_12_Hz) {
   const Tremor tremor(7, 0.03);
   constexpr int kSamples = 400'000;  // 400 s

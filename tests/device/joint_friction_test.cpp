@@ -40,7 +40,7 @@ TEST(friction, never_holds_a_joint_that_has_none) {
 }
 
 // The laws of friction, whatever the torque: a joint that sticks is not pulled beyond its limit; one that slips from rest
-// goes the way it is said to.
+// is accelerated the way of its slip.
 TEST(friction, of_three_joints_at_once_obeys_its_law_at_each) {
   std::mt19937_64 bits(1);
   std::uniform_real_distribution<double> size(-8, 8);

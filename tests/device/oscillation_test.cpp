@@ -103,7 +103,7 @@ TEST(oscillation, gives_the_force_back_after_some_seconds_of_quiet) {
   EXPECT_EQ(gain, 1);
 }
 
-// How far the tip swings in the last half second of a wall of 8 N/mm, on which a hand rests that means to be 6 mm below it.
+// The swing of the tip in the last half second on a wall of 8 N/mm, where a hand rests that means to be 6 mm below it.
 double swing_on_a_wall_too_stiff(bool watched) {
   const Intention rest({{0.1, {-30, 0, 3}}, {0.5, {-30, 0, -6}}, {3, {-30, 0, -6}}}, Intention::Between::minimum_jerk);
   Simulated device(premium_1_5(), Operator{Grip{}, rest, Tremor(1, 0.03), true});

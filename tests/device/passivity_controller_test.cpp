@@ -242,7 +242,7 @@ TEST(passivity_controller, accounts_for_what_it_altered) {
   EXPECT_EQ(account.longest_step, 0.5);
 }
 
-// What was desired at a reading acts from the next one on.
+// The force desired at a reading acts from the next one on.
 TEST(passivity_controller, knows_which_force_was_withheld_where_it_is_felt_late) {
   PassivityController controller({.longest_step = 1, .epsilon = 1, .latency = true});
   const auto pass = [&](float z, float desired, float acted, double work) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a hand that moves smoothly feels on an account that is almost empty: no buzz.
+// A hand that moves smoothly on an account that is almost empty feels no buzz.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

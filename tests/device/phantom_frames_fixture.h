@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is done in each frame of a PHANToM's driver, frame by frame: without its scheduler and on a clock of the test's own, so
-// that every order of events can be had.
+// Runs the frames of a PHANToM's driver one by one, without its scheduler and on a clock of the test's own, so that every order
+// of events can be had.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace forceshade::device {
 
 inline constexpr int kWindow = 50;
 
-// What the driver has, what its calls fail with, and what it was told.
+// The driver's state, the errors that its calls return, and the orders that it got.
 struct Driver {
   Eigen::Vector3d position{1, 2, 3};
   std::vector<double> temperatures{0.125, 0.25, 0.0625};

@@ -20,7 +20,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinite = st
 const DriversLimits kRight{
     .peak = 8.5, .continuous = 1.4, .speed = 2000, .impulse = 1.2, .workspace = Box{-190, -95, -130, 191, 96, 137}};
 
-// What a driver may give instead of a number; NaN is also what it did not write.
+// Values that a driver may give instead of a number; NaN also stands for one that it did not write.
 const std::vector<std::optional<double>> kWrong{std::nullopt, 0.0, -0.0, -1.0, kNan, kInfinite, -kInfinite, 1e300, -1e300};
 
 PhantomLimits limits_of(const DriversLimits& driver) {

@@ -168,7 +168,7 @@ TEST(servo_loop, keeps_to_the_workspace_of_the_device_wherever_the_law_is_placed
   EXPECT_NEAR(sample.force[2] / sample.law_force[2], 0.37F, 1e-3F);
   EXPECT_EQ(device.commands[700], Vector3f(sample.force[2], 0, 0));
   EXPECT_EQ(sample.limited, 1U << static_cast<int>(Rule::workspace));
-  // What the hand is given is the work of these forces on the device's positions.
+  // The energy given to the hand is the work of these forces on the device's positions.
   double work = 0;
   for (std::size_t k = 0; k + 1 < run.ticks; ++k)
     for (std::size_t i = 0; i < 3; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A device is looked at without force: what is measured, and what is said of it.
+// The watch of a device without force: its measurements and the words that report them.
 
 #include "device/quiet_watch.h"
 

@@ -29,7 +29,7 @@ std::string error_of(const std::string& rows) {
   return "no error";
 }
 
-// All readings at this rate, which are as many as the replay said.
+// All readings at this rate, which are as many as the replay announced.
 std::vector<Reading> played(Replay replay, double rate) {
   EXPECT_EQ(replay.readings_left(), std::nullopt) << "not known before it is started";
   EXPECT_FALSE(replay.start(rate));

@@ -12,7 +12,7 @@
 namespace forceshade::device {
 namespace {
 
-// How many ticks are not as they were recorded.
+// The number of ticks that differ from the recording.
 std::size_t differences(const SafetySettings& settings, const Kept& run) {
   Retrace retrace(settings);
   std::size_t found = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of a certified run, as a whole, with every number another one; and what is recorded of it.
+// The report of a certified run, as a whole, with every number another one; and its recording.
 
 #include "forceshade/run.h"
 
@@ -87,7 +87,7 @@ TEST(run_summary, has_each_number_of_the_loop_under_its_name) {
       "altered_ticks": 9, "largest_change_N": 10.5, "longest_step_mm": 11.5},
     "realtime_scheduling": true, "memory_locked": false, "cpu": 3})");
   EXPECT_EQ(to_json(made_result()).dump(1), expected.dump(1));
-  // What may be absent or another word.
+  // Fields that may be absent or another word.
   ServoResult other = made_result();
   other.trip.reset();
   other.end_reason = EndReason::time_up;
@@ -300,7 +300,7 @@ TEST(record, of_a_table_leaves_the_table_alone) {
   EXPECT_EQ(directory.entries(), 2);
 }
 
-// Where the table cannot be made the ticks are kept, and where they are is said.
+// The ticks are kept where the table cannot be made, and their place is reported.
 TEST(record, keeps_the_ticks_where_the_table_cannot_be_made) {
   const tests::TemporaryDirectory directory;
   const std::string path = directory.file("run.csv");

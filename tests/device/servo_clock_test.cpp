@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the servo loop says of its own time, and what it does when it is late, to the nanosecond: on a clock of the test's own.
+// The servo loop's report of its own time, and its behaviour when it is late, to the nanosecond: on a clock of the test's own.
 
 #include <gtest/gtest.h>
 

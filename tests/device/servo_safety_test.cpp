@@ -117,7 +117,6 @@ struct Harvester final : Pushing {
   }
 };
 
-// What is asked for is what is done.
 TEST(servo_loop, keeps_a_device_passive_as_told) {
   const auto lowest = [](Passivity kind) {
     Harvester device;
@@ -144,7 +143,7 @@ TEST(servo_loop, gives_the_device_and_the_record_the_force_that_the_controller_l
     const Eigen::Vector3f force = vector(run.samples[k].force);
     ASSERT_EQ(device.commands[k], force) << k;
     peak = std::max(peak, force.cast<double>().norm());
-    // What was held moved the hand from reading to reading; the last sample repeats the last position.
+    // The force that was held moved the hand from reading to reading; the last sample repeats the last position.
     if (k > 0)
       given += vector(run.samples[k - 1].force)
                    .cast<double>()

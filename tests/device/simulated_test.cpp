@@ -25,7 +25,7 @@ namespace {
 
 const Joints kReset{0, 0, 0};
 
-// What is left of a Premium 1.5 when nothing disturbs.
+// A counterbalanced Premium 1.5 without friction, and without the steps of its encoders and its amplifier.
 Model frictionless() {
   Model model = counterbalanced(premium_1_5());
   model.coulomb.setZero();
@@ -202,7 +202,7 @@ TEST(simulated, sends_no_more_than_it_is_allowed) {
   }
 }
 
-// What a hand means goes on between two readings as it does at them: by the slopes of its way and of its tremor, too.
+// The hand's intention goes on between two readings as it does at them: by the slopes of its way and of its tremor, too.
 TEST(simulated, hand_goes_the_same_way_at_every_rate) {
   const auto tip_after_a_second_at = [](double rate) -> Eigen::Vector3d {
     Operator hand = hand_towards({{0, {0, 0, 0}}, {0.6, {10, -5, 8}}, {1.4, {0, 0, 0}}});

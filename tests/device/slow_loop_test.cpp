@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A hand on a virtual wall under loops of all rates: what it is given, and what is said of it.
+// A hand on a virtual wall under loops of all rates: the energy that it is given, and the words about it.
 
 #include <gtest/gtest.h>
 

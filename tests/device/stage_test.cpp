@@ -74,8 +74,8 @@ TEST(stage, with_a_single_bump_has_it_on_both_sides) {
   }
 }
 
-// What the surface is beyond a bump: K depth, straight up, for every law but the round bump, whose cylinder is wider below the
-// plane than on it. Its force is the plane's at the seam down to where the cylinder begins there.
+// The force beyond a bump: K depth, straight up, for every law but the round bump, whose cylinder is wider below the plane than
+// on it. Its force is the plane's at the seam down to where the cylinder begins there.
 TEST(stage, has_the_same_force_on_both_sides_of_the_seam_down_to_where_a_cylinder_begins) {
   int laws = 0, deep = 0;
   for (const LawName& law : kLaws) {

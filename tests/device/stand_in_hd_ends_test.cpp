@@ -30,7 +30,7 @@ TEST_F(stand_in, is_readable_after_its_process_was_killed_anywhere) {
     const Seen all = seen();
     EXPECT_TRUE(all.died);
     EXPECT_FALSE(all.initialised);
-    EXPECT_FALSE(arm().force.isZero(0)) << "nobody took it away";
+    EXPECT_FALSE(arm().force.isZero(0)) << "nothing took it away";
     EXPECT_EQ(arm().pid, child);
     EXPECT_LT(arm().changed, Clock::now());
     reset();

@@ -256,7 +256,7 @@ TEST(supervisor, trips_when_a_hand_owes_more_energy_than_brings_it_to_a_metre_a_
   hand.supervisor.commanded({0, 0, 1}, 200.2);
   expect_tripped(hand.supervise({0, 0, 1}), Rule::energy);
   hand.supervisor.rearm();
-  // What is paid back is no longer excused.
+  // Energy that is paid back is no longer excused.
   hand.supervisor.commanded({0, 0, 1}, 10);
   EXPECT_FALSE(hand.supervise({0, 0, 1}).trip);
   hand.supervisor.commanded({0, 0, 1}, 110.1);

@@ -26,7 +26,7 @@ struct Program {
 
   std::string command() const { return "exec python3 '" HOSTILE_PROGRAM "' " + mode + " '" + log + "'"; }
 
-  // How many processes have its log in their command line.
+  // The number of processes that have its log in their command line.
   int left() const {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {

@@ -86,7 +86,7 @@ TEST_F(dhd_arm, begins_and_ends_in_this_order) {
   EXPECT_EQ(its.gripper, 12.5);
   EXPECT_TRUE(its.has_watchdog);
   fake.calls.clear();
-  // No force is sent before the status has said that forces are on.
+  // No force is sent before the status has reported that forces are on.
   EXPECT_FALSE(arm.exchange({0, 0, 1}).forces_on);
   EXPECT_EQ(fake.calls, (Calls{"max 12", "gravity 1", "brakes 0", "enable 1", "force 0 0 0"}));
   fake.calls.clear();

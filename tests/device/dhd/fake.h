@@ -17,7 +17,7 @@
 
 namespace forceshade::device::dhd {
 
-// What a fake device answers, and what it was called with. One a test.
+// The answers of a fake device, and the calls that it got. One a test.
 struct Fake {
   std::vector<std::string> calls;
   int status[17] = {1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0};
@@ -80,7 +80,7 @@ inline Functions fake_functions() {
 // A library of its own, which a device that is opened from now on loads.
 class StandIn {
  public:
-  // What follows --assume and --event, separated by commas.
+  // Takes the values of --assume and --event, separated by commas.
   explicit StandIn(const std::string& settings) {
     const std::string library = here_.file("libdhd.so.3");
     std::filesystem::copy_file(STAND_IN_DHD, library);

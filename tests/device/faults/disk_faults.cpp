@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the recording is written to. The force must not know.
+// Faults of the disk that the recording is written to. They must not change the force.
 
 #include <chrono>
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace {
 
 using tests::FaultyDisk;
 
-// What is lost at most: the samples after the fault, and those that were not written yet.
+// The most that may be lost: the samples after the fault, and those that were not written yet.
 constexpr std::size_t kRest = kEnd + 1 - kResting + 25;
 
 Fault disk(std::string what, std::string reaction, std::size_t lost, std::function<void(const std::string& recording)> at_fault,

@@ -13,7 +13,6 @@ namespace forceshade::faults {
 enum class Kind { device, timing, disk, input };
 std::string name_of(Kind kind);
 
-// What happened.
 struct Outcome {
   std::string reaction = {};
   bool took_effect = false;  // the fault was there
@@ -24,7 +23,7 @@ struct Outcome {
   std::size_t lost = 0;  // samples that the loop pushed and that are not to be read in the recording
 };
 
-// How the campaign itself is broken, for the tests that it notices.
+// Defects of the campaign itself, for the tests that it notices them.
 struct Bench {
   bool supervised = true;
   bool records_all = true;  // else every hundredth sample is dropped on its way

@@ -114,7 +114,7 @@ device::ServoOptions options_of(const Scene& scene, std::vector<device::SampleSi
   return {.max_seconds = kEnd / 1000.0, .dead_man_button = scene.dead_man_button, .sinks = std::move(sinks)};
 }
 
-// What is commanded when nothing goes wrong.
+// The commands when nothing goes wrong.
 std::vector<Eigen::Vector3f> undisturbed(const Scene& scene, const Bench& bench) {
   auto arm = arm_of(scene);
   const Wrong nothing{.tick = kEnd + 1};
@@ -127,7 +127,7 @@ double size_of(const Eigen::Vector3f& force) {
   return force.allFinite() ? force.cast<double>().norm() : std::numeric_limits<double>::infinity();
 }
 
-// How the run ended; if it went on, the rules that came to limit a force in the tick of the fault or later.
+// The end of the run; if it went on, the rules that came to limit a force in the tick of the fault or later.
 std::string reaction_of(const device::ServoResult& run, const std::vector<device::Sample>& told, std::size_t fault) {
   if (run.trip) return "trip: " + std::string(name_of(run.trip->rule));
   if (run.end_reason == device::EndReason::device_fault) return std::string("device fault: ") + run.fault;
@@ -143,7 +143,7 @@ std::string reaction_of(const device::ServoResult& run, const std::vector<device
   return rules.empty() ? "goes on" : rules;
 }
 
-// How many samples the recording has as the loop told them.
+// The number of samples that the recording has as the loop told them.
 std::size_t kept_in(const std::string& recording, const std::vector<device::Sample>& told) {
   std::unordered_map<std::uint64_t, device::Sample> kept;
   try {
@@ -151,7 +151,7 @@ std::size_t kept_in(const std::string& recording, const std::vector<device::Samp
       for (const device::Sample& sample : chunk) kept[sample.tick] = sample;
     });
   } catch (const recorder::RecordingError&) {
-    // What cannot be read is lost.
+    // Unreadable samples are lost.
   }
   return static_cast<std::size_t>(std::count_if(told.begin(), told.end(), [&](const device::Sample& sample) {
     const auto found = kept.find(sample.tick);

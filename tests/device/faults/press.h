@@ -16,7 +16,7 @@ namespace forceshade::faults {
 // The hand comes down in the first 0.3 s, has the whole force from 0.55 s on, and strokes at 150 mm/s from 0.8 s to 1.2 s.
 inline constexpr std::size_t kGrowing = 350, kResting = 700, kStroking = 900, kEnd = 1200;  // ticks
 
-// What goes wrong. `since` counts ticks from the fault on.
+// A fault, as changes of what the device gives and gets. `since` counts ticks from the fault on.
 struct Wrong {
   using Since = std::size_t;
   std::size_t tick = kResting;

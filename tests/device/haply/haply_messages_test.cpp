@@ -18,7 +18,7 @@
 namespace forceshade::device::haply {
 namespace {
 
-// What it throws, or "".
+// The words of what it throws, or "".
 template <class Call>
 std::string refusal(Call call) {
   try {

@@ -50,7 +50,7 @@ TEST_F(haply_device, allocates_nothing_once_started) {
   EXPECT_NE(std::string(fault.words).find("expected JSON"), std::string::npos) << fault.words;
 }
 
-// What the socket itself shows in contact; the rest is tried in a simulated world (tests/world/arms_world_test.cpp).
+// Faults in contact that the socket itself shows; the rest is tried in a simulated world (tests/world/arms_world_test.cpp).
 TEST_F(haply_device, ends_a_run_in_the_words_of_what_went_wrong) {
   constexpr const char *kClosed = "the Inverse Service has closed the connection", *kLate = "has not answered for 200 ms";
   for (const auto& [event, words] : {std::pair{"close", kClosed}, {"reset", kClosed}, {"freeze", kLate}}) {
@@ -90,7 +90,7 @@ TEST_F(haply_device, is_driven_whatever_the_documents_leave_open_and_makes_no_fa
   }
 }
 
-// What the frames were given to hold is what the service was sent, and no force acts after the last command.
+// The service gets the forces that the frames were given to hold, and no force acts after the last command.
 TEST_F(haply_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_is_not_finite) {
   HaplyStandIn stand_in(kPatientDevice);
   {

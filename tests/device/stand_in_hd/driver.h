@@ -74,17 +74,17 @@ struct Driver {
 
 Driver& driver();
 
-// What the arm feels from now on.
+// Sets the force that the arm feels from now on.
 void obey(Driver& driver, const Eigen::Vector3d& force);
 
-// Where the arm is, and what its encoders say.
+// Updates the arm's position and its encoders.
 void look(Driver& driver);
 
 // Frames a second that are meant; and as the device counts them, which knows nothing of how late this machine runs them.
 double meant_rate(const Driver& driver);
 int counted_rate(const Driver& driver);
 
-// What is to happen at this moment, noted as done; and it happening, without the lock.
+// The orders due at this moment, noted as done; happen() carries them out, without the lock.
 struct Due {
   std::optional<Kill> kill;
   std::optional<Crash> crash;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a test and the process with the driver share: plain data under a lock that outlives who holds it.
+// The state that a test and the process with the driver share: plain data under a lock that outlives who holds it.
 
 #include <pthread.h>
 #include <sys/types.h>
@@ -32,7 +32,7 @@ struct Memory {
     pid_t pid = 0;
     int updates = 0;
     double rate = 1000;
-    Vector force;  // what the arm feels
+    Vector force;  // on the arm
     Time changed{}, pushed_until{}, killed{}, crashed{};
     Vector killed_under;
     std::uint64_t frame_count = 0;
@@ -69,7 +69,7 @@ class Lock {
   bool held_;
 };
 
-// Whether a process runs or could: one that ended and was not waited for does not.
+// Returns true if a process runs or could; false for one that ended and was not waited for.
 bool lives(pid_t process);
 
 // The default, but for the environment's STAND_IN_HD_INIT.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the stand-in for the vendor's library is told to do. Plain data: it lies in memory that processes share.
+// The orders to the stand-in for the vendor's library. Plain data: it lies in memory that processes share.
 
 #include <sys/types.h>
 
@@ -25,7 +25,7 @@ struct Vector {
   double x = 0, y = 0, z = 0;
 };
 
-// What a get gives: what is right, one value in each of its places, an error, or nothing written and no error.
+// The answer to a get: the right one, one value in each of its places, an error, or nothing written and no error.
 struct Answer {
   enum class How { right, value, error, nothing };
 
@@ -49,7 +49,7 @@ struct Answer {
   hdapi::HDerror error = 0;
 };
 
-// When a thing happens, once. All but the first of these are ends of frames, when the force has been sent.
+// The moment of an event that happens once. All but the first of these are ends of frames, when the force has been sent.
 enum class Moment {
   never,
   before_start,  // in hdInitDevice, with the device initialised
@@ -94,10 +94,10 @@ struct Orders {
   bool comm_lost = false;            // an error, once; then the last position for ever, and an update rate of 0
   bool init_fails_silently = false;  // no device and no error
 
-  // What hdCheckCalibration says until hdUpdateCalibration. nullopt: as its styles have it, anew in each process.
+  // The answer of hdCheckCalibration until hdUpdateCalibration. nullopt: as its styles have it, anew in each process.
   std::optional<hdapi::HDenum> calibration = hdapi::kCalibrated;
   int styles = hdapi::kCalibratesInInkwell;
-  bool update_helps = true;                       // whether hdUpdateCalibration leads to kCalibrated
+  bool update_helps = true;                       // true if hdUpdateCalibration leads to kCalibrated
   bool in_reset_pose = true, in_inkwell = false;  // the arm, and its stylus
   std::uint64_t calibration_lost_at = 0;          // this frame after the start; 0: never
   std::optional<Vector> position = std::nullopt;  // mm, in the driver's frame, instead of the simulated one

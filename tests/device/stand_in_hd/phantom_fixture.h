@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 inline constexpr Phantom::Options kPatient{
     .watchdog_timeout = 10min, .open = 10min, .start = 10min, .calibration = 10min, .rate_tolerance = 1};
 
-// Who keeps what is said to them, and does what the test says.
+// Keeps the words that it is told, and does what the test orders.
 class Listener final : public Attendant {
  public:
   void report(const std::string& words) noexcept override {

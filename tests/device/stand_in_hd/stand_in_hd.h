@@ -21,14 +21,14 @@ namespace forceshade::stand_in_hd {
 
 using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC: one clock for all processes
 
-// What it gave and got in a frame: mm, N, in the driver's frame.
+// The position and the force of a frame: mm, N, in the driver's frame.
 struct Frame {
   Eigen::Vector3d position, force;
   Clock::time_point time;  // of its end
-  bool output;             // whether the arm got the force
+  bool output;             // true if the arm got the force
 };
 
-// What the arm feels now: the force last sent while the output was on, also when the process that sent it is no more.
+// The force on the arm now: the one last sent while the output was on, also when the process that sent it is no more.
 struct Arm {
   Eigen::Vector3d force;           // N, in the driver's frame
   Clock::time_point changed{};     // the force
@@ -44,9 +44,9 @@ struct Seen {
   int updates = 0;                                              // of the calibration
   double rate = 1000;
   std::vector<Frame> frames;                         // the last 65 536
-  Clock::time_point pushed_until{};                  // when the arm was last let go, by zero sent or the output off
-  std::optional<Clock::time_point> killed, crashed;  // when `kill` and `crash` were carried out
-  Eigen::Vector3d killed_under{0, 0, 0};             // what the arm felt then, N
+  Clock::time_point pushed_until{};                  // the time when the arm was last let go, by zero sent or the output off
+  std::optional<Clock::time_point> killed, crashed;  // the times at which `kill` and `crash` were carried out
+  Eigen::Vector3d killed_under{0, 0, 0};             // the force on the arm then, N
 };
 
 // As though freshly loaded. Not while its scheduler runs. The first of these calls names the memory in the environment's
