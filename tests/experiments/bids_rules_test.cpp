@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 // ---- The validator's rules that bear on such a data set, each with its source ----
 
-// What is wrong with the data set, one text for each broken rule. Numbers of sections are those of BIDS 1.9.0.
+// The faults of the data set, one text for each broken rule. Numbers of sections are those of BIDS 1.9.0.
 std::set<std::string> faults_of(const fs::path& folder) {
   std::set<std::string> faults;
   const auto require = [&](bool is_kept, const char* rule) {

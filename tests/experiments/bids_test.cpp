@@ -108,7 +108,7 @@ TEST_F(Bids, trials_of_a_block_that_was_begun_again_are_abandoned) {
   EXPECT_EQ(used.size(), 3U);
 }
 
-// How long a run's ticks last, and how many there are in a second.
+// The duration of a run's ticks, and their number in a second.
 TEST_F(Bids, motion_says_how_long_it_lasts) {
   const nlohmann::json json = json_of(out() / "sub-B2/motion/sub-B2_task-matching_tracksys-stylus_run-2_motion.json");
   EXPECT_NEAR(json.value("RecordingDuration", 0.0), 0.004, 1e-12);
@@ -188,7 +188,7 @@ TEST_F(Bids, each_cell_is_that_of_the_session) {
   EXPECT_EQ(practice, 4U);
 }
 
-// What the end of a run left unfinished has no duration and no answer, and the radius that it had.
+// A trial or break that the end of a run interrupts has no duration and no answer, and the radius that it had.
 TEST_F(Bids, an_interrupted_trial_and_break_have_no_duration) {
   for (const auto& [run, type] : {std::pair{"1", "interrupted"}, {"2", "break"}}) {
     const Rows rows = rows_of(out() / (std::string("sub-B2/beh/sub-B2_task-matching_run-") + run + "_events.tsv"));

@@ -197,7 +197,7 @@ TEST(language, has_the_text_of_each_key) {
   EXPECT_EQ(read.labels.different, "label different");
   EXPECT_EQ(read.labels.same, "label same");
   EXPECT_EQ(read.pictures, (std::vector<std::string>{"p1", "p2", "p3", "p4"}));
-  // What may stand in braces: numbers of blocks in the texts of blocks, of trials in that of a break, keys everywhere.
+  // Names that may stand in braces: numbers of blocks in texts of blocks, of trials in that of a break, keys everywhere.
   const auto refuses = [&](const std::string& heading, const std::string& place) {
     std::string changed = text;
     const std::string from = "text of " + heading + '"';

@@ -10,7 +10,7 @@ inline Press type(const std::string& text) {
   return {Action::type, text};
 }
 
-// What a patient participant does, one press at a time: one step up, done, 7; or picture 3.
+// The presses of a patient participant, one at a time: one step up, done, 7; or picture 3.
 inline Press next_press(const Screen& screen, int& presses_of_trial) {
   switch (screen.kind) {
     case ScreenKind::matching: return {presses_of_trial++ == 0 ? Action::bigger : Action::done};

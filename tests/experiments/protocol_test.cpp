@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Protocols from TOML files: what each key means, and what is said of a mistake.
+// Protocols from TOML files: the meaning of each key, and the words for a mistake.
 
 #include "study/experiments/protocol.h"
 
@@ -18,7 +18,7 @@
 namespace forceshade::experiments {
 namespace {
 
-// What is said of kMatching with a part replaced, without the file's name.
+// The words for kMatching with a part replaced, without the file's name.
 std::string words_with(const std::string& from, const std::string& to) {
   const tests::TemporaryDirectory directory;
   std::string text = kMatching;

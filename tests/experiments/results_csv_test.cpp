@@ -151,7 +151,7 @@ TEST(results_csv, names_file_line_and_column_of_a_wrong_field) {
   }
 }
 
-// A file of an earlier version or of another program has none of these columns, or some; a word that is none is refused.
+// A file of an earlier version or of another program has none of these columns, or some; an unknown word is refused.
 TEST(results_csv, reads_where_an_answer_comes_from_if_the_file_says_it) {
   const auto read = [](const std::string& columns, const std::string& cells) {
     const TemporaryDirectory folder;

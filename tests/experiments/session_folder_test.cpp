@@ -48,7 +48,7 @@ TEST(session_folder, refuses_what_would_mix_two_sessions) {
   EXPECT_THROW(results_of(twice), Error);
 }
 
-// Who answers and what gives the forces is in the folder from its first moment on, and a session stays one's own.
+// The folder states from its first moment on who answers and what gives the forces, and a session stays one's own.
 TEST(session_folder, says_who_answers_and_on_which_device) {
   const tests::TemporaryDirectory directory;
   const std::string protocol = directory.write("p.toml", kSmallClassification);

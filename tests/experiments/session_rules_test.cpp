@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a session does at its limits, after a break, and with its disk.
+// The behaviour of a session at its limits, after a break, and with its disk.
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -167,7 +167,7 @@ TEST(session, a_log_that_fails_leaves_the_session_where_it_was) {
   EXPECT_FALSE(session.scene() == before);
 }
 
-// What stands on each screen beside its text.
+// Checks the words on each screen beside its text.
 TEST(session, says_on_each_screen_where_it_is) {
   const tests::TemporaryDirectory directory;
   KeyNames keys;

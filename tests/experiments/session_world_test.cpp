@@ -60,7 +60,7 @@ class Person final : public Front {
   int frames_ = 40, presses_of_trial_ = 0;  // the arm is ready by then
 };
 
-// What the loop has handed to its sinks, and when.
+// The samples that the loop has handed to its sinks, and their times.
 struct Pushed final : device::SampleSink {
   struct Tick {
     Ns time;
@@ -107,7 +107,7 @@ class SessionInTheWorld {
             end = run_session(
                 recorded, bumps, device, person, its, [&](const std::string&) { ++failures; }, never);
           } catch (const std::exception& error) {
-            end.result.ticks = pushed_.ticks.size() - 1;  // which it did not live to tell
+            end.result.ticks = pushed_.ticks.size() - 1;  // the loop did not live to tell
             fault = error.what();
             if (world.now() - full_since > 100 * kMillisecond) violate("the disk refused ticks, and the session went on");
           }

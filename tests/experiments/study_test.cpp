@@ -119,8 +119,8 @@ TEST(virtual_study, leaves_sessions_as_a_person_does) {
   EXPECT_EQ(results.classification.back().participant, "V2");
 }
 
-// What a participant of a seed does: a change of a number of the model, of the noise or of the order in which it is drawn would
-// give recorded seeds another meaning. The numbers are those of the version that docs/experiments.md describes.
+// The answers of a seed's participant: a change of a number of the model, of the noise or of the order in which it is drawn
+// would give recorded seeds another meaning. The numbers are those of the version that docs/experiments.md describes.
 TEST(virtual_participant, of_a_seed_does_the_same_for_ever) {
   Protocol matching = read_protocol(kExamples / "matching.toml");
   SavedSession saved{"V", 5, matching, read_language(matching.language), {}, {}};

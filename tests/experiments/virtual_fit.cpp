@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // virtual_fit SOURCE_DIR [SEARCHES [PARTICIPANTS]]: fits the observer of study/experiments/virtual_participant.h to half of the
 // thesis's numbers, and prints how well it predicts the other half. Without SEARCHES, or with 0, it only prints the table for
-// the observer in the library. There are 5 participants unless said, as in the thesis; more show what is chance.
+// the observer in the library. There are 5 participants by default, as in the thesis; more show what is chance.
 //
 // Fitted: the conditions without vision (Tables 6.1, 6.3, 6.5, 6.7: means over the five subjects of slope, mean SD, mean SI and
 // mean number of steps) and every second row of Table 6.9. Predicted: those with vision (6.2, 6.4, 6.6, 6.8) and the other
@@ -194,8 +194,8 @@ double error_of(const Simulated& simulated, bool of_fitted) {
   return errors_of(simulated, of_fitted).all();
 }
 
-// What needs no model: numbers with vision are those without, and a row of Table 6.9 is the mean of the rows before and after
-// it.
+// The errors without a model: numbers with vision are those without, and a row of Table 6.9 is the mean of the rows before and
+// after it.
 Errors errors_without_a_model() {
   Errors errors;
   for (const Condition& condition : kMatching) errors.add(condition.thesis[0], condition.thesis[1]);

@@ -70,7 +70,7 @@ void encloses_the_result_of_every_operation(double least_use_of_the_bound) {
       ASSERT_EQ(decided == Sign::positive, next.truth > 0) << "step " << i;
     }
     ++signs[static_cast<std::size_t>(decided)];
-    // What has lost its bits, or has left the middle of binary64's range, starts anew.
+    // A number that has lost its bits, or has left the middle of binary64's range, starts anew.
     const Multiprecision size = abs(next.truth), reach = ldexp(Multiprecision(1), 150);
     const bool is_kept = size == 0 || (size < reach && size * reach > 1 && bound * 0x1p20 < size);
     result = is_kept ? next : fresh<N>(random);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a batch's forms leave to the later stages (fast/simd/form.inl), and that they leave no more: on the surface, beside it,
-// at tiny coordinates, and for the cylinders around the axis. No answer shows it, since the later stages are right everywhere.
+// A batch's forms leave doubtful positions to the later stages (fast/simd/form.inl), and no more: on the surface, beside it, at
+// tiny coordinates, and for the cylinders around the axis. No answer shows it, since the later stages are right everywhere.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
 constexpr double kR = 15.24F, kHalf = 12.7F;                   // mm
 const double kDepth = std::sqrt((kR - kHalf) * (kR + kHalf));  // mm: of the axis below the plane
 
-// Whether a block is answered that has this position in one place.
+// Returns true if a block is answered that has this position in one place.
 template <class Definition>
 bool answers(float x, float z) {
   const Built<Definition> law(kBump);

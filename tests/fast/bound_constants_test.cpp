@@ -41,7 +41,7 @@ TEST(bound_constants, slacks_outweigh_the_roundings_of_the_bounds) {
   EXPECT_GE(DoubleDouble::kSlack * loss(kRoundings + 4), 1);
 }
 
-// What Gappa prints for a piece of a script: the largest size of its last interval.
+// The number that Gappa prints for a piece of a script: the largest size of its last interval.
 Multiprecision proved(const std::string& script, const std::string& piece) {
   std::ifstream file(std::string(FORCESHADE_SOURCE_DIR "/fast/") + script + ".gappa-expected");
   std::string line;

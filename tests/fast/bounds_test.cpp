@@ -41,7 +41,7 @@ void declare_distance(const fast::Split& d) {
   declare_tail(2 * d.head, 2 * d.tail);
 }
 
-// What stands for a number that it is not, by the names that the laws have for their constants; the rest is exact.
+// Declares the errors of a law's rounded constants, by their names in the laws; the rest is exact.
 template <class Definition>
 void declare_constants(const Definition& law) {
   if constexpr (requires { law.d; }) declare_distance(law.d);

@@ -67,7 +67,7 @@ Multiprecision series(const Multiprecision& w, int first, int step) {
 
 template <class N>
 class Series : public ::testing::Test {};
-// As the three stages have it, and with so few terms that what is left out is as large as it is said to be.
+// The types of the three stages, and types with so few terms that the part left out is as large as its bound.
 using Numbers = ::testing::Types<DoubleWithError, DoubleDouble, BigFloatBall<2>, BigFloatBall<4>, Unrounded<6, 10>,
                                  Unrounded<9, 12>, Unrounded<3, 1>, Unrounded<3, 2>, Unrounded<4, 3>, Unrounded<2, 5>>;
 TYPED_TEST_SUITE(Series, Numbers);
@@ -112,7 +112,7 @@ TEST(series, halve_an_argument_until_a_few_terms_do) {
     }
 }
 
-// Where binary64 leaves off, an enclosure still holds the number.
+// An enclosure still holds the number beyond binary64's range.
 template <class N>
 void encloses_a_far_tail() {
   for (double q = 250; q < 330; q += 0.0625) {

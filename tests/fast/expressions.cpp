@@ -75,7 +75,7 @@ Scaled Expressions::residual(const Scaled& a) {
   return {add({Kind::residual, false, {{a.node}}, "", 53}), a.sign, a.exponent};
 }
 
-// Whether from - less is what a division or a root leaves: a - (a/b)·b, a - √a·√a with quotient and root rounded.
+// Returns true if from - less is the remainder of a rounded division or root: a - (a/b)·b, a - √a·√a.
 bool Expressions::is_remainder(const Scaled& from, const Scaled& less) const {
   if (node(less).kind != Kind::product || node(less).is_rounded) return false;
   const std::vector<Scaled>& factors = node(less).operands;

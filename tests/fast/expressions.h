@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What operations of binary64 compute, as expressions in one canonical form: what a header does and what its Gappa script says
+// The operations of binary64 as expressions in one canonical form: what a header does and what its Gappa script states
 // are equal here exactly if they are the same operations on the same operands, rounded at the same places.
 //
 // The form leaves open only what changes no bit of a result: the order of the two operands of a sum or product; signs and
@@ -60,7 +60,7 @@ class Expressions {
   // The value of an expression of rounded operations, given the inputs' values by node.
   double evaluate(const Scaled& a, const std::map<int, double>& inputs) const;
 
-  // What lies more than `depth` operations deep is left out: shared parts would be written again and again.
+  // Leaves out what lies more than `depth` operations deep: shared parts would be written again and again.
   std::string text(const Scaled& a, int depth = 8) const;
   // The innermost place where two expressions differ; empty where they are equal.
   std::string difference(const Scaled& found, const Scaled& expected) const;
@@ -84,7 +84,7 @@ class Expressions {
   // The operands of a sum or of what it is times a power of two.
   std::vector<Scaled> terms(const Scaled& a) const;
   bool is_rounded(const Scaled& a, Kind kind) const { return node(a).kind == kind && node(a).is_rounded; }
-  // What rounding took from `a`.
+  // The part of `a` that rounding took away.
   Scaled residual(const Scaled& a);
   bool is_remainder(const Scaled& from, const Scaled& less) const;
   // The theorems: the exact value of the rounded sum of two terms, if they know it; else zero's node.

@@ -99,7 +99,7 @@ struct Watch {
 }  // namespace
 }  // namespace forceshade::fast
 
-// What is made of packs:
+// The forms made of packs:
 #include "fast/simd/form_of.inl"
 
 namespace forceshade::tests {
@@ -136,7 +136,7 @@ void gap_of_sides(ComparedScript& script, float x) {
     if (x <= gap_form.top.edge.value) {
       edge = gap_form.top.wide_edge;
       tail = gap_form.top_tail;
-      // What the tail adds is what the side's height at the edge lacks of h′.
+      // The tail adds the part of h′ that the side's height at the edge lacks.
       const fast::LinearGap top = Built<Definition>(kBump).definition.gap.top;
       const auto number = [](const Two& a) { return static_cast<long double>(a.first.lane.value()); };
       const long double from_edge = number(gap_form.half_width) - number(edge);

@@ -234,7 +234,7 @@ GappaScript::GappaScript(const std::filesystem::path& file) : file_(file.filenam
       while (!in.is_done() && !in.is("#! piece")) in.take();
     } else {
       const std::string name = in.take();
-      // What the definitions of each kind mean: tests/fast/gappa_pieces.sh.
+      // Definitions of each kind are explained in tests/fast/gappa_pieces.sh.
       const bool is_relative = in.take_if("rel="), rounds = is_relative || in.take_if("rnd=");
       if (!rounds && !in.take_if("any=")) in.expect("=");
       Syntax body = in.sum();

@@ -45,7 +45,7 @@ class GappaScript {
 
   // An expression in the script's own language over its definitions.
   Scaled value(const std::string& expression, Expressions& expressions, const Bindings& bindings) const;
-  // What the piece's i-th conclusion bounds the error of: the computed number, before "-" or "-/".
+  // The computed number whose error the piece's i-th conclusion bounds: it stands before "-" or "-/".
   Scaled computed(const std::string& piece, std::size_t i, Expressions& expressions, const Bindings& bindings) const;
   // The ends of a piece's hypothesis on a name, or on its size: "x in [low, high]", "|y| in [low, high]".
   std::pair<double, double> interval(const std::string& piece, const std::string& name) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the proofs for height maps assume of the sizes of numbers, computed from the domain (fast/heights/limits.h) and compared
-// with what the headers and scripts say. Each size is found twice: as a bound, from formulas, and as what the headers' own jets
+// The sizes of numbers that the proofs for height maps assume, computed from the domain (fast/heights/limits.h) and compared
+// with those in the headers and scripts. Each size is found twice: as a bound, from formulas, and as what the headers' own jets
 // meet at the corners of the domain, which must be within the bound and not far from it.
 
 #include <gmpxx.h>

@@ -181,7 +181,7 @@ void cylinder(ComparedScript& script, bool is_fused) {
       run.bindings["near_l"] = run.value("l");
       run.expect("force_x", side > 0 ? force.x : -force.x);
       run.expect("force_z", force.z);
-      // What the pieces of l bound is the l that was just found in the force.
+      // The pieces of l bound the l that was just found in the force.
       for (const char* piece : {"l_cancelling_above", "l_cancelling_below", "l_far_above", "l_far_below"})
         run.expect(piece, run.value("l"));
     }

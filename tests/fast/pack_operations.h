@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether the numbers side by side that fast/ computes with do, in each lane, the operations that
-// tests/fast/recorded_number.h writes down: one file per instruction set.
+// Checks that the numbers side by side in fast/ do, in each lane, the operations that tests/fast/recorded_number.h writes down:
+// one file per instruction set.
 
 namespace forceshade::tests {
 

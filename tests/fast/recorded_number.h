@@ -16,10 +16,10 @@ struct Comparison {
   Scaled left, right;
 };
 
-// What all numbers of one run write to; one at a time.
+// The place that all numbers of one run write to; one at a time.
 class Recording {
  public:
-  // Whether multiply_add and multiply_subtract are one operation, as with AVX2 and AVX-512, or two.
+  // is_fused: multiply_add and multiply_subtract are one operation, as with AVX2 and AVX-512, else two.
   Recording(Expressions& to, bool is_fused) : expressions(to), fuses(is_fused) { current_ = this; }
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;

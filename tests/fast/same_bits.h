@@ -85,7 +85,7 @@ class Positions {
 
 struct Bits {
   std::string hash;                      // of the force and status of every single call
-  std::array<std::size_t, 3> statuses;   // how often each was met
+  std::array<std::size_t, 3> statuses;   // the number of each that was met
   std::size_t nans;                      // components that are NaN
   std::array<std::size_t, 3> different;  // per instruction set: forces of the batch call that are not the single call's
 };

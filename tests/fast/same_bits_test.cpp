@@ -94,7 +94,7 @@ TEST(same_bits, every_kind_of_height_map_has_a_hash) {
   EXPECT_EQ(kinds.size(), std::variant_size_v<height::Shape>);
 }
 
-// Whether building was refused on account of the arithmetic, of laws and of height maps alike.
+// Returns true if building was refused on account of the arithmetic, of laws and of height maps alike.
 bool is_refused() {
   const auto is_on_its_account = [](const auto& built) {
     const auto* error = std::get_if<ParameterError>(&built);
@@ -142,7 +142,7 @@ TEST(same_bits, the_look_at_the_arithmetic_works_where_exceptions_trap) {
   }
 }
 
-// What a caller looks at: a law does not.
+// A caller must look for this fault: a law does not.
 TEST(same_bits, a_mode_set_after_building_is_a_fault_while_it_lasts) {
   const auto law = std::get<fast::Law>(fast::Law::build(LawId::bump_1p_shaded, {15.24F, 25.4F, 0.7F}));
   const auto forces = [&] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which lanes of a batch on a B-spline are answered: none whose force lies so near a tie that binary64 cannot decide its sides
-// apart, none whose slopes are too small beside their errors, and nearly all others. The stiffness is chosen so that forces
-// come as near to ties as that.
+// A batch on a B-spline answers no lane whose force lies so near a tie that binary64 cannot decide its sides apart, none whose
+// slopes are too small beside their errors, and nearly all others. The stiffness is chosen so that forces come as near to ties
+// as that.
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ std::array<N, 3> components(const HeightGrid& grid, const float* position, heigh
   return {-(M * Ux), -(M * Uy), M};
 }
 
-// How far the number is from the tie nearest to it, relative to it.
+// The number's distance from the tie nearest to it, relative to it.
 double distance_from_tie(const N& value) {
   const double head = approximately(value);
   const auto near = static_cast<float>(head);

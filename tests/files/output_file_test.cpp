@@ -150,7 +150,7 @@ TEST(output_file, leaves_nothing_when_the_disk_fills_up) {
   EXPECT_EQ(directory.entries(), 0);
 }
 
-// What a program reads from the other end of a pipe while `write` runs.
+// The text that a program reads from the other end of a pipe while `write` runs.
 std::string read_from_pipe(const std::function<void(int)>& write) {
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) return "no pipe";

@@ -126,7 +126,7 @@ TEST(output_folder, leaves_nothing_on_a_disk_that_fills_up_and_names_the_file) {
   EXPECT_EQ(::umount(directory.file("disk").c_str()), 0);
 }
 
-// Where PATH is not there and where it is: a second one is refused, whatever it was made for, until the first has ended.
+// Refuses a second folder at a path, new or there before, whatever it was made for, until the first has ended.
 TEST(output_folder, has_a_path_alone_until_it_ends) {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory.file("there"));
@@ -158,7 +158,7 @@ TEST(output_folder, has_a_path_alone_until_it_ends) {
   for (const char* name : {"new", "there"}) EXPECT_TRUE(std::filesystem::is_empty(directory.file(name))) << name;
 }
 
-// What somebody else put there meanwhile stays, and is not mixed with what was written.
+// A folder that somebody else put there meanwhile stays, and is not mixed with what was written.
 TEST(output_folder, does_not_mix_with_a_path_that_came_meanwhile) {
   const TemporaryDirectory directory;
   OutputFolder folder(directory.file("new"));

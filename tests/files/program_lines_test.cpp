@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a program of somebody else says, as bytes that come in any pieces and at any time: no process is made.
+// The output of a third-party program, as bytes that come in any pieces and at any time: no process is made.
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ Lines asked(std::int64_t now = 0) {
 
 constexpr const char* kWaits = "it is waited for";
 
-// The line, or why there is none, or that.
+// The line, or the reason why it is missing, or kWaits.
 std::string result_of(Lines& lines, std::int64_t now = 0) {
   try {
     return lines.result(now).value_or(kWaits);
@@ -38,7 +38,7 @@ std::string result_of(Lines& lines, std::int64_t now = 0) {
   }
 }
 
-// What it says and does, and what becomes of it at the latest when its time is up.
+// A program's output and end, and the result at the latest when its time is up.
 struct Said {
   std::string output, error;
   bool ends_output;

@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::read_or_refuse<properties::CertificateError>("certificate.json", [&] {
     const properties::Certificate certificate =
         properties::from_json(std::string(fuzz::text_of(data, size)), "certificate.json");
-    // What is read once is read the same again.
+    // A certificate that is read once is read the same again.
     const std::string json = properties::to_json(certificate);
     fuzz::require(properties::to_json(properties::from_json(json, "certificate.json")) == json, "a certificate reads back");
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a renderer or a simulator writes: a hello in the first line, and answers to so many positions or forces in each other
+// The lines of a renderer or a simulator: a hello in the first line, and answers to so many positions or forces in each other
 // one.
 #include <algorithm>
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the fuzz targets share: the input as a file, and what may come of it.
+// The parts that the fuzz targets share: the input as a file, and the ends that are allowed.
 
 #include <cstddef>
 #include <cstdint>

@@ -42,7 +42,7 @@ inline int load_mesh(std::string_view bytes, const char* name) {
         require(corners_of(mesh::repair(loaded.mesh).mesh) == corners_of(loaded.mesh), "repair changes no face of a mesh");
         require(mesh::corner_normals(*held, 60).normals.size() == triangles.size(), "each corner gets a normal");
       } else {
-        require(!std::get<mesh::Findings>(checked).words().empty(), "what is no mesh is said in words");
+        require(!std::get<mesh::Findings>(checked).words().empty(), "what is no mesh is reported in words");
         mesh::check(mesh::repair(loaded.mesh).mesh);
       }
     });

@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace forceshade;
   fuzz::read_or_refuse<properties::CertificateError>("plan.json", [&] {
     const properties::Plan plan = properties::plan_from_json(std::string(fuzz::text_of(data, size)), "plan.json");
-    // What is read once is read the same again.
+    // A plan that is read once is read the same again.
     const std::string json = properties::to_json(plan);
     fuzz::require(properties::to_json(properties::plan_from_json(json, "plan.json")) == json, "a plan reads back");
   });

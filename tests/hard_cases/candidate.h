@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What makes an input hard for each stage of fast/, measured; and the few hardest of each kind.
+// Measures how hard an input is for each stage of fast/, and keeps the few hardest of each kind.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ class Hardest {
     std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
     if (all.size() > most_) all.pop_back();
   }
-  // What a candidate must score to be kept.
+  // The score that a candidate must exceed to be kept.
   double bar(const std::string& kind) const {
     const auto found = kinds_.find(kind);
     return found == kinds_.end() || found->second.size() < most_ ? 0 : found->second.back().score;
@@ -69,7 +69,7 @@ inline bool holds_its_tie(const DoubleDouble& value) {
   return std::fabs((value - tie_near(value.hi).at).hi) <= value.error;
 }
 
-// What is true of a value: the binary32 nearest to it, and its distance from its tie relative to its size, 0 for a tie.
+// The truth about a value: the binary32 nearest to it, and its distance from its tie relative to its size, 0 for a tie.
 struct Truth {
   float right;
   double from_tie;
@@ -103,7 +103,7 @@ inline double needed_error(const DoubleDouble& answer, float right) {
   return std::fabs((answer - tie_near(answer.hi).at).hi) / answer.error;
 }
 
-// How large the penetration is, next to that below which the first stage doubts itself.
+// The size of the penetration, next to that below which the first stage doubts itself.
 inline double share_of_doubt(const fast::Cylinder& law, float, float z, double penetration) {
   const double d = law.d.head, R = law.R;
   return 2 * R * penetration / (0x1p-25 * d * std::fabs(static_cast<double>(z)) + 0x1p-47 * R * R);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which multiples of a number fall, modulo one, into a given interval: found in as many steps as Euclid's algorithm takes,
+// Finds the multiples of a number that fall, modulo one, into a given interval, in as many steps as Euclid's algorithm takes,
 // not by trying them. (Among the first N multiples of any number only three distances between neighbours occur, and
 // Euclid's algorithm names them: Sós 1958, the three-distance theorem.)
 

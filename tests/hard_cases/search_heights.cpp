@@ -42,7 +42,7 @@ class HardestOfMap {
     std::ranges::sort(all, [](const HeightCandidate& a, const HeightCandidate& b) { return a.score > b.score; });
     if (all.size() > kMost) all.pop_back();
   }
-  // What a candidate must score to be kept.
+  // The score that a candidate must exceed to be kept.
   double bar(const std::string& kind) const {
     const auto found = kinds_.find(kind);
     return found == kinds_.end() || found->second.size() < kMost ? 0 : found->second.back().score;
@@ -83,7 +83,7 @@ class HeightSearch {
     return bits >> 62 == 0 ? scene_.edges[(bits >> 33) % scene_.edges.size()] : std::round(16 * any) / 16;
   }
 
-  // How near the binary32 heights next to the surface are to it.
+  // Offers the binary32 heights next to the surface, by their distance from it.
   void contact(Eigen::Vector3f at, float height) {
     if (std::fabs(height) < 1e-3F) return;
     for (const float z : {std::nextafter(height, -1e5F), height, std::nextafter(height, 1e5F)}) {
@@ -138,7 +138,7 @@ class HeightSearch {
     });
   }
 
-  // Where binary64 errs, just on the side of a tie from which its error leads across.
+  // Tries stiffnesses just on the side of a tie from which binary64's error leads across.
   void across(const std::string& component, const Eigen::Vector3f& at, std::size_t axis, const DoubleDouble& c, double first) {
     const std::string kind = component + ": binary64 lands across the tie";
     const double error = ((first - c.hi) - c.lo) / c.hi;
@@ -157,7 +157,7 @@ class HeightSearch {
   Balls balls_;
   std::mt19937_64 random_{1995};
   HardestOfMap hardest_;
-  int wide_left_ = 4000;  // how many more candidates that double-double takes for ties are given 2048 bits
+  int wide_left_ = 4000;  // further candidates that may be given 2048 bits, of those that double-double takes for ties
 };
 
 void print(const HeightScene& scene, height::Mode mode, const HardestOfMap& hardest) {

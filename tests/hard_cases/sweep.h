@@ -88,7 +88,7 @@ class Sweep {
     if (c.hi == 0 || !(c.error < 0x1p-60 * std::fabs(c.hi))) return;
     if (c.error < 0x1p-80 * std::fabs(c.hi)) nearest_to_tie(where, x, z, c, doubt, may_tie);
 
-    // Where binary64 errs, just on the side of a tie from which its error leads across.
+    // Tries stiffnesses just on the side of a tie from which binary64's error leads across.
     const double error = ((first - c.hi) - c.lo) / c.hi;
     if (error == 0) return;
     if (!doubt && std::fabs(error) * 0x1p53 < 0.6 * hardest_.bar(where + kAcross)) return;

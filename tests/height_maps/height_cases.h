@@ -92,7 +92,7 @@ class Balls {
   std::vector<Part> parts_, surface_;
 };
 
-// How close it is, by 2048 bits: of a position in contact, of the component nearest to a tie, relative to its size, "x
+// The closeness, by 2048 bits: of a position in contact, of the component nearest to a tie, relative to its size, "x
 // 2^-71.3", or "y 0" for a tie; where `of_gap`, the penetration in mm, "gap 2^-44.0", "gap -2^-44.0" or "gap 0".
 std::string closeness(const Balls& balls, const HeightCase& one, bool of_gap);
 bool is_about_gap(const HeightCase& one);  // by its `why`

@@ -31,7 +31,7 @@ struct HeightScene {
   std::vector<float> edges;  // mm: coordinates at which something changes
 };
 
-// What each kind has: scenes() for hashes, hard cases and the common suite, examples() for the energies.
+// The samples of each kind: scenes() for hashes, hard cases and the common suite, examples() for the energies.
 template <class Kind>
 struct Samples;
 

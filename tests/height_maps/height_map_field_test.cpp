@@ -62,8 +62,8 @@ std::vector<Case> cases() {
       all.push_back({"plate", {{{grid(20, 9, 100, edge, interpolant, plate)}}}, {0, 50, -100, 950, -400}, 1200});
       all.push_back({"steps", {{{grid(3, 40, 1e-3F, edge, interpolant, steps), true}}}, {0, 5e-4F, -1e-3F}, 0.03F});
     }
-  // Where the errors of a spline's first stage hang on what is small or missing: no step along one axis, steps of one unit in
-  // the last place high above the plane, one step in a map that is level otherwise.
+  // Splines whose first stage errs by what is small or missing: no step along one axis, steps of one unit in the last place
+  // high above the plane, one step in a map that is level otherwise.
   std::array<float, 40> profile;
   for (float& value : profile) value = uniform(random, -0.5F, 0.5F);
   const auto rows_only = [&](std::uint32_t, std::uint32_t j) { return profile[j]; };

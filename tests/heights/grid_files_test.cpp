@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a picture or an array says beside its numbers: applied or refused in words, never left out. The files of
+// The statements of a picture or an array beside its numbers: applied or refused in words, never left out. The files of
 // tests/fuzz/corpus are the examples.
 
 #include <gtest/gtest.h>
@@ -115,7 +115,7 @@ TEST(grid_files, that_say_something_odd_are_refused_in_words) {
   for (const auto& [name, words] : expected) EXPECT_EQ(of_corpus(name).refusal, words) << name;
 }
 
-// How bright a picture is shown is no statement about heights: rendering/heights/formats.md.
+// The brightness at which a picture is shown states nothing about heights: rendering/heights/formats.md.
 TEST(grid_files, of_any_gamma_have_the_heights_of_their_numbers) {
   const Loaded plain = of_corpus("png/8.png");
   EXPECT_EQ(plain.heights.size(), 6U) << plain.refusal;

@@ -19,7 +19,7 @@ namespace {
 
 using tests::TemporaryDirectory;
 
-// What reading a spec of this text says, whatever file it is about.
+// The error of reading a spec of this text, whatever file it is about.
 std::string words_of_anything(const std::string& text) {
   const TemporaryDirectory directory;
   try {
@@ -111,7 +111,7 @@ TEST(height_spec, rounds_numbers_once) {
       expected.push_back(knot);
     }
     const std::filesystem::path map = directory.write("map.toml", text + "]\n");
-    // What is written with other knots beside it is read as the same numbers.
+    // A map that is written with other knots beside it is read as the same numbers.
     directory.write("shading.toml", shading_polygons(map, {{-1, 0}, {1, 0}}, directory.file("")));
     for (const std::filesystem::path& read : {map, std::filesystem::path(directory.file("shading.toml"))}) {
       const Spec spec = read_spec(read);
@@ -233,7 +233,7 @@ TEST(height_spec, says_what_is_wrong_and_where) {
   EXPECT_THROW(read_spec("nowhere/map.toml"), Error);
 }
 
-// What ships as an example is read, built on both sides, and felt alike.
+// Each shipped example is read, built on both sides, and felt alike.
 TEST(height_spec, examples_are_rendered_to_the_nearest_binary32) {
   std::size_t examples = 0;
   for (const auto& entry : std::filesystem::directory_iterator(FORCESHADE_SOURCE_DIR "/examples")) {

@@ -240,7 +240,7 @@ TEST_F(Heights, with_bits_flipped_at_random_do_no_harm) {
   EXPECT_GT(refused, 300);
 }
 
-// How long it takes is printed and not judged: docs/height-maps.md states 0.6 s, for a machine that does nothing else.
+// The time is printed and not judged: docs/height-maps.md states 0.6 s, for a machine that does nothing else.
 TEST_F(Heights, of_4096_by_4096_are_read_into_one_number_a_sample) {
   std::vector<std::uint16_t> pixels(4096 * 4096);
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint16_t>(i * 40503);

@@ -24,7 +24,7 @@ std::string dotted(std::size_t dots) {
   return "a" + repeated(".a", dots);
 }
 
-// What reading the text as a height map says, without the file's name.
+// The error of reading the text as a height map, without the file's name.
 std::string words_of(const std::string& text) {
   const tests::TemporaryDirectory directory;
   const std::string file = directory.write("map.toml", text);

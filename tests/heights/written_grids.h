@@ -77,7 +77,7 @@ void write_tiff(const std::filesystem::path& file, std::uint32_t columns, std::u
   }
   for (std::uint32_t top = 0; size > 0 && top < rows; top += size)
     for (std::uint32_t left = 0; left < columns; left += size) {
-      // What lies beyond the picture is no height of it.
+      // Samples beyond the picture are no heights of it.
       std::vector<T> tile(std::size_t{size} * size, static_cast<T>(99));
       for (std::uint32_t j = 0; j < std::min(size, rows - top); ++j)
         for (std::uint32_t i = 0; i < std::min(size, columns - left); ++i)

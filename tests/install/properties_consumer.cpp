@@ -36,7 +36,7 @@ properties::Rendered throwing_wall(const Eigen::Vector3f& position) {
   return wall_of(1)(position);
 }
 
-// What is said of the first property that does not hold; empty where all hold.
+// The counterexample of the first property that does not hold; empty where all hold.
 std::string failure_of(const properties::ForceAt& wall) {
   std::string failure;
   const auto subject = properties::law_subject(LawId::wall, {.stiffness = 0.5F}, wall);

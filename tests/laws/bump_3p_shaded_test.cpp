@@ -7,7 +7,7 @@ using namespace forceshade;
 FORCESHADE_LAW_SUITE(bump_3p_shaded)
 
 TEST(bump_3p_shaded, keeps_the_direction_across_the_edges_of_the_top) {
-  // What force shading buys: bump-3p's direction jumps by θ at |x| = w'/2, the shaded one does not.
+  // The gain of force shading: bump-3p's direction jumps by θ at |x| = w'/2, the shaded one does not.
   const Parameters p{12.7F, 25.4F, 1};
   const float edge = 6.35F, beyond = std::nextafter(edge, 7.0F);
   const auto direction = [&](LawId id, float x) {

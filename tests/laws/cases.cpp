@@ -51,8 +51,8 @@ std::vector<HardCase> hard_cases(LawId law) {
 }
 
 std::string distance_from_tie(const reference::Law& law, const Eigen::Vector3f& position) {
-  // What 768 bits leave open is a tie (docs/proofs.md): only then is a distance that the enclosure cannot tell from 0 called
-  // so.
+  // A component that 768 bits leave open is a tie (docs/proofs.md): only then is a distance called 0 that the enclosure cannot
+  // tell from 0.
   const bool may_tie = law.round_to_binary32(position).method == reference::Method::exact;
   const reference::EnclosedForce force = enclosure(law, position, 80);
   reference::set_precision(320);

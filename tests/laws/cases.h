@@ -26,8 +26,8 @@ struct HardCase {
 std::vector<HardCase> hard_cases(LawId law);
 std::vector<HardCase> read_hard_cases(std::istream& in, const std::string& file);
 
-// How far the component nearest to a tie is from it, relative to its size, from an enclosure of 80 digits: "x 2^-71.3" or
-// "z 0" for a tie.
+// The distance from its tie of the component nearest to one, relative to its size, from an enclosure of 80 digits: "x 2^-71.3"
+// or "z 0" for a tie.
 std::string distance_from_tie(const reference::Law& law, const Eigen::Vector3f& position);
 
 }  // namespace forceshade::tests

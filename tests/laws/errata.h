@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the tests of the thesis's errata share: our laws as force fields, and the thesis's letters and height maps.
+// The parts that the tests of the thesis's errata share: our laws as force fields, and the thesis's letters and height maps.
 //
 // A demand is a function of a force field. The printed form, written down in these tests in binary64, and our fast and
 // reference laws go through the same one, so a test fails when the printed form is right after all and when ours is wrong.

@@ -162,7 +162,7 @@ struct Range {
   }
 };
 
-// How far the normals of two faces lie apart on the edge they share, over all edges.
+// The distances between the normals of two faces on the edge they share, over all edges.
 template <class Scheme>
 Range jumps_along_edges(const Octahedron& mesh, const Scheme& scheme) {
   Range jumps;
@@ -204,7 +204,7 @@ struct Kink {
   Parameters parameters;
   HeightMap U;
   float x;
-  bool left;  // whether the line belongs to the side of smaller x
+  bool left;  // true if the line belongs to the side of smaller x
 };
 
 TEST(errata, kinks_have_no_normal_without_a_convention) {

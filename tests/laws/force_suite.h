@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What laws and height maps alike are tested for, on positions that the caller aims.
+// The tests of laws and height maps alike, on positions that the caller aims.
 
 #include <Eigen/Core>
 #include <array>
@@ -23,7 +23,7 @@ struct Tested {
       batch;
 };
 
-// How often each was met: by number of fast::Stage, reference::Method and Status.
+// The number of times each was met: by number of fast::Stage, reference::Method and Status.
 struct Met {
   std::array<int, 3> stages{}, methods{}, statuses{};
 };

@@ -15,7 +15,7 @@ namespace forceshade::tests {
 
 class FaultyDisk {
  public:
-  static inline std::atomic<int> write_ms = 0, sync_ms = 0;  // how long each call takes
+  static inline std::atomic<int> write_ms = 0, sync_ms = 0;  // the time that each call takes
   static inline std::atomic<bool> full = false;              // each write fails as on a full disk
   static inline std::atomic<bool> unplugged = false;         // each write and sync fails as on a disk that is gone
   static inline std::atomic<int> writes = 0, refused_writes = 0, syncs = 0;  // a write has two halves
