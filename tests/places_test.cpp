@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tables of CONTRIBUTING.md say: where a law, a kind of height map, a shading scheme, a contact rule or a device is
+// Checks the tables of CONTRIBUTING.md: where a law, a kind of height map, a shading scheme, a contact rule or a device is
 // added, and that nothing beside these places has to be extended.
 
 #include <gtest/gtest.h>
@@ -207,8 +207,8 @@ std::string without_comments(const std::filesystem::path& file) {
   return code;
 }
 
-// What names more than half of the laws or kinds is a list, a switch or a set of overloads, which one more would have to be
-// added to.
+// A file that names more than half of the laws or kinds is a list, a switch or a set of overloads, which one more would have to
+// be added to.
 TEST(structure, no_file_beside_the_tables_has_to_be_extended) {
   for (const Sort& sort : sorts()) {
     std::set<std::string> places;

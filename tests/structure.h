@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the files of the sources are, and what stands in them.
+// The places of the source files, and their contents.
 
 #include <gtest/gtest.h>
 

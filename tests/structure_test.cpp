@@ -26,7 +26,7 @@ using tests::modules;
 using tests::text_of;
 using tests::top_folders;
 
-// What stands between the <> or "" of every #include below the folder.
+// The text between the <> or "" of every #include below the folder.
 std::vector<std::string> includes_of(const std::filesystem::path& folder) {
   std::vector<std::string> found;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -245,7 +245,7 @@ TEST(structure, the_page_of_the_public_headers_says_what_each_includes_and_needs
   }
 }
 
-// What follows // or # in a line, or the whole line of a page.
+// The text after // or # in a line, or the whole line of a page.
 std::string prose_of(const std::string& line, const std::filesystem::path& file) {
   const std::string extension = file.extension();
   if (extension == ".md") return line;

@@ -15,7 +15,6 @@ namespace forceshade::tests {
 
 inline constexpr float kStiffness = 0.3F;  // N/mm
 
-// How it is shaded.
 struct Look {
   mesh::Shading shading = mesh::Shading::none;
   mesh::CornerNormals normals;

@@ -24,7 +24,7 @@
 
 namespace forceshade::tests {
 
-// How often what a test is for has been reached.
+// Counts the occasions that a test is for.
 struct Occasions {
   std::map<std::string, std::size_t> reached;
 

@@ -248,7 +248,7 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
   }
 }
 
-// Where no triangles cross, testing the ways changes nothing.
+// Testing the ways changes nothing where no triangles cross.
 TEST(crossing_sheets, an_embedded_mesh_is_rendered_as_ever_in_every_bit) {
   std::size_t touching = 0;
   properties::MeshSource source(72);
@@ -283,8 +283,8 @@ Integer determinant(const Exact& a, const Exact& b, const Exact& c, const Exact&
   return e[0] * (f[1] * g[2] - f[2] * g[1]) + e[1] * (f[2] * g[0] - f[0] * g[2]) + e[2] * (f[0] * g[1] - f[1] * g[0]);
 }
 
-// How often the part, triangles first to last, is around the point; a point in a triangle's plane may be counted either way, so
-// the least of three rays is taken.
+// The number of times that the part, triangles first to last, is around the point; a point in a triangle's plane may be counted
+// either way, so the least of three rays is taken.
 int times_around(const TriangleMesh& mesh, std::size_t first, std::size_t last, const Exact& point) {
   int least = 1000;
   for (const std::array<int, 3>& way : {std::array{1009, 2503, 4001}, {-3001, 1511, 2011}, {2017, -1013, -3511}}) {

@@ -118,8 +118,7 @@ TEST(decide, has_bounds_of_slips_that_cover_their_parts) {
   EXPECT_GT(SlipBounds::kOfPressure, 2 + 0x1p-10 + 3 / 4.0);
 }
 
-// A span of numbers that binary64 holds without rounding. The ends of each span are met, so that none is too wide either.
-// What Gappa proves of each expression (fast/meshes/decide.g), in units of 2^-53.
+// Gappa proves the bound of each expression (fast/meshes/decide.g), in units of 2^-53.
 TEST(decide, has_bounds_that_the_proofs_of_gappa_imply) {
   const std::map<std::string, RoundingBound> bounds{{"normal", kNormal.x},
                                                     {"across", kAcross},
@@ -151,6 +150,7 @@ TEST(decide, has_bounds_that_the_proofs_of_gappa_imply) {
   EXPECT_EQ(found, bounds.size());
 }
 
+// A span of numbers that binary64 holds without rounding. The ends of each span are met, so that none is too wide either.
 TEST(decide, counts_the_bits_of_sums_and_products) {
   std::mt19937 random(8);
   int longest_sums = 0, longest_products = 0;

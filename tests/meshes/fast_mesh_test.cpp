@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a mesh is laid out for the real-time path: its joins, its tree, its numbering, and what is refused.
+// The layout of a mesh for the real-time path: its joins, its tree, its numbering, and what is refused.
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What follows from the definition of friction (docs/friction.md, Consequences): the cone on random meshes and paths, and what
-// a floor and a roof do exactly.
+// The consequences of the definition of friction (docs/friction.md, Consequences): the cone on random meshes and paths, and
+// what a floor and a roof do exactly.
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ Integer longest_step_squared(const Surface& surface, const Feature& feature) {
   return std::max({dot(sides[0], sides[0]), dot(sides[1], sides[1]), dot(sides[2], sides[2])});
 }
 
-// Whether λt² <= h²/3, as of a refused slide that ends inside its feature.
+// Returns true if λt² <= h²/3, as of a refused slide that ends inside its feature.
 bool is_within_a_step(const Load& load, const Integer& share, const Integer& step_squared) {
   return 3 * share * kGrid * dot(load.pull, load.pull) <= step_squared * load.under * load.under;
 }

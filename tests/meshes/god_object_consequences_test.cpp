@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What follows from the definition of the god-object (docs/god-object.md, Consequences), on random meshes and paths, for the
+// The consequences of the definition of the god-object (docs/god-object.md, Consequences), on random meshes and paths, for the
 // states and forces of one mesh; god_object_symmetries_test.cpp has what follows for two.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -112,7 +112,7 @@ class Inside {
     }
   }
 
-  // Whether a point off the surface is inside.
+  // Returns true if a point off the surface is inside.
   bool operator()(const Position& position) {
     const Point from = point(position);
     for (;;) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What follows from the definition of the god-object (docs/god-object.md, Consequences) for a mesh that is scaled, renumbered
+// The consequences of the definition of the god-object (docs/god-object.md, Consequences) for a mesh that is scaled, renumbered
 // or turned over.
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ using tests::show;
 using tests::squared_distance;
 using tests::Step;
 
-// Whether each coordinate times 2^places is one too.
+// Returns true if each coordinate times 2^places is exact and a coordinate too.
 bool can_be_scaled(const Position& position, int places) {
   return std::ranges::all_of(position, [&](float x) {
     const float scaled = std::ldexp(x, places);
@@ -126,7 +126,7 @@ TEST(god_object_consequences, a_quarter_turn_of_everything_turns_each_number_of_
         friction);
 }
 
-// What a renumbering may change: ties, and at rest in a triangle the last grid step.
+// A renumbering may change ties, and at rest in a triangle the last grid step.
 class Renumbered {
  public:
   Renumbered(const Scene& scene, std::uint64_t seed) : random_(seed), mesh_(scene.made.mesh) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a rest lies half-way between two points of the grid, on a point of it, and one position's quantum beside these: cases
-// that a random path meets once in some hundred thousand ticks.
+// Rests half-way between two points of the grid, on a point of it, and one position's quantum beside these: cases that a random
+// path meets once in some hundred thousand ticks.
 
 #include <gtest/gtest.h>
 

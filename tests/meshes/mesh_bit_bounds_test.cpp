@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long the integers of a god-object's decisions can be: the proof of the table in docs/proofs.md, "Bounds".
+// The length of the integers of a god-object's decisions: the proof of the table in docs/proofs.md, "Bounds".
 
 #include <gtest/gtest.h>
 
@@ -129,7 +129,7 @@ TEST(mesh_bit_bounds, theorems_in_coq_have_the_numbers_of_the_documentation) {
   EXPECT_EQ(found, 36);
 }
 
-// What the determinants come to where the bound is met: the bound is not too large by a bit.
+// The determinants meet the bound here: it is not too large by a bit.
 TEST(mesh_bit_bounds, the_bounds_of_the_most_common_decisions_are_met) {
   const auto units = [](int x, int y, int z) {
     return exact_point({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the exact god-object's search leaves out: boxes beside a way, but none that the way meets.
+// The exact god-object's search leaves out boxes beside a way, but none that the way meets.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is a mesh and what is not, with the faces and vertices that are named.
+// The check of a mesh, with the faces and vertices that its findings name.
 
 #include <gtest/gtest.h>
 

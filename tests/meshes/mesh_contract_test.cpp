@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a god-object on a mesh is built from is checked, by a type or by both sides, and a tick that cannot be decided says so.
+// The input of a god-object on a mesh is checked, by a type or by both sides, and a tick that cannot be decided says so.
 
 #include <gtest/gtest.h>
 

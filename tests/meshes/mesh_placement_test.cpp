@@ -113,7 +113,7 @@ TEST(mesh_placement, rounds_ties_to_even_and_what_is_beside_them_to_its_side) {
   EXPECT_EQ(x_of(5, {2, 0, 0, 1}, 0), 3.0F);
   EXPECT_EQ(x_of(5 * 0x1p-24F, {2, 0, 0, 1}, 4), 4.0F) << "3/8 of the last place above 4";
   EXPECT_EQ(x_of(5 * 0x1p-22F, {2, 0, 0, 1}, 4), 0x1.000004p2F) << "3/2 of it: a tie, whose even neighbour is above";
-  // What is below 2^-30 is 0, without a sign.
+  // A size below 2^-30 becomes 0, without a sign.
   EXPECT_EQ(x_of(1, {1, 0, 0, 0}, -0x1.fffffep-1F), 0x1p-24F);
   EXPECT_EQ(std::bit_cast<std::uint32_t>(x_of(-0x1p-30F, {2, 0, 0, 1}, 0)), 0U) << "3/5 of -2^-30";
   EXPECT_EQ(std::bit_cast<std::uint32_t>(x_of(0, {0, 1, 0, 0}, 0)), 0U);

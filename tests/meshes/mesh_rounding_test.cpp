@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the reference god-object rounds: fractions and roots to binary32, points of the surface to the grid.
+// The rounding of the reference god-object: fractions and roots to binary32, points of the surface to the grid.
 
 #include <gtest/gtest.h>
 
@@ -71,8 +71,8 @@ TEST(mesh_rounding, roots_on_a_tie_go_to_even_and_beside_it_to_their_side) {
   }
 }
 
-// Where the square is that of an integer, the sum is a fraction; one more or less takes it off a tie. The root takes away
-// nearly all of the rest, little of it, or more than it.
+// A root of a square makes the sum a fraction, here a tie; one more or less takes it off. The root takes away nearly all of the
+// rest, little of it, or more than it.
 TEST(mesh_rounding, a_fraction_plus_a_root_rounds_as_their_sum) {
   std::mt19937_64 random(4);
   int to_even = 0;

@@ -19,7 +19,7 @@
 
 namespace forceshade::tests {
 
-// What paths have reached.
+// The places and sides that paths have reached.
 struct Reached {
   // Every place, both sides and these.
   void expect_all(const std::vector<std::string>& others) {

@@ -11,7 +11,7 @@
 
 namespace forceshade::tests {
 
-// What a build() gives. Throws what it says instead.
+// The result of a build(). Throws its error instead.
 template <class T>
 T built(std::variant<T, ParameterError> result) {
   if (const auto* error = std::get_if<ParameterError>(&result)) throw std::runtime_error(error->message());

@@ -25,7 +25,7 @@ void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float 
   advance(mesh, at, p, stiffness, shading, stages, tick);
 }
 
-// What one position does to a god-object. position: mm; stiffness: N/mm. A state that is not one of this mesh counts as none.
+// Moves a god-object by one position. position: mm; stiffness: N/mm. A state that is not one of this mesh counts as none.
 template <class Stages = FilteredStages>
 mesh::Tick step(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position, float stiffness,
                 mesh::Shading shading, const Stages& stages = {}, mesh::Contact contact = mesh::kUsualContact) noexcept {

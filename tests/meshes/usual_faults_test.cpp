@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is usually wrong with a god-object, each fault with a test that the one of this project does not have it.
+// The usual faults of a god-object, each with a test that the one of this project does not have it.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn has every kind of case: a property that holds says nothing of cases that never come.
+// The draws have every kind of case: a property that holds says nothing of cases that never come.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much each property allows, to a few units of rounding: cases that reach a limit exactly, and the same with a little more.
+// The limits of each property, to a few units of rounding: cases that reach a limit exactly, and the same with a little more.
 
 #include <gtest/gtest.h>
 

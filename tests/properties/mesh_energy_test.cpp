@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the shading of a mesh can give: no rest turns a force by more than is said, and a stroke gives what is said.
+// The energy that the shading of a mesh can give: no rest turns a force by more than stated, and a stroke gives as stated.
 
 #include "properties/mesh_energy.h"
 

@@ -172,7 +172,7 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
   EXPECT_TRUE(failed(stays_behind, mesh::Shading::none).contains("passivity"));
 }
 
-// Where one tick is wrong that needs no others, none is left before those that lead to it.
+// A wrong tick that needs no others keeps none before those that lead to it.
 TEST(mesh_subject, leaves_no_tick_of_a_path_that_the_failure_does_not_need) {
   MeshSource source(11);
   const MeshRendering rendering = rendering_of(source, 7, mesh::Shading::none);

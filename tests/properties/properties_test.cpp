@@ -42,8 +42,6 @@ PropertyResult result_of(const RenderedLaw& subject, const std::string& property
   throw std::invalid_argument(property);
 }
 
-// How far each property is goes from 0 to 1 and never back, also while a failure is made simpler; results are as without a
-// watcher.
 TEST(properties, a_run_of_no_cases_holds_of_nothing_and_is_refused) {
   const LawSubject wall(LawId::wall, kBump);
   for (const int cases : {0, -5}) EXPECT_THROW(run_properties(wall, cases, kSeed), std::invalid_argument);
@@ -62,6 +60,8 @@ TEST(properties, a_run_that_is_stopped_calls_the_renderer_no_more) {
   EXPECT_LT(after, 10) << "the case in which it was stopped is finished";
 }
 
+// The progress of each property goes from 0 to 1 and never back, also while a failure is made simpler; results are as without
+// a watcher.
 TEST(properties, a_run_reports_each_case_of_each_property) {
   const LawSubject wrong(changed(LawId::bump_2p, [](const Eigen::Vector3f& position, Rendered answer) {
     if (position.x() > 1) answer.force.x() += 1;

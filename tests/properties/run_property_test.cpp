@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the cases of a property are drawn, and how the one that fails is made simple.
+// The drawing of a property's cases, and the simplifying of the one that fails.
 
 #include <gtest/gtest.h>
 

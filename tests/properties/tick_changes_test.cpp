@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much the force on a mesh changes between two ticks: no path exceeds the bound, and where it is known it is met.
+// The change of the force on a mesh between two ticks: no path exceeds the bound, and where it is known it is met.
 
 #include "properties/tick_changes.h"
 

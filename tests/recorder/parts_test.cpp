@@ -69,7 +69,7 @@ TEST_IN_THE_WORLD(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_ot
   }
 }
 
-// What was lost belongs to the part before, and is said by end(): the last part is whole.
+// The lost ticks belong to the part before, and are reported by end(): the last part is whole.
 TEST_IN_THE_WORLD(parts, after_one_that_lost_ticks_have_their_own_end) {
   const TemporaryDirectory directory;
   Parts parts({.ring = 4, .interval = std::chrono::seconds(10)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much a recorder loses that is killed, in ms. scripts/real measures it over many runs.
+// The loss of a recorder that is killed, in ms. scripts/real measures it over many runs.
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -24,7 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 using tests::FaultyDisk;
 
-// How many ms of samples, before it was killed, are not in the file of a process that recorded at 1 kHz for this long, on a
+// The ms of samples, before it was killed, that are not in the file of a process that recorded at 1 kHz for this long, on a
 // disk that takes half a second to sync.
 double ms_lost_when_killed_after(std::chrono::milliseconds time, const std::string& path) {
   struct Shared {

@@ -25,7 +25,7 @@ namespace {
 
 using tests::TemporaryDirectory;
 
-// In and out of a wall of 0.5 N/mm, with one position that is none; a device with buttons, a gimbal and encoders.
+// In and out of a wall of 0.5 N/mm, with one position that is not a number; a device with buttons, a gimbal and encoders.
 struct Kept : device::ServoResult {
   std::vector<Sample> samples;
 };

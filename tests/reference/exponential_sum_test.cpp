@@ -18,7 +18,7 @@ Sum ratio(int p, int q) {
   return Sum(p) / Sum(q);
 }
 
-// What is 0 must be found to be 0, and moved by one part in 2^1000 to be positive or negative.
+// Expects that 0 is found to be 0, and moved by one part in 2^1000 to be positive or negative.
 void expect_zero(const Sum& value, const char* what) {
   const Sum little = Sum(0x1p-1000) * sqrt(Sum(2));
   EXPECT_EQ(value.sign(), 0) << what;

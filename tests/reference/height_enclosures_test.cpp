@@ -227,8 +227,8 @@ height::Part random_part(Random& random, double reach) {
   return {height::shape_of_kind(random.below(height::kKinds), drawn, polygons, grid), is_negated};
 }
 
-// What the fast path generates along a path, by the force at the middle of 500 steps a segment, and by how much that may be
-// wrong.
+// The energy that the fast path generates along a path, by the force at the middle of 500 steps a segment, and its largest
+// error.
 struct Walked {
   double generated = 0, tolerance = 0;  // mJ
 };

@@ -224,7 +224,7 @@ TEST(height_reference, tells_what_cancels_from_what_all_but_cancels) {
     const auto law = std::get<HeightMapField>(HeightMapField::build(map, Mode::true_height, 1));
     return law.round_to_binary32({0.1F, 10, 0.3F}).status;
   };
-  EXPECT_EQ(rounded({0, 0, 0, 1}, false), Status::free) << "a hill that is none";
+  EXPECT_EQ(rounded({0, 0, 0, 1}, false), Status::free) << "a hill of height 0";
   EXPECT_EQ(rounded({0, 0, 1, 1}, true), Status::free) << "a dent 10 sigmas off, 10^-22 deep";
   EXPECT_EQ(rounded({0, 0, 1, 1}, false), Status::contact);
   EXPECT_EQ(rounded({0, 0, 1, 1e-3F}, true), Status::free) << "10^-21714738 deep";

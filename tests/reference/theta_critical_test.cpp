@@ -10,7 +10,7 @@
 namespace forceshade::reference {
 namespace {
 
-// What figure 5-5 of the thesis shows, from an independent arcsine: 2 arcsin(500/R) for R in mil. 1000 mil is 25.4 mm, and a
+// The angles of figure 5-5 of the thesis, from an independent arcsine: 2 arcsin(500/R) for R in mil. 1000 mil is 25.4 mm, and a
 // quarter more in binary32 than R = 600 mil to seven digits.
 TEST(theta_critical, subtended_angles_are_those_of_the_thesis) {
   for (const int mil : {600, 800, 1000, 1200, 1400}) {

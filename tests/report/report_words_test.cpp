@@ -134,7 +134,7 @@ TEST(report, says_the_largest_difference_of_energies_on_either_side) {
   EXPECT_TRUE(has(words_of(to_html(certificate)), "they differ by at most 3 parts per million"));
 }
 
-// What the captions say of the figures, with numbers that are computed here in another way.
+// The captions of the figures, with numbers that are computed here in another way.
 TEST(report, says_in_captions_what_the_figures_show) {
   const std::string words = words_of(page());
   for (const char* part :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn of a height map is what the map is.
+// The side view shows a height map as it is.
 
 #include "certificate/report/side_view.h"
 

@@ -100,7 +100,7 @@ TEST(moving_scene, draws_the_tick_in_which_a_path_begins) {
   }
 }
 
-// What a renderer does that turns the force into the axes of the object once more instead of back into those of the world.
+// Finds the renderer that turns the force into the object's axes once more instead of back into the world's.
 TEST(moving_scene, does_the_work_of_its_objects_and_motions) {
   const scene::Pose now{{0, 0, 1}, {1, 0, 0.5F, 0}}, next{{0, 0.25F, 1}, {1, 0, 0.5F, 0}};
   const Eigen::Vector3f from(0, 0, 0), to(0.125F, 0.5F, -0.25F);

@@ -25,7 +25,7 @@ Eigen::Vector3f vector(const Position& a) {
 struct BothScenes {
   std::vector<std::unique_ptr<fast::Session>> fast;
   std::vector<reference::SceneSession::Object> exact;
-  std::vector<mesh::TriangleMesh> meshes;  // what paths lead over; none for a law
+  std::vector<mesh::TriangleMesh> meshes;  // that paths lead over; none for a law
 
   void add(const MeshRendering& rendering) {
     meshes.push_back(rendering.mesh());

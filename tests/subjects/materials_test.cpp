@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user gives of friction and materials: what each key means, what is refused in which words, and what of it is part of a
-// mesh's identity and of the options that are written.
+// A user's friction and materials: the meaning of each key, the refusals and their words, and their part in a mesh's identity
+// and in the options that are written.
 
 #include <gtest/gtest.h>
 

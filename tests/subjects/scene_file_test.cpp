@@ -56,7 +56,7 @@ class Scenes : public testing::Test {
 const std::string kPlate = "[[object]]\nname = \"floor\"\nmesh = \"plate.off\"\nunit = \"mm\"\n",
                   kTetrahedron = "[[object]]\nname = \"corner\"\nmesh = \"its.obj\"\nunit = \"mm\"\n";
 
-// What the fast path does at each of these positions in turn.
+// The fast path's ticks at these positions in turn.
 std::vector<mesh::Tick> ticks(const MeshRendering& rendering, const std::vector<std::array<float, 3>>& path) {
   const auto built = fast::GodObject::build(rendering);
   const auto session = std::get<fast::GodObject>(built).open();

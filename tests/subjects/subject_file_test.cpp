@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Subject files as a program reads them: what each key means, what holds unless said, and what is refused at which line.
+// Subject files as a program reads them: the meaning of each key, the defaults, and what is refused at which line.
 
 #include <gtest/gtest.h>
 

@@ -85,7 +85,7 @@ TEST(subject_with_memory, is_driven_only_where_a_certificate_covers_it) {
                                "0.5 N/mm; got release 1 mm, stiffness 0.5 N/mm");
 }
 
-// What a hand felt is computed again from the recording, bit for bit, by the exact side.
+// The exact side computes the forces that a hand felt again from the recording, bit for bit.
 TEST(subject_with_memory, is_driven_and_its_recording_can_be_computed_again) {
   const TemporaryDirectory directory;
   const std::string replayed = directory.file("hand.csv"), file = directory.file("run.fsr");

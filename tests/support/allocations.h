@@ -6,7 +6,7 @@
 
 namespace forceshade::tests {
 
-// How many this thread has made, and how many bytes it has asked for in all.
+// The number of allocations that this thread has made, and of bytes that it has asked for in all.
 std::size_t allocations() noexcept;
 std::size_t allocated_bytes() noexcept;
 

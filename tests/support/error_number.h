@@ -19,7 +19,7 @@ namespace forceshade::tests {
 
 class ErrorNumber {
  public:
-  // What a comparison can say over the box.
+  // The possible results of a comparison over the box.
   struct Mask {
     bool can_hold = false, can_fail = true;
     bool certain() const { return can_hold && !can_fail; }
@@ -60,7 +60,7 @@ class ErrorNumber {
   }
   // The largest relative error; zero has none.
   double relative_error() const { return error() == 0 ? 0 : static_cast<double>(Exact{error()} / least_size()); }
-  // Whether all exact values are of one size, to 2^-7: relative_error() overstates where they are not.
+  // Returns true if all exact values are of one size, to 2^-7: relative_error() overstates where they are not.
   bool narrow() const { return (low_ == 0 && high_ == 0) || largest_size() <= (1 + 0x1p-7) * least_size(); }
 
   friend ErrorNumber operator-(ErrorNumber a) {

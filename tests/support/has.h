@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether a text has a part.
+// Searches a text for a part.
 
 #include <string>
 

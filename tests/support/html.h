@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What holds of every page that this program writes.
+// Checks of every page that this program writes.
 
 #include <gtest/gtest.h>
 

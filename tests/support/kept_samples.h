@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the servo loop reports of a run, kept in memory; for benchmarks, too.
+// The servo loop's report of a run, kept in memory; for benchmarks, too.
 
 #include <Eigen/Core>
 #include <vector>

@@ -21,7 +21,7 @@ inline void send_to_null(int stream) {
 
 class PseudoTerminal {
  public:
-  // What it returns is its exit code.
+  // The program's return value is its exit code.
   explicit PseudoTerminal(const std::function<int()>& program) {
     process_ = ::forkpty(&terminal_, nullptr, nullptr, nullptr);
     if (process_ < 0) throw std::runtime_error("no terminal to be had");

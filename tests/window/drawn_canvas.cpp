@@ -72,7 +72,7 @@ class Canvas::Display {
 };
 
 Canvas::Canvas(const Settings& settings) {
-  if (the_person == nullptr) throw Error("nobody is in front of the window");
+  if (the_person == nullptr) throw Error("no person is in front of the window");
   the_person->settings_ = settings;
   the_person->has_closed_ = false;
   display_ = std::make_unique<Display>();

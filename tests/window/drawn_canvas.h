@@ -20,7 +20,7 @@ class Person {
   Person(const Person&) = delete;
   Person& operator=(const Person&) = delete;
 
-  // What follows is done so many seconds after the window was opened, or now where that is over.
+  // Delays what follows until so many seconds after the window was opened; it is done now where that is over.
   Person& at(double seconds);
   Person& key(const std::string& name, bool is_repeat = false);
   Person& point(Point pixel);
@@ -42,7 +42,7 @@ class Person {
     std::function<void(Person&)> does;
   };
   Person& add(std::function<void(Person&)> act);
-  // What was done up to now.
+  // Does all that was due up to now.
   void act(std::int64_t since_the_opening);
 
   std::vector<Act> acts_;

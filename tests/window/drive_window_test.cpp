@@ -103,7 +103,7 @@ TEST(drive_window, a_shaded_slope_is_felt_as_a_drift_of_the_cursor) {
   EXPECT_EQ(recording.extent().samples, outcome.result.ticks + 1);
 }
 
-// How far the ring moves, in mm, while the mouse goes 3 mm along a plane.
+// The distance that the ring moves, in mm, while the mouse goes 3 mm along a plane.
 double ring_moves(const std::string& friction) {
   Drive drive({{"mesh", FORCESHADE_SOURCE_DIR "/tests/window/plane.off"}, {"unit", "mm"}, {"friction", friction}});
   const auto view = drive.view();

@@ -132,7 +132,7 @@ class Participant final : apparatus::Front, device::Attendant {
     screens_.push_back(screen);
     return window_->show(screen, latest, felt);
   }
-  // What is pressed now acts on the screen of this frame. It was typed at that of the frame before.
+  // A key that is pressed now acts on the screen of this frame. It was typed at that of the frame before.
   std::vector<Press> presses() override {
     std::vector<Press> presses = window_->presses();
     const std::size_t shown = screens_.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a picture is made of.
+// The parts of a picture.
 
 #include <variant>
 #include <vector>

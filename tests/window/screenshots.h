@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the tests of the real window share: a hand on its keyboard and mouse, and pictures of what it showed.
+// The parts that the tests of the real window share: a hand on its keyboard and mouse, and pictures of what it showed.
 
 #include <gtest/gtest.h>
 #include <png.h>

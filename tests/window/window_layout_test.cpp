@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the participant sees, without a display: where the cursor is drawn, what is hidden, and that everything fits.
+// The participant's picture, without a display: where the cursor is drawn, what is hidden, and that everything fits.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the window of drive shows, without a display.
+// The picture in the window of drive, without a display.
 
 #include <gtest/gtest.h>
 

@@ -22,7 +22,7 @@ class window_settings : public testing::Test {
  protected:
   Settings read(const std::string& text) const { return read_settings(folder_.write("window.toml", text)); }
 
-  // What stands after "FILE:" in the message; empty if the text is read.
+  // The text after "FILE:" in the message; empty if the text is read.
   std::string refusal(const std::string& text) const {
     try {
       read(text);
