@@ -81,7 +81,7 @@ TEST(passivity_controller, bound_is_reached_by_the_worst_hand_and_not_passed) {
 
 // One leg of an adversary's motion.
 struct Leg {
-  int x, z;   // where to, in 0.05 mm
+  int x, z;   // the goal, in 0.05 mm
   int speed;  // in thousandths of the longest step
   int way;    // 0, 1: straight there; 2: along the force; 3: to and fro along the force; 4: anywhere
   int ticks;  // of the last three

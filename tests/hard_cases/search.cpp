@@ -83,7 +83,7 @@ void search(Hardest& hardest, LawId id, std::uint64_t tries) {
     for (std::uint64_t i = 0; i < kPositionsPerBump; ++i) {
       const bool may_tie = i % 64 == 0;
       Eigen::Vector3f at = may_tie ? bumps.rational_position(id, p) : source.next().position;
-      if (i % 2 == 1) at.x() = worst_x;  // where an error that depends on x alone is large, it is for every z
+      if (i % 2 == 1) at.x() = worst_x;  // an error that depends on x alone is large there for every z
       const double error = sweep.at(at.x(), at.z(), may_tie);
       if (error > worst) {
         worst = error;

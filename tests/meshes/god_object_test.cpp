@@ -187,7 +187,7 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
   reached.expect_all(names);
 }
 
-// The stages that a certificate counts: on a floor, a landing is rounded in integers, and a position in its plane is found there.
+// The stages that a certificate counts: on a floor, a landing is rounded in integers, and so is a position in its plane.
 TEST(god_object, in_a_session_gives_the_stage_that_decided_its_tick) {
   const mesh::TriangleMesh floor{{{-8.3F, -9.1F, 0}, {8.7F, -9.4F, 0}, {8.2F, 7.7F, 0}, {-8.6F, 7.9F, 0}},
                                  {{0, 1, 2}, {0, 2, 3}}};

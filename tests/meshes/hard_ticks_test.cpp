@@ -272,8 +272,8 @@ struct Climb {
   }
 };
 
-// Expects that both sides agree along the path, and that a position that is held comes to rest, unless it finds no place to land
-// on. Returns the most ticks that this takes.
+// Expects that both sides agree along the path, and that a position that is held comes to rest, unless it finds no place to
+// land on. Returns the most ticks that this takes.
 int expect_right(const HardCase& one, const char* family) {
   constexpr int kMostTicks = 32;
   int most = 0;

@@ -26,10 +26,10 @@ ArmKind command_arm(Ns period = 0);
 ArmKind haply_arm();
 std::vector<ArmKind> arms();
 
-// What no arm can know of: the machine stands still, one of its threads does, the loop dies, the process dies.
+// Faults that no arm can know of: the machine stands still, one of its threads does, the loop dies, the process dies.
 std::vector<Fault> faults_of_the_machine();
 
-// What the devices are opened with: nobody waits long for a calibration.
+// The options that the devices are opened with: nothing waits long for a calibration.
 inline constexpr device::FramedOptions kOptions{.calibration = std::chrono::milliseconds(500)};
 
 // The parts of a session in which faults are placed, each as short as it can be: the first forces, the hand in the wall, a jump

@@ -48,7 +48,7 @@ Found everywhere(const Fault& fault, const ArmKind& arm) {
     const Found found = placed({fault}, {part.from, 40}, plan, arm.open);
     count(found);
     add(all, found);
-    if (!part.events.empty()) continue;  // which ends every session
+    if (!part.events.empty()) continue;  // they end every session
     all.tried += found.tried;
     all.go_on += found.go_on;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What one thread of the world says to another, whole and in order.
+// Passes values from one thread of the world to another, whole and in order.
 
 #include <deque>
 #include <optional>

@@ -21,7 +21,7 @@ namespace {
 
 constexpr Ns kMillisecond = 1'000'000;
 
-// What the program of the session that runs does in place of its next answer: a fault sets it.
+// The fault of the next answer of the running session's program.
 struct Answering {
   // As it is, in pieces of so many bytes; with another text in place of a part of it; so much too late.
   std::size_t piece = 0;
@@ -44,7 +44,7 @@ constexpr const char* kHello =
     R"("continuous_force_N":1,"resolution_mm":0.05,"buttons":2,"paces":)";
 Ns period = 0;  // of the program's clock; 0: it has none
 
-// What our side hears of the program.
+// The output and the end of the program, as our side hears them.
 struct Heard {
   enum class Kind { output, error, end_of_output, end } kind;
   std::string bytes = {};
@@ -222,7 +222,7 @@ std::vector<Fault> faults_of_the_program() {
       answers("an answer 500 ms late", {.late = 500 * kMillisecond}, {silent}),
       answers("it reads no more", {.freezes = true}, {silent}),
       answers("garbage", {.line = "}{"}, {"the program wrote \"}{\"; " + json}),
-      answers("a number that is none", wrong("position_mm\":[", "position_mm\":[NaN,"), {json}),
+      answers("a number that is NaN", wrong("position_mm\":[", "position_mm\":[NaN,"), {json}),
       answers("a number that is infinite", wrong("position_mm\":[", "position_mm\":[1e999,"), {json}),
       answers("two coordinates", {.line = R"({"time_s":1e9,"position_mm":[0,0],"buttons":0})"},
               {"the program's answer has position_mm [0,0]" + position}),

@@ -57,7 +57,7 @@ void take_time() {
   dhd.arm->is_out_of_reach = false;
 }
 
-// What every call does first: another thread may go on, and what goes wrong happens. 0 or -1.
+// Begins every call: another thread may go on, and a fault happens. Returns 0 or -1.
 int begun() {
   system::step();
   if (std::exchange(dhd.never_returns, false)) {

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kStack = std::size_t{512} << 10U;
 
-// Where a fiber that begins comes from and who it is: its first function has no argument.
+// The fiber that a beginning one comes from, and itself: its first function has no argument.
 Fiber* leaving = nullptr;
 Fiber* arriving = nullptr;
 

@@ -33,7 +33,7 @@ class Fiber {
   ucontext_t context_{};
   void* stack_ = nullptr;
   std::size_t size_ = 0;
-  std::array<std::byte, 16> exceptions_{};  // what the runtime keeps of those being handled, for each thread
+  std::array<std::byte, 16> exceptions_{};  // the runtime's record of those being handled, for each thread
   void *fake_stack_ = nullptr, *tsan_ = nullptr;
 };
 

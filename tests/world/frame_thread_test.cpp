@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frames of a device, one by one: which of them send a force, how much of it, and what is said where none may be sent.
+// The frames of a device, one by one: which of them send a force, how much of it, and the words where none may be sent.
 
 #include <gtest/gtest.h>
 
@@ -289,7 +289,7 @@ TEST(framed_device, passes_on_what_its_device_says_of_itself) {
   });
 }
 
-// An answer that comes after 24 ms is one; after 27 ms it is none, for ever.
+// An answer that comes after 24 ms counts; after 27 ms it never does.
 TEST(framed_device, has_a_fault_once_no_frame_came_for_as_long_as_its_watchdog_allows) {
   for (const auto& [ms, is_fault] : {std::pair{23.0, false}, {27.0, true}})
     in_world([ms = ms, is_fault = is_fault] {

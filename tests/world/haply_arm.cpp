@@ -21,7 +21,7 @@ namespace {
 
 constexpr Ns kMillisecond = 1'000'000;
 
-// What the service of the session that runs does in place of its next answer: a fault sets it.
+// The fault of the next answer of the running session's service.
 struct Serving {
   // Another text in place of a part of it, or of the whole; so much too late; one more message before it.
   const char *part = nullptr, *instead = nullptr, *message = nullptr;
@@ -157,7 +157,7 @@ std::vector<Fault> faults_of_the_service() {
   const std::string silent = "the Inverse Service has not answered for 25 ms",
                     closed = "the Inverse Service has closed the connection", json = "the Inverse Service: expected JSON";
   return {
-      serves("a message that nobody asked for", {.is_unasked = true}),
+      serves("a message without a request", {.is_unasked = true}),
       serves("an answer 5 ms late", {.late = 5 * kMillisecond}),
       serves("an answer 40 ms late", {.late = 40 * kMillisecond}, {silent}),
       serves("a message is lost", {.is_lost = true}, {silent}),
@@ -165,7 +165,7 @@ std::vector<Fault> faults_of_the_service() {
       serves("the service closes the connection", {.closes = "its words"}, {closed + " (its words)"}),
       serves("the connection is lost", {.closes = "Connection reset by peer"}, {closed + " (Connection reset by peer)"}),
       serves("garbage", {.message = "{\"inverse3\": [{\"device_id\": \"04"}, {json}),
-      serves("a number that is none", {.part = "\"x\":", .instead = "\"x\":NaN"}, {json}),
+      serves("a number that is NaN", {.part = "\"x\":", .instead = "\"x\":NaN"}, {json}),
       serves("another unit", {.part = "\"x\":", .instead = "\"x\":2.5e3,\"w\":"},
              {"cursor_position: expected x, y and z of at most 2"}),
       serves("its space is scaled",

@@ -98,7 +98,7 @@ void Judge::look() {
   const double age = static_cast<double>(now - ordered) * 1e-6;
   const Ns most = arm_.plan().longest_force + kSend;
   if (now - ordered <= most) return;
-  // Where machine or frames stand still, or nothing reaches the arm, nothing of this machine can end the force.
+  // Nothing of this machine can end the force where machine or frames stand still, or nothing reaches the arm.
   const bool stood_still = now - ordered - (world_.stood_still() - stood_still_) <= most;
   if (stood_still || now - unreached_ < 2 * kFrame || (world_.held_until() > ordered && now - world_.held_until() < 2 * kFrame))
     without_watchdog_ = std::max(without_watchdog_, age);

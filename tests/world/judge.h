@@ -23,11 +23,11 @@ class Judge final : public device::SampleSink {
 
   // At each step.
   void look();
-  // When the session is over; adds what only its whole shows.
+  // Judges a session that is over; adds what only its whole shows.
   void conclude(Outcome& outcome);
   const std::vector<Violation>& violations() const noexcept { return violations_; }
 
-  // What the loop does with its device.
+  // Notes what the loop does with its device.
   void ordered(const Eigen::Vector3f& force);
   void read(const device::ReadResult& result);
   void woken(Ns frame);
@@ -49,7 +49,7 @@ class Judge final : public device::SampleSink {
   std::vector<Violation> violations_;
   Ns sent_before_ = 0;        // the frame before
   double share_before_ = 1;   // of its order, that it sent
-  Ns unreached_ = 0;          // when nothing last reached the arm
+  Ns unreached_ = 0;          // the last time at which nothing reached the arm
   Ns stood_still_ = 0;        // of the machine, up to the last order
   bool was_excused_ = false;  // its thread stood still between its look at the clock and its send
   bool obeyed_ = false;       // the state that the arm gave last

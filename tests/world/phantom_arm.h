@@ -10,7 +10,7 @@
 
 namespace forceshade::world {
 
-// Who waits for no call of the driver's for long.
+// Options that wait for no call of the driver for long.
 inline const OpenPhantom kImpatient{.options = {.open = std::chrono::milliseconds(500),
                                                 .start = std::chrono::milliseconds(800),
                                                 .calibration = std::chrono::milliseconds(500)}};

@@ -31,7 +31,7 @@ std::string words_of(unsigned seed, const std::string& drawn) {
 struct Capability {
   const char* what;
   Answer Orders::*order;
-  const char* words;  // where it is missing and the device is driven all the same; null: nothing depends on it
+  const char* words;  // if it is missing and the device is driven all the same; null: nothing depends on it
 };
 
 // As hdInitDevice's caller reads them, and in frames.
@@ -106,7 +106,7 @@ IN_WORLD(whatever_its_driver_says_is_refused_or_has_no_wider_limits_and_says_whi
       EXPECT_TRUE((can.workspace_low.array() >= Eigen::Array3f(-190, -137, -95)).all()) << can.workspace_low;
       EXPECT_TRUE((can.workspace_high.array() <= Eigen::Array3f(191, 130, 96)).all()) << can.workspace_high;
       EXPECT_TRUE((can.workspace_high.array() > can.workspace_low.array() + 10).all()) << "so that there is some force";
-      // Where they are missing, the supervisor's own hold.
+      // The supervisor's own limits hold if they are missing.
       EXPECT_EQ(std::isfinite(can.highest_speed), is_right(orders, kOfTheDevice[3]));
       EXPECT_EQ(std::isfinite(can.highest_slew), is_right(orders, kOfTheDevice[4]));
       EXPECT_GT(can.highest_rate, 0);
@@ -147,7 +147,7 @@ TEST(hostile_phantom, whatever_its_driver_says_breaks_no_rule_and_ends_in_words)
     const std::string& heard = OpenPhantom::attends().heard;
     for (const Capability& capability : kOfTheDevice)
       if (capability.words && !is_right(open.orders, capability)) expect_words(heard, {capability.words});
-    // A temperature that is one too high leaves no force; any other that is wrong ends the run, or is said.
+    // A temperature that is one too high leaves no force; any other that is wrong ends the run, or is reported.
     const Capability& temperature = kOfFrames[0];
     if (outcome.result.end_reason != EndReason::time_up || is_right(open.orders, temperature)) continue;
     const Answer& given = open.orders.temperature;

@@ -224,7 +224,7 @@ IN_WORLD(gives_a_hand_that_withdraws_no_more_than_it_may_be_given_while_the_loop
     move(12, 0.5);
   }
   const std::size_t withdrawn = seen().frames.size();
-  // What little is left of the force takes the energy back, by half as much again in each frame. Where a step was too long,
+  // The small rest of the force takes the energy back, by half as much again in each frame. After a step that was too long,
   // nothing is left, and the loop forgives a little.
   command(0.01);
   move(80, -0.5);
@@ -249,7 +249,7 @@ IN_WORLD(gives_a_hand_that_withdraws_no_more_than_it_may_be_given_while_the_loop
   std::printf("  %.3f mJ given at most, of %.3f allowed and %.3f for steps that were too long\n", most, kAllowed, excess);
 }
 
-// Which happens when the loop is kept waiting between its two calls.
+// Keeps the loop waiting between its two calls, so that a frame begins there.
 IN_WORLD(frame_that_began_between_waiting_and_reading_is_not_read_again) {
   Phantom device = opened(kPatient);
   ASSERT_FALSE(device.start(1000));

@@ -72,7 +72,7 @@ IN_WORLD(says_what_the_driver_says_it_can_do) {
   EXPECT_EQ(can.highest_rate, 1000);
   EXPECT_TRUE(can.gimbal);
   EXPECT_TRUE(can.paces);
-  // What no driver says: the coarsest encoders, a frame of latency, every button that the driver has a bit for.
+  // Capabilities that no driver states: the coarsest encoders, a frame of latency, every button that it has a bit for.
   EXPECT_EQ(can.resolution, 0.055F);
   EXPECT_TRUE(can.latency);
   EXPECT_EQ(can.buttons, 4);
@@ -249,7 +249,7 @@ IN_WORLD(that_does_not_answer_its_driver_is_not_started_though_no_error_is_repor
                {"no longer answers", "check cable and power"});
 }
 
-// While frames run, without force, until the user has done what is said.
+// Waits while frames run, without force, until the user has done what is asked.
 IN_WORLD(waits_with_words_for_a_calibration_in_the_inkwell_and_for_one_by_itself) {
   struct Case {
     int styles;

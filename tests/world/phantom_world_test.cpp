@@ -95,7 +95,7 @@ TEST(phantom_world, frames_that_are_slower_than_this_machines_clock_are_used_twi
   EXPECT_GT(outcome.pushed, 100U);
 }
 
-// What an arm does in contact; the supervisor's answer, and the words of the first that is wrong.
+// Events of an arm in contact, with the supervisor's answer or the words that end the run.
 TEST(phantom_world, an_event_in_contact_ends_the_run_for_its_own_reason) {
   using Kind = Event::Kind;
   struct Case {

@@ -94,7 +94,7 @@ struct ProcessCalls {
     step();
     return true;
   }
-  // What is there, once something is, or the other end is closed, or the time is over.
+  // Waits for a message, if asked to, or for the other end to be closed; false when the time is over.
   static bool waits(int end, std::int64_t deadline, bool for_message) {
     World::Process& it = of(end);
     const auto own = static_cast<std::size_t>(end % 2);

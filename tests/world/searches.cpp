@@ -20,7 +20,7 @@ std::string words_of(const Violation& violation) {
   return "rule " + std::to_string(violation.rule) + ": " + violation.words;
 }
 
-// What the processes of a search have found, in memory that all of them map.
+// The findings of the processes of a search, in memory that all of them map.
 struct Shared {
   long tried = 0, broken = 0;
   double longest = 0, without_watchdog = 0;

@@ -13,7 +13,7 @@ namespace forceshade::world {
 
 struct Found {
   long tried = 0, broken = 0;
-  std::string first;            // how the first one broke, in words; with its shortest schedule where that is known
+  std::string first;            // the breach of the first one, in words; with its shortest schedule where that is known
   double seconds = 0;           // in the world, of all
   std::uint64_t digest = 0;     // of all
   double without_watchdog = 0;  // ms, as of an Outcome, the longest

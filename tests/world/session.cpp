@@ -161,8 +161,8 @@ Outcome session(const Plan& plan, const Open& open) {
         }
       },
       kLongest);
-  // What else there is goes on without a loop that is dead, a call of a library that is left alone in any case, and the arm
-  // whatever is dead. Another process goes on for ever where that of the loop is not dead.
+  // Everything else goes on if the loop is dead, a library's call that is left alone in any case, and the arm whatever is dead.
+  // Another process goes on for ever where that of the loop is not dead.
   const Ns rest = world.processes() > 1 && !world.exit_code(0) ? 200 * kMillisecond : 2 * system::kSecond;
   for (int thread = 0; thread < world.threads(); ++thread)
     if (!world.is_over(thread) && (outcome.end == World::End::dead || world.name(thread) == "calls"))

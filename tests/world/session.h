@@ -19,7 +19,7 @@
 
 namespace forceshade::world {
 
-// What an arm does in one of its frames, counted from 0.
+// An event of an arm in one of its frames, counted from 0.
 struct Event {
   enum class Kind { late, garbage, jump, uncalibrated, forces_off, lets_go_of_button };
   int frame;
@@ -29,7 +29,7 @@ struct Event {
 
 class Arm;
 
-// What does not depend on how an arm is driven.
+// The parts of a session that do not depend on how an arm is driven.
 struct Plan {
   Schedule schedule = {};
   double seconds = 0.6;  // of ticks; the hand touches the wall from 0.25 s on
@@ -48,7 +48,7 @@ class Arm {
  public:
   explicit Arm(const Plan& plan) : plan_(plan) {}
 
-  // What is not the same for all arms: the highest force in N, and how long it holds its force once its client is gone, where
+  // Properties that differ between arms: the highest force in N, and how long it holds its force once its client is gone, where
   // it sees that at all.
   double peak = 3;
   std::optional<Ns> sees_end_after = std::nullopt;
@@ -110,7 +110,7 @@ class Arm {
   double offset_ = 0;  // mm, after a jump
 };
 
-// Which of the rules a session broke, and how.
+// A rule that a session broke, and how.
 struct Violation {
   int rule;
   std::string words;
@@ -119,7 +119,7 @@ struct Violation {
 struct Outcome {
   std::vector<Violation> violations;
   World::End end = World::End::over;
-  device::ServoResult result;                     // where the loop was not killed
+  device::ServoResult result;                     // if the loop was not killed
   std::string refused;                            // why the device was not opened
   std::optional<int> driver_exit = std::nullopt;  // of the process of a PHANToM's driver
   std::vector<Entry> decisions;
@@ -136,7 +136,7 @@ struct Outcome {
   std::string words() const;    // of the end
 };
 
-// How an arm is opened: the device whose frames are the arm's.
+// Opens an arm: makes the device whose frames are the arm's.
 using Open = std::function<std::unique_ptr<device::Device>(Arm&)>;
 
 // One session, in a world of its own.
@@ -144,7 +144,7 @@ Outcome session(const Plan& plan, const Open& open);
 
 // The thread of a session's loop; that of its frames is named "frames".
 inline constexpr int kLoop = 0;
-// The thread of a program of somebody else's that an arm is driven through. It is not of the process that may die.
+// The thread of a third-party program that an arm is driven through. It is not of the process that may die.
 inline constexpr const char* kPartner = "partner";
 // The process of a PHANToM's driver, and its threads: the one that calls the driver, the watch, and the driver's own.
 inline constexpr int kDriver = 1, kHost = 1, kWatch = 2, kScheduler = 3;

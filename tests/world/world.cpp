@@ -43,7 +43,7 @@ World::World(Schedule schedule)
   processes_.push_back(std::make_unique<Process>());
 }
 
-// What a thread holds that is not over is never given back, as where a process ends.
+// A thread that is not over never gives back what it holds, as where a process ends.
 World::~World() {
   the_world = nullptr;
   static auto& left = *new std::vector<std::unique_ptr<Thread>>;
@@ -251,7 +251,7 @@ void World::compute(double milliseconds) noexcept {
   (running_ < 0 ? computed_ : self().computed) += static_cast<Ns>(milliseconds * 1e6);
 }
 
-// What the functions of system/ do in the world that there is.
+// The functions of system/ in the world that there is.
 struct Calls {
   static World& world() noexcept {
     if (the_world == nullptr) std::abort();  // a test that links the world makes one before it calls what it tests

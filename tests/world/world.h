@@ -71,7 +71,7 @@ class World {
   // The first one of this name; -1: there is none.
   int thread(std::string_view name) const noexcept;
   int processes() const noexcept { return static_cast<int>(processes_.size()); }
-  // When whatever a schedule or a fault has held up could go on again; now, where that is not known yet.
+  // The time at which whatever a schedule or a fault has held up could go on again; now, where that is not known yet.
   Ns held_until() const noexcept;
   // The time for which the whole machine has stood still while its clock went on.
   Ns stood_still() const noexcept { return stood_still_; }
@@ -82,8 +82,8 @@ class World {
   // Called when a process has ended, in whatever way.
   std::function<void(int)> on_process_end;
 
-  // Faults. Of a thread that was not begun yet they are none. A thread that is killed stops where it is, as when its process
-  // ends or a call never returns.
+  // Faults. A thread that was not begun yet has none. A thread that is killed stops where it is, as when its process ends or a
+  // call never returns.
   void kill(int thread) noexcept;
   // All threads of this process stop, and its ends of packets are closed. That of run() is the first, 0; each other has the
   // next number.

@@ -101,7 +101,7 @@ TEST(world, wakes_who_waits_for_a_number) {
   EXPECT_GT(woken, 0);
 }
 
-// What each thread of the system has of its own, each fiber has.
+// Each fiber has its own of what each thread of the system has of its own.
 TEST(world, fibers_keep_their_exceptions_their_errno_and_their_rounding) {
   World world;
   const auto body = [](int error, int rounding) {
@@ -128,7 +128,7 @@ TEST(world, fibers_keep_their_exceptions_their_errno_and_their_rounding) {
   EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
-// How far the other thread has come when the first has slept for 10 ms, after this.
+// The steps of the other thread when the first has slept for 10 ms, after this.
 long steps_of_other(const std::function<void(World&)>& happens) {
   World world;
   long steps = 0;
@@ -205,7 +205,7 @@ struct Altered final : device::Device {
   std::optional<device::Fault> command(const Eigen::Vector3f& force) noexcept override {
     const Ns before = std::exchange(last, system::now());
     if (!alter && before != 0 && last - before > 1'500'000) ++late;
-    return device->command(late > 1 ? Eigen::Vector3f(0, 0, 1) : force);  // which no rule allows
+    return device->command(late > 1 ? Eigen::Vector3f(0, 0, 1) : force);  // no rule allows it
   }
   std::unique_ptr<device::Device> device;
   std::function<void(device::Reading&)> alter;
@@ -262,7 +262,7 @@ TEST(world, each_rule_is_looked_at) {
                         }),
             std::set<int>{3});
   EXPECT_TRUE(broken_with([n = 0](device::Reading& reading) mutable { reading.time -= ++n == 500 ? 1 : 0; }).contains(5));
-  // Where the hand withdraws, the loop is told of a place that lies deeper.
+  // The loop is told of a deeper place while the hand withdraws.
   EXPECT_TRUE(broken_with([last = 0.0F, deeper = 0.0F](device::Reading& reading) mutable {
                 const float z = std::exchange(last, reading.position.z());
                 deeper = std::clamp(deeper + (reading.position.z() > z ? 0.05F : -0.05F), 0.0F, 6.0F);
