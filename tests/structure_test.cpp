@@ -58,7 +58,7 @@ TEST(structure, every_law_has_its_file_in_every_folder) {
     }
 }
 
-// So that a build with the preset dev compiles the header by itself; the others are for tests/headers_test.sh.
+// A build with the preset dev thus compiles the header by itself; the others are for tests/headers_test.sh.
 TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
   int found = 0;
   for (const char* folder : {"fast", "files", "rendering", "system", "device", "recorder", "reference", "properties",
@@ -180,7 +180,7 @@ TEST(structure, the_public_headers_are_the_files_of_their_folder) {
   EXPECT_EQ(files, listed);
 }
 
-// So that an installed program needs no other header, and no library but Eigen to compile.
+// An installed program thus needs no other header, and no library but Eigen to compile.
 TEST(structure, public_headers_include_only_one_another_eigen_and_the_standard_library) {
   const std::regex is_standard("<[a-z_]+>");
   for (const auto& [header, module] : public_headers())

@@ -164,7 +164,7 @@ experiments::Results results_from(const std::vector<std::pair<std::string, exper
   return results;
 }
 
-// Whatever is made of results says whose they are; a mixture is refused.
+// Every text made of results names who answered and with which device; a mixture is refused.
 TEST(origins, are_said_in_whole_sentences) {
   const experiments::Origin model{experiments::AnsweredBy::model, "simulated:premium-1.5:mouse", false},
       person{experiments::AnsweredBy::person, "phantom", true}, unknown;

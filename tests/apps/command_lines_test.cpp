@@ -153,12 +153,12 @@ CommandRun run_function(const TemporaryDirectory& here, const std::vector<std::s
   return run_in_child(here, "", [&] { return apps::run_command_line(words); });
 }
 
-// Each option with what is no value of it. A command line that is fine but for that ends with exit code 2 and names the option
+// Each option with a wrong value. A command line that is fine but for that ends with exit code 2 and names the option
 // or the value; a value that happens to be fine is run.
 TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
   const TemporaryDirectory here;
   std::ofstream(here.file("in.csv")) << "x_mm,y_mm,z_mm\n0,0,-1\n";
-  // Whatever an option is replaced by, the command ends soon.
+  // The command ends soon with any value of an option.
   const std::map<std::string, std::string> commands{
       {"geometry", "--radius 1 --width 1"},
       {"polygons", "--radius 1 --width 1 --theta-critical 170"},

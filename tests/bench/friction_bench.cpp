@@ -34,8 +34,8 @@ Stroke holding(const MeshWorkload& workload) {
   return stroke;
 }
 
-// The median of a tick, by one reading of the clock for 16 of them, each of which waits until the one before is done; what 999
-// of 1000 ticks are no longer than, by a reading for each. us
+// The median of a tick, by one reading of the clock for 16 of them, each of which waits until the one before is done; and the
+// time that 999 of 1000 ticks do not exceed, by a reading for each. us
 struct Cost {
   double median = HUGE_VAL, most_of_1000 = HUGE_VAL;
 };

@@ -49,7 +49,7 @@ fast::SceneSession session_of(const fast::GodObject& sphere, std::size_t objects
   return std::get<fast::SceneSession>(fast::SceneSession::build(std::move(sessions)));
 }
 
-// moves: whether the objects get a new pose in each tick; else they rest where the first is not moved.
+// moves: true if the objects get a new pose in each tick; else they rest where the first is not moved.
 Times time_scene(const MeshWorkload& workload, const fast::GodObject& sphere, std::size_t objects, bool moves,
                  const Scale& scale) {
   Times times = kNone;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever a program does wrong with the C interface is an error with a sentence, and never a crash.
+// Every misuse of the C interface is an error with a sentence, and never a crash.
 
 #include <gtest/gtest.h>
 
@@ -307,7 +307,7 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
   }
   std::printf("%zu misuses\n", misuses.size());
   EXPECT_GE(misuses.size(), 100U);
-  // And all that was made is as it was.
+  // All that was made is as it was.
   EXPECT_EQ(forceshade_forces(bump, &batch, nullptr), FORCESHADE_OK);
   EXPECT_EQ(forceshade_session_steps(of_mesh, &batch, nullptr), FORCESHADE_OK);
 }

@@ -297,7 +297,7 @@ TEST(reference_interface, finds_what_differs_from_the_exact_forces_bit_for_bit) 
   forceshade_reference_free(exact);
 }
 
-// Whoever sets the x87 to 53 bits, as WSL 1 does, gets the same numbers, and finds it so afterwards.
+// A caller that sets the x87 to 53 bits, as WSL 1 does, gets the same numbers, and finds it so afterwards.
 TEST(reference_interface, is_exact_whatever_the_control_words_of_the_caller_are) {
   const auto all = [] {
     const forceshade_reference bump = parsed(kBump);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever a program does wrong with the C interface of the exact side is an error with a sentence, and never a crash.
+// Every misuse of the C interface of the exact side is an error with a sentence, and never a crash.
 
 #include <gtest/gtest.h>
 
@@ -231,7 +231,7 @@ TEST_F(ReferenceMisuse, of_every_kind_has_its_result_and_its_sentence) {
   EXPECT_GE(misuses.size(), 80U);
   EXPECT_EQ(folder.entries(), files) << "nothing is left of a certificate that was not made";
   EXPECT_STREQ(forceshade_message(), "") << "the message of the other library is its own";
-  // And all that was made is as it was.
+  // All that was made is as it was.
   EXPECT_EQ(forceshade_reference_forces(bump, &batch, nullptr), FORCESHADE_OK);
   EXPECT_EQ(forceshade_reference_forces(tetrahedron, &batch, nullptr), FORCESHADE_OK);
 }

@@ -69,7 +69,7 @@ inline properties::Certificate made_certificate() {
   return {made_build(), 1.5, {made_law(), made_law(LawId::cylinder), made_map()}, {}, "2026-01-31T23:59:59Z", "a processor"};
 }
 
-// And of sweeps, done to the end.
+// The same with sweeps, done to the end.
 inline properties::Certificate made_certificate_with_sweeps() {
   properties::Certificate certificate = made_certificate();
   properties::Sweeps& sweeps = certificate.sweeps;

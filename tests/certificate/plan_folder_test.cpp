@@ -30,7 +30,7 @@ class plan_folder : public testing::Test {
   }
   ~plan_folder() override { fs::remove_all(path_); }
 
-  // As if whoever has the claim had given no sign of life for so long.
+  // Makes a claim look as if its holder had given no sign of life for so long.
   void age(std::uint64_t unit, std::time_t seconds) const {
     const timespec then{std::time(nullptr) - seconds, 0};
     const timespec times[]{then, then};

@@ -103,7 +103,7 @@ TEST(refusal, says_that_a_check_failed) {
   EXPECT_EQ(of_law(swept, tests::made_build(), LawId::cylinder), "allowed") << "another law's sweep";
 }
 
-// Whichever of two entries comes first, and whatever its parameters.
+// Either of two entries may come first, with any parameters.
 TEST(refusal, looks_at_every_entry_for_the_subject) {
   for (const bool failed_first : {true, false})
     for (const float stiffness : {0.5F, 0.75F}) {

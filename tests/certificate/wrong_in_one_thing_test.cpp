@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A renderer that is wrong in one thing goes the whole way: certify, write, read, merge, write, read. No device is opened for
-// it. What is wrong is one row of a table.
+// it. Each fault is one row of a table.
 
 #include <gtest/gtest.h>
 
@@ -283,7 +283,7 @@ TEST(wrong_in_one_thing, one_property_in_its_first_or_last_case) {
     }
 }
 
-// A renderer without a batch call whose answers are not for good. What certify says of it names that.
+// A renderer without a batch call whose answers change. The words of certify name that.
 TEST(wrong_in_one_thing, answers_that_are_random_or_remembered_or_thrown) {
   const RenderedLaw right = std::get<RenderedLaw>(fast_rendering(LawId::bump_2p, kBumpOfLaw));
   const auto words_for = [&](const ForceAt& renderer) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever a driver says of its device, no limit becomes wider than the one it should have given.
+// No limit becomes wider than the one that the driver should have given, whatever it states of its device.
 
 #include "device/phantom/phantom_limits.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The process that holds a PHANToM: what reaches it, what it leaves alone, and the ways in which the vendor's library may fail
-// in it, and three deaths under force. What becomes of the force when either process dies at any step, or a call of the
+// in it, and three deaths under force. The fate of the force when either process dies at any step, or a call of the
 // driver's fails or never returns, is tried in a simulated world (tests/world/phantom_world_test.cpp).
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// However the process with the stand-in ends or stands still, what it saw can be read.
+// The stand-in's notes can be read however its process ends or stands still.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -56,7 +56,7 @@ TEST_F(Bids, names_the_authors_that_are_given_and_invents_none) {
   EXPECT_EQ(json_of(folder / "dataset_description.json").value("Authors", std::vector<std::string>()), authors);
 }
 
-// Whoever knows BIDS calls participants sub-01. What only begins like it keeps its letters.
+// A pseudonym that is a label of BIDS, as sub-01, gets no second prefix. One that only begins like it keeps its letters.
 TEST_F(Bids, a_label_has_its_prefix_once) {
   for (const auto& [pseudonym, subject] : std::vector<std::pair<std::string, std::string>>{
            {"sub-01", "sub-01"}, {"Sub-A-7", "sub-A7"}, {"subject-1", "sub-subject1"}, {"sub-", "sub-sub"}, {"01", "sub-01"}}) {

@@ -57,7 +57,7 @@ radii_mil = [600, 1000]
 repetitions = 2
 )";
 
-// Why the session in this folder cannot be read; empty where it can.
+// The reason why the session in this folder cannot be read; empty where it can.
 inline std::string words_of_reading(const std::filesystem::path& folder) {
   try {
     read_session(folder);

@@ -3,8 +3,8 @@
 // (tests/support/error_number.h).
 //
 // Over every box tried, the tracked bound must be within kErrorBound, and over some box it must exceed half of it: so a
-// constant half as large is refused. What holds between the boxes is for Gappa to prove (fast/*.g, docs/proofs.md); what this
-// adds is that it runs the code and not a copy of it.
+// constant half as large is refused. Gappa proves the bounds between the boxes (fast/*.g, docs/proofs.md); this test runs the
+// code and not a copy of it.
 
 #include <gtest/gtest.h>
 

@@ -59,7 +59,7 @@ class HeightForceBounds : public ::testing::Test {
   double either_sign(double size) { return pick(2) == 0 ? size : -size; }
   Mode mode() { return height::kModes[static_cast<std::size_t>(pick(3))].mode; }
 
-  // So that a component of one of the members is a tie, but for 2^-50 of it, or now and then 2^-20.
+  // The stiffness that makes a component of a member a tie, but for 2^-50 of it, or now and then 2^-20.
   double stiffness_for(const ExactJet& jet, Mode mode, std::size_t axis, double tie) {
     const Multiprecision component = abs(jet.force(mode, 1)[axis]);
     if (component == 0) return 0;

@@ -252,7 +252,7 @@ TEST(proof_operations, bounds_of_a_spline_are_in_its_largest_steps) {
   }
 }
 
-// That the numbers the headers really run on do what the recording number writes down.
+// The numbers that the headers really run on do what the recording number writes down.
 TEST(proof_operations, of_each_instruction_set_are_those_recorded) {
   EXPECT_STREQ(wrong_operation_without_vectors(), nullptr);
 #if defined(__x86_64__)

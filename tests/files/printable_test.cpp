@@ -31,7 +31,7 @@ TEST(printable, shows_what_would_command_a_terminal) {
   EXPECT_EQ(printable("\xFF\xC2"), "\\xff\\xc2");
 }
 
-// Whatever the bytes: no control character, none that only UTF-8 spells, and UTF-8 throughout.
+// Printable text has no control character, none that only UTF-8 spells, and is UTF-8 throughout.
 TEST(printable, is_what_a_terminal_may_show_as_it_is) {
   for (const char* plain : {"", "hill.toml", "höhe", "\u00a0", "K = 3 N/mm"}) EXPECT_TRUE(is_printable(plain)) << plain;
   for (const char* control : {"\n", "a\x1b[2J", "\x7f", "\x1f", "\u0080", "\u009b", "\xc2\x9f", "\u2028", "\xFF"}) {

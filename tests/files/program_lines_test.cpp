@@ -153,7 +153,7 @@ TEST(program_lines, of_a_goodbye_end_in_silence) {
             "the program closed its output, and did not end");
 }
 
-// Whatever came before, and whatever it writes meanwhile.
+// A dismissal is sent to its end, whatever the program wrote before and writes meanwhile.
 TEST(program_lines, of_a_dismissal_are_sent_to_the_end_whatever_it_writes) {
   for (const Said& said : all_said()) {
     Lines lines = asked();

@@ -4,7 +4,7 @@
 #include "study/experiments/results_csv.h"
 #include "tests/fuzz/input_file.h"
 
-// The input as matching.csv when its first byte is even, else as classification.csv. What is read is written and read again.
+// The input as matching.csv when its first byte is even, else as classification.csv. Its rows are written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   if (size == 0) return 0;

@@ -3,7 +3,7 @@
 #include "study/experiments/stimulus_list.h"
 #include "tests/fuzz/input_file.h"
 
-// The list of what a run rendered. What is read is written and read again.
+// The list of what a run rendered. A list that is read is written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   const std::string file = fuzz::file_of(fuzz::text_of(data, size), "stimuli.jsonl");

@@ -3,8 +3,8 @@
 //
 //   ninja -C build/release hard_cases_search && build/release/tests/hard_cases_search bump-2p > tests/laws/bump_2p.cases
 //
-// Two methods: sweep.h (any position, all stiffnesses at once) and beside_tie.h (very near F_z). What each kept candidate
-// is worth to the stages goes to standard error; the force and the distance in the file are the reference's.
+// Two methods: sweep.h (any position, all stiffnesses at once) and beside_tie.h (very near F_z). The worth of each kept
+// candidate to the stages goes to standard error; the force and the distance in the file are the reference's.
 
 #include <cstdio>
 #include <cstdlib>

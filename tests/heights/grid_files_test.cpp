@@ -174,7 +174,7 @@ TEST(grid_files, of_npy_are_loaded_in_three_versions_only) {
     }
 }
 
-// Whatever is put behind a whole file is refused. A TIFF's parts lie anywhere, so it has no end.
+// Bytes behind a whole file are refused. A TIFF's parts lie anywhere, so it has no end.
 TEST(grid_files, with_bytes_left_over_are_refused) {
   std::mt19937 random(11);
   for (const char* name : {"npy/little.npy", "npy/binary64.npy", "pfm/little.pfm", "pfm/crlf.pfm", "png/8.png", "png/16.png"}) {

@@ -238,7 +238,7 @@ long memory_KiB() {
   return usage.ru_maxrss;
 }
 
-// Whatever a file declares, and however long its lines are.
+// A file takes no more memory for what it declares, or for long lines.
 TEST(broken_mesh_files, take_memory_in_proportion_to_their_size) {
   const long before = memory_KiB();
   const std::string much = std::to_string(std::uint64_t{1} << 28);

@@ -93,7 +93,7 @@ TEST(fast_mesh, turns_states_into_its_own_numbers_and_back) {
   EXPECT_GT(edges, 1000U);
 }
 
-// Whatever a segment meets, by a test of boxes alone, the tree visits.
+// The tree visits all that a segment meets, by a test of boxes alone.
 TEST(fast_mesh, has_a_tree_that_leaves_out_nothing_on_the_way) {
   properties::MeshSource source(7);
   std::size_t met = 0, visited_in_all = 0, all = 0;
@@ -128,7 +128,7 @@ TEST(fast_mesh, has_a_tree_that_leaves_out_nothing_on_the_way) {
         met += is_met;
         ASSERT_TRUE(!is_met || visited.count(f) == 1);
       }
-      // And no triangle is nearer than the distance that the tree gives.
+    // No triangle is nearer than the distance that the tree gives.
       const auto least_square_of = [&](std::uint32_t f) {
         double least = 1e10;
         for (const auto& corner : mesh.face(f).corner) {

@@ -127,7 +127,7 @@ TEST(witness, walked_on_the_fast_path_generates_as_much) {
       const auto D = static_cast<double>(depth);
       // Between lines of jump the force changes by no more than this per mm, for ‖∇(H - z)‖ is 1/cos of a slope up to θ = 2α/3
       // and the shaded direction turns by 1/d. The middle of a step stands for it to within a quarter of that times the step;
-      // rounding moves a position by 2⁻²⁰ mm and a force by 2⁻²⁴ of itself, at most. What crosses a line is one step.
+      // rounding moves a position by 2⁻²⁰ mm and a force by 2⁻²⁴ of itself, at most. A line is crossed in a single step.
       const double rate = K * (1 / std::cos(2 * alpha / 3) + D / d);
       double generated = 0, tolerance = 0;
       for (std::size_t i = 1; i < loop.size(); ++i) {

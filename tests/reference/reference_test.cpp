@@ -63,7 +63,7 @@ TEST(reference, knows_a_component_that_is_exactly_zero) {
   EXPECT_EQ(force.z.low, 0);
   EXPECT_EQ(force.z.high, 0);
   EXPECT_EQ(law.decimal({0, 0, -1.125F}, 30).z, "0");
-  // And beside the axis, where no enclosure is a point: l = (3, -4)/8, ρ = 5/8, (R - ρ)·4/5 = 7/2 on the first bump, and
+  // The same beside the axis, where no enclosure is a point: l = (3, -4)/8, ρ = 5/8, (R - ρ)·4/5 = 7/2 on the first bump, and
   // l = (35/8, -21/2), ρ = 91/8, (R - ρ)·12/13 = 51/2 on the second.
   for (const float K : {1.0F, 0.7F, 0.3F})
     for (const auto& [R, w, x, z] : {std::array{5.0F, 8.0F, 0.375F, -3.5F}, std::array{39.0F, 72.0F, 4.375F, -25.5F}}) {
@@ -134,7 +134,7 @@ float surface_at(const Law& law, double x) {
   });
 }
 
-// Beside the surface 64 bits round some forces not. What is kept of other laws, parameters and precisions must not enter.
+// Beside the surface 64 bits round some forces not. Numbers kept of other laws, parameters and precisions must not enter.
 TEST(reference, what_64_bits_do_not_round_is_the_force_that_they_enclose_whichever_laws_come_before) {
   std::vector<Law> laws;
   for (const LawName& name : kLaws)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Sets this thread's control words while it lives, as a library of somebody's could.
+// Sets this thread's control words while it lives, as a third-party library could.
 
 #include "rendering/control_words.h"
 
 namespace forceshade::tests {
 
-// That of WSL 1: a long double has 53 bits.
+// The x87's control word of WSL 1: a long double has 53 bits.
 inline constexpr unsigned short kX87Of53Bits = 0x27F;
 
 class SetControlWords {

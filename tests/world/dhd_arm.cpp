@@ -162,7 +162,7 @@ std::unique_ptr<device::Device> open_dhd(Arm& arm) {
   return device::dhd::open(functions(), "", kOptions, nobody);
 }
 
-// Whatever goes wrong in the library, with the words that end the run.
+// The faults of the library, with the words that end the run.
 std::vector<Fault> faults_of_the_library() {
   const std::string off = "the device has switched its forces off: ";
   const auto sets = [](int place, int value) {

@@ -17,7 +17,7 @@ class Fiber {
   Fiber();
   // Runs this once it is gone to. The body must not return, but go to another fiber at its end, with `last`.
   explicit Fiber(std::function<void()> body);
-  // It is not the one that runs. What its stack holds is not destroyed.
+  // It is not the one that runs. The objects on its stack are not destroyed.
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;

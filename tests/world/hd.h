@@ -2,7 +2,7 @@
 #pragma once
 // The vendor's library of a PHANToM in the simulated world: over an arm of a session, with a scheduler's thread of its own. It
 // does what it is told by the orders of the stand-in that stands in its place in real time, and what its caller should not have
-// done is a misuse of the arm. What is ordered of signals, crashes and output is for the stand-in alone.
+// done is a misuse of the arm. Orders of signals, crashes and output are for the stand-in alone.
 
 #include <map>
 #include <optional>
@@ -64,7 +64,7 @@ class Hd {
   Eigen::Vector3d position_{0, 0, 0}, force_{0, 0, 0};  // in the driver's frame
 };
 
-// Whom a session's PHANToM asks; a test tells them what to do.
+// The attendant of a session's PHANToM; a test tells it what to do.
 struct Attends final : device::Attendant {
   void report(const std::string& words) noexcept override {
     heard += words + "\n";
@@ -87,7 +87,7 @@ struct OpenPhantom {
   std::function<void(Attends&)> attended = nullptr;
 
   std::unique_ptr<device::Device> operator()(Arm& arm) const;
-  // That of the session that runs, or was the last.
+  // The attendant of the session that runs, or was the last.
   static Attends& attends() noexcept;
 };
 

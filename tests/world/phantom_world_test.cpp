@@ -56,7 +56,7 @@ const Fault kLoopHangs{"the loop hangs", [](World& world, Arm&) { world.kill(kLo
 
 constexpr Ns kFrameIsLeft = 260 * kMillisecond;  // the watchdog's time, and that for a frame to end
 
-// Within the time that a start may take, after which nothing more is said about it.
+// Starts within its time, so that nothing is reported about it.
 TEST(phantom_world, a_session_in_order_touches_the_wall_and_ends_when_its_time_is_up) {
   const Outcome outcome = session({}, OpenPhantom{.options = {.start = milliseconds(600)}});
   for (const Violation& violation : outcome.violations) ADD_FAILURE() << "rule " << violation.rule << ": " << violation.words;
@@ -146,7 +146,7 @@ TEST(phantom_world, no_standstill_and_no_death_of_the_loop_breaks_a_rule) {
       50);
 }
 
-// Whichever of its threads makes the step: it ends the force first.
+// The driver's process ends the force first, whichever of its threads crashes.
 TEST(phantom_world, no_crash_of_the_drivers_process_leaves_a_force) {
   expect_kept_everywhere({crash_of_the_driver()}, 150, {"time up", hdapi::kDriverEnded, "the vendor's library failed in it"});
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Searches for a session that breaks a rule: among random schedules, among all places of a hold, and among all places of a
-// fault. What is found is shrunk to the decisions that it takes.
+// fault. A session that is found is shrunk to the decisions that it takes.
 
 #include <functional>
 #include <string>
@@ -54,7 +54,7 @@ Found placed_anew(const std::vector<Fault>& faults, const Window& window, const 
 Found placed_pairs(const std::vector<Fault>& firsts, const Window& window, const std::vector<Fault>& seconds,
                    const Window& second, const Plan& plan, const Open& open);
 
-// Whoever makes the step is held up until the others have made 1 to `most` steps.
+// The thread that makes the step is held up until the others have made 1 to `most` steps.
 std::vector<Fault> holds(long most);
 
 }  // namespace forceshade::world

@@ -295,7 +295,7 @@ TEST(world, a_fault_that_is_placed_happens_at_every_step) {
   const Found wrong = found({"other words are expected", [](World&, Arm&) {}, {"tripped"}});
   EXPECT_EQ(wrong.broken, 10);
   EXPECT_NE(wrong.first.find("rule 8"), std::string::npos) << wrong.first;
-  const Found pushed = found({"a force that nobody ordered", [](World&, Arm& its) { its.push({0, 0, 2}); }});
+  const Found pushed = found({"a force without an order", [](World&, Arm& its) { its.push({0, 0, 2}); }});
   EXPECT_EQ(pushed.broken, 10);
   EXPECT_NE(pushed.first.find("rule 1"), std::string::npos) << pushed.first;
   const Found twice = found({"it is closed by somebody else", [](World&, Arm& its) {

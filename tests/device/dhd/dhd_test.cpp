@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A device of DHD over the stand-in's library: no allocation in a tick, and calls that do not return. What goes wrong in a
-// run is tried in a simulated world (tests/world/arms_world_test.cpp).
+// A device of DHD over the stand-in's library: no allocation in a tick, and calls that do not return. Faults in a run are tried
+// in a simulated world (tests/world/arms_world_test.cpp).
 
 #include "device/dhd/dhd.h"
 

@@ -60,7 +60,7 @@ std::function<void(Reading&, Since)> drifting(const Eigen::Vector3f& a_tick) {
   return [=](Reading& reading, Since since) { reading.position += a_tick * static_cast<float>(since + 1); };
 }
 
-// So many ms pass, by the tick, as a tick's force is commanded.
+// Lets so many ms pass, by the tick, as a tick's force is commanded.
 Fault late(std::string what, std::string reaction, std::optional<std::size_t> to_zero, std::function<double(Since)> ms) {
   Fault fault = device_fault(std::move(what), std::move(reaction), to_zero,
                              {.tick = kGrowing, .command = [ms = std::move(ms)](Force&, Since since) {

@@ -42,7 +42,7 @@ struct Fault {
 // The outcome of it in a world of its own; whatever is thrown becomes its reaction.
 Outcome tried(const Fault& fault, const Bench& bench = {});
 
-// Why the outcome is not what it should be; empty if it is.
+// The reason why the outcome is not as it should be; empty if it is.
 std::vector<std::string> complaints(const Fault& fault, const Outcome& outcome);
 
 // Every fault, and those of each file.

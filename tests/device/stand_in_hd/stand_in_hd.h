@@ -50,7 +50,7 @@ struct Seen {
 };
 
 // As though freshly loaded. Not while its scheduler runs. The first of these calls names the memory in the environment's
-// STAND_IN_HD_MEMORY, for processes that are started from then on. What is to happen once may happen again after tell().
+// STAND_IN_HD_MEMORY, for processes that are started from then on. An event that happens once may happen again after tell().
 void reset();
 void tell(const Orders& orders);
 // Copies every frame while the driver waits: for the end of a run, not to poll.
