@@ -128,7 +128,7 @@ TEST(fast_mesh, has_a_tree_that_leaves_out_nothing_on_the_way) {
         met += is_met;
         ASSERT_TRUE(!is_met || visited.count(f) == 1);
       }
-    // No triangle is nearer than the distance that the tree gives.
+      // No triangle is nearer than the distance that the tree gives.
       const auto least_square_of = [&](std::uint32_t f) {
         double least = 1e10;
         for (const auto& corner : mesh.face(f).corner) {

@@ -56,7 +56,7 @@ const Fault kLoopHangs{"the loop hangs", [](World& world, Arm&) { world.kill(kLo
 
 constexpr Ns kFrameIsLeft = 260 * kMillisecond;  // the watchdog's time, and that for a frame to end
 
-// Starts within its time, so that nothing is reported about it.
+// Starts within its time, and no words about the end of its driver follow.
 TEST(phantom_world, a_session_in_order_touches_the_wall_and_ends_when_its_time_is_up) {
   const Outcome outcome = session({}, OpenPhantom{.options = {.start = milliseconds(600)}});
   for (const Violation& violation : outcome.violations) ADD_FAILURE() << "rule " << violation.rule << ": " << violation.words;
