@@ -75,7 +75,7 @@ Check check_encoders(const Observed& seen) {
 
 Check check_kinematics(const Observed& seen, std::string_view model) {
   if (!model_named(model))
-    return {"kinematics", Grade::unknown, "the model \"" + std::string(model) + "\" is none whose kinematics are known here"};
+    return {"kinematics", Grade::unknown, "the kinematics of the model \"" + std::string(model) + "\" are not known here"};
   if (!seen.kinematics) return {"kinematics", Grade::unknown, "the device shows no joint angles"};
   const std::string words =
       (std::isfinite(seen.kinematics->error)

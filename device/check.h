@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is checked of a device before the first force, each in one sentence: its verdicts, without the measuring.
+// The checks of a device before the first force, each in one sentence: the verdicts, without the measuring.
 
 #include <optional>
 #include <string>
@@ -25,7 +25,7 @@ struct Check {
 };
 
 // A vendor's library: which file the loader would take for the first of these names, and what that file lacks. Two checks.
-// advice: what to do where there is none, "install the vendor's OpenHaptics".
+// advice: what to do where no such file exists, "install the vendor's OpenHaptics".
 std::vector<Check> check_library(const std::vector<std::string>& names, const std::string& advice);
 
 // `name`: the device's, empty for the default one.

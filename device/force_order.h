@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the servo loop orders of frames that run beside it.
+// The force that the servo loop orders from frames that run beside it.
 
 #include <Eigen/Core>
 #include <cstdint>

@@ -23,7 +23,7 @@ class FrameSamples {
   // Both are called by the servo loop. TripleBuffer::latest().
   const Sample& latest() noexcept { return samples_.latest(); }
 
-  // When the latest sample was made, once that is another time than `read`, or the deadline is over. A sample that was read,
+  // The time of the latest sample, once that is another time than `read`, or the deadline is over. A sample that was read,
   // though it was made after the last wait, is not waited for again.
   std::int64_t wait_for_another(std::int64_t read, std::int64_t deadline) noexcept {
     // The count first: a frame between the two is then not waited for.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How regularly a device's frames come: rate, longest gap and share of late ones, window by window.
+// The regularity of a device's frames: rate, longest gap and share of late ones, window by window.
 
 #include <cstdint>
 #include <optional>
@@ -54,7 +54,7 @@ class FrameTimes {
   double longest_ = 0;  // s
 };
 
-// What the user can expect of a device's frames: numbers, and a grade.
+// The quality of a device's frames for the user: numbers, and a grade.
 std::string words_of(const FrameTimes::Window& seen);
 const char* grade_of(const FrameTimes::Window& seen) noexcept;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far a hand moves between two readings.
+// The longest way of a hand between two readings.
 
 namespace forceshade::device {
 

@@ -37,7 +37,7 @@ constexpr std::array kKinds{
          open_dhd, dhd_checks},
 };
 
-// Whether a device may have this name, which begins with the kind's.
+// True if a device may have this name, which begins with the kind's.
 bool is_well_formed(const Kind& kind, std::string_view name) {
   const bool has_rest = name.size() > kind.name.size() + 1;
   return has_rest ? !kind.rest.empty() : name == kind.name && !kind.rest.starts_with(':');

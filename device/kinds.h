@@ -15,14 +15,14 @@
 namespace forceshade::device {
 
 struct Kind {
-  std::string_view name;  // what a device's name begins with: "replay"
-  // What follows, as users write it: ":FILE.csv", or "[:NAME]" where it may be left out; empty where nothing does.
+  std::string_view name;  // the beginning of a device's name: "replay"
+  // The rest of the name, as users write it: ":FILE.csv", or "[:NAME]" where it may be left out; empty where nothing does.
   std::string_view rest;
   std::string_view what;  // "a recorded hand, whatever the force"
   // rest: what follows the colon; empty where nothing does.
   std::unique_ptr<Device> (*open)(const std::string& rest, Attendant& attendant, Forces forces);
 
-  // What can be said of such a device before it is opened, for `device check`; null: nothing.
+  // The checks of such a device before it is opened, for `device check`; null: none.
   std::vector<Check> (*checks)(const std::string& rest) = nullptr;
 
   bool is_simulated = false;  // a model of an arm, of which somebody may believe that it was there

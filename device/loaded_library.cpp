@@ -21,7 +21,7 @@ void load_first(const std::vector<std::string>& names, const LibraryWords& words
                 const std::function<std::string(void* library)>& take) {
   std::string tried;
   for (const std::string& name : names) {
-    const KeptControlWords kept;  // what it does as it is loaded changes this thread's arithmetic, too
+    const KeptControlWords kept;  // loading it may change this thread's arithmetic, too
     void* const library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (!library) {
       // The reason is the library's own, or that of one that it needs.

@@ -11,7 +11,7 @@
 
 namespace forceshade::device {
 
-// How messages call it.
+// Words for messages about a library.
 struct LibraryWords {
   const char* what;    // "the PHANToM's driver library (HDAPI, part of the vendor's OpenHaptics)"
   const char* is_not;  // "the HDAPI": what a file that lacks functions is not

@@ -42,7 +42,7 @@ std::string_view name_of(Passivity kind) noexcept {
 
 PassivityController::PassivityController(const PassivitySettings& settings, Passivity kind) noexcept
     : settings_(settings), kind_(kind), left_(settings.epsilon) {
-  // What is sent is shortened here.
+  // This class itself shortens the forces that are sent.
   own_.allow({.longest_step = settings.longest_step});
 }
 

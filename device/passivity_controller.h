@@ -27,7 +27,7 @@ class PassivityController {
   // Zero if the position or the force is not finite.
   Eigen::Vector3f limited(const Reading& reading, const Eigen::Vector3f& desired) noexcept;
 
-  // What the device may give from now on: with it the bound holds however late the next tick is.
+  // The energy that the device may give from now on: with it the bound holds however late the next tick is.
   Allowance allowance() const noexcept;
 
   const PassivityAccount& account() const noexcept { return account_; }

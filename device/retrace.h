@@ -11,7 +11,7 @@
 
 namespace forceshade::device {
 
-// What a tick commanded, and what was recorded beside it. In the device's frame.
+// A tick's command, and what was recorded beside it. In the device's frame.
 struct Retraced {
   Eigen::Vector3f force{0, 0, 0};  // N
   std::uint16_t limited = 0;
@@ -37,7 +37,7 @@ class Retrace {
   PassivityController controller_;
 };
 
-// Whether the recorded tick is the retraced one, to the bit.
+// True if the recorded tick is the retraced one, to the bit.
 bool is_same(const Retraced& retraced, const Sample& sample) noexcept;
 
 }  // namespace forceshade::device

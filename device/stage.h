@@ -19,7 +19,7 @@ struct Placed {
   Eigen::Vector3f origin{0, 0, 0};
 };
 
-// What is felt until the next exchange. Without a right one the left one acts everywhere; without either nothing does.
+// The surfaces felt until the next exchange. Without a right one the left one acts everywhere; without either none does.
 struct Stimulus {
   std::uint32_t number = 0;  // recorded with every tick; positive
   std::optional<Placed> left, right;

@@ -23,7 +23,7 @@ SupervisorLimits supervisor_limits(const Capabilities& capabilities, double rate
 
 struct Verdict {
   Eigen::Vector3f force{0, 0, 0};  // N, what to command
-  Rules limited = {};              // what altered it this tick
+  Rules limited = {};              // the rules that altered it this tick
   std::optional<Rule> trip = std::nullopt;
 };
 
@@ -37,7 +37,7 @@ class Supervisor {
   Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status, double late,
                     bool unfinished = false) noexcept;
 
-  // What was in the end commanded this tick, where that is not the verdict's force, and PassivityAccount::owed(), in mJ. The
+  // Takes the force that was in the end commanded, where it is not the verdict's, and PassivityAccount::owed(), in mJ. The
   // next tick's rules go by what the hand was given: by what the device says it sent or, where it says nothing, by this.
   void commanded(const Eigen::Vector3f& force, double owed = 0) noexcept;
 
@@ -71,7 +71,7 @@ class Supervisor {
   OscillationWatch oscillation_;
   double owed_ = 0, excused_ = 0;  // mJ; of that, what rearm() excused
 
-  // What rearm() forgets.
+  // The state that rearm() resets.
   struct Memory {
     Eigen::Vector3f force{0, 0, 0};           // commanded last
     Eigen::Vector3f punctual_force{0, 0, 0};  // commanded last in a tick that was neither late nor unfinished
@@ -83,7 +83,7 @@ class Supervisor {
     int still_ticks = 0;                   // in a row, under force
     int changed_ticks = 0;                 // in a row of those, since the force has changed
     bool was_fast = false;                 // the last step that was one
-    Eigen::Vector3f still_force{0, 0, 0};  // when the stillness began
+    Eigen::Vector3f still_force{0, 0, 0};  // at the beginning of the stillness
     int free_ticks = 0;                    // in a row, until free space counts as felt
     int gentle_ticks = 0;                  // since
   } memory_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How long things took: a histogram that a real-time thread fills, and what it shows afterwards.
+// Durations: a histogram that a real-time thread fills, and what it shows afterwards.
 
 #include <array>
 #include <cstddef>

@@ -46,7 +46,7 @@ class CommandLink final : public FrameLink {
   std::unique_ptr<LineProgram> program_;
   command::Answers answers_;
   bool may_force_;
-  std::string end_;  // how the program ended
+  std::string end_;  // the way in which the program ended
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ struct ProcessLimits;
 
 namespace forceshade::device::command {
 
-// It drives hardware for as long as a run lasts, so that only what nobody needs is limited.
+// It drives hardware for as long as a run lasts, so that only what is not needed is limited.
 files::ProcessLimits limits_of(const FramedOptions& options);
 
 // open_command() with a program that was started. Throws files::ProcessFailed.

@@ -10,7 +10,7 @@
 
 namespace forceshade::device::command {
 
-inline constexpr const char* kWhose = "program";  // what messages call it
+inline constexpr const char* kWhose = "program";  // its name in messages
 
 struct Hello {
   FramedDescription description;

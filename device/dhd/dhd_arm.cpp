@@ -16,7 +16,7 @@ constexpr double kMetre = 1000;  // mm
 // Far beyond every workspace: a position in another unit, or garbage.
 constexpr double kFarthest = 1000;  // mm
 constexpr std::chrono::milliseconds kBeforeClose{100};
-// Until a device that was switched on has said so: its status may be of an earlier packet.
+// The longest wait until the status shows that forces are on: it may be of an earlier packet.
 constexpr std::chrono::milliseconds kToSwitchOn{1000};
 
 constexpr const char* kNone =

@@ -42,8 +42,8 @@ class Arm {
   Identity open(const std::string& which);
 
   // Sends this force, in N and the axes of the laws, and brings the state. Forces are switched on by the first exchange of a
-  // calibrated device, and sent once its status says that they are on. After `until` (system::now()) nobody waits for it any
-  // more, and zero is sent instead: its force is old. Throws Refused.
+  // calibrated device, and sent once its status says that they are on. After `until` (system::now()) its force is old, and zero
+  // is sent instead. Throws Refused.
   FrameState exchange(const Eigen::Vector3d& force, std::int64_t until = system::kForever);
 
   // Zero force, dhdStop, a tenth of a second, dhdClose.

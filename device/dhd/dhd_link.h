@@ -23,7 +23,7 @@ class Link final : public FrameLink {
   std::string remark() const override;
 
  private:
-  // What a call that does not return may still refer to.
+  // The data that a call that does not return may still refer to.
   struct Frame {
     Frame(const Functions& functions, bool may_force) : arm(functions, may_force) {}
     Arm arm;

@@ -7,7 +7,7 @@ namespace forceshade::device::dhd {
 namespace {
 
 // Reach and peak are those of an open-source client (CHAI3D), which are no more than the data sheets'. Those of sigma.3 and
-// lambda.3, which it does not have, are taken from sigma.7 and lambda.7. A continuous force is nowhere said: half of the peak.
+// lambda.3, which it does not have, are taken from sigma.7 and lambda.7. No continuous force is published: half of the peak.
 constexpr std::array kModels{
     Model{63, "delta.3", 150, 20, 10, 1},    Model{33, "omega.3", 75, 12, 6, 1},      Model{34, "omega.6", 75, 12, 6, 1},
     Model{36, "omega.6", 75, 12, 6, 1},      Model{35, "omega.7", 75, 12, 6, 1},      Model{37, "omega.7", 75, 12, 6, 1},

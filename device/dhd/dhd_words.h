@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What goes wrong with a device of DHD, in words that say what to do about it.
+// Texts for errors of a DHD device, with advice for each.
 
 #include <string>
 
@@ -14,7 +14,7 @@ struct Meaning {
 // An error number of DHD; one that is unknown has words, too.
 const Meaning& meaning_of_error(int code) noexcept;
 
-// Why a device has switched its forces off by itself: the cause that its status gives.
+// The cause that a status gives for forces that the device switched off by itself.
 const Meaning& meaning_of_cause(int cause) noexcept;
 
 // "reading the position: communication with the device failed (DHD error 2, the vendor says "..."): check cable and power"

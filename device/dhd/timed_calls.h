@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Calls of a library that may not return: each runs in a thread of its own, and is waited for no longer than said.
+// Calls of a library that may not return: each runs in a thread of its own, and is waited for no longer than its deadline.
 
 #include <chrono>
 #include <cstdint>

@@ -13,10 +13,10 @@
 
 namespace forceshade::device {
 
-// What the device is, and how messages call it.
+// The properties of the device, and its name in messages.
 struct FramedDescription {
   std::string name, partner;      // "the Inverse3"; "the Inverse Service", which answers for it
-  std::string to_calibrate = {};  // what calibrates the device: "let the arm go home by itself"
+  std::string to_calibrate = {};  // the way to calibrate the device: "let the arm go home by itself"
   std::string model = {}, serial = {}, driver = {}, firmware = {}, forces = {};
   // The texts are the five above; latency and pace are those of every device of this kind. A peak force is required.
   Capabilities capabilities = {};
@@ -53,7 +53,7 @@ class FramedDevice final : public Device {
   const FramedDescription description_;
   const FramedOptions options_;
   Attendant& attendant_;
-  const Capabilities capabilities_;  // whose texts are the description's
+  const Capabilities capabilities_;  // its texts are the description's
   LastingWords* room_;               // for the words of a fault
   std::unique_ptr<FrameLink> link_;
   std::unique_ptr<FrameThread> frames_;

@@ -11,7 +11,7 @@
 
 namespace forceshade::device {
 
-// What a frame has brought.
+// The result of one frame.
 struct FrameState {
   Eigen::Vector3d position{0, 0, 0};  // mm, in the axes of the laws: x right, y away from the user, z up; finite
   std::uint16_t buttons = 0;          // bit k is set while button k is down
@@ -25,9 +25,9 @@ struct FrameState {
 struct FramedOptions {
   std::chrono::milliseconds watchdog_timeout{25};  // a force is held without a new command; it fades from an eighth of it on
   std::chrono::milliseconds answer{25};            // the device may leave a frame without an answer
-  // How long the device may take to answer at all, the frames to be good, and the user to calibrate the device.
+  // The longest times for the device to answer at all, the frames to be good, and the user to calibrate the device.
   std::chrono::milliseconds open{5000}, start{5000}, calibration{120'000};
-  double rate_tolerance = 0.05;  // by which share the frames may miss the rate
+  double rate_tolerance = 0.05;  // the share by which the frames may miss the rate
   bool force = true;             // false: no command that gives one is ever sent
   bool device_paces = false;     // it answers at frames of its own, so that no clock of ours has to wait between two
 };

@@ -35,7 +35,7 @@ void FrameThread::run() noexcept {
     due += period;
     const std::int64_t now = system::now();
     if (now > due + period) ++count_.late;
-    due = options_.device_paces ? now : std::max(due, now);  // what was missed is not made up for
+    due = options_.device_paces ? now : std::max(due, now);  // missed frames are not made up for
     system::sleep_until(due);
   }
   link_.close();

@@ -24,7 +24,7 @@ namespace forceshade::device {
 
 struct FrameSample {
   bool ready = false;  // forces that are ordered are sent
-  // Why, is in the words that the frames were given; no sample follows, and zero was sent if that was possible.
+  // The words that the frames were given hold the reason; no sample follows, and zero was sent if possible.
   bool troubled = false;
   std::int64_t time = 0;  // system::now(), when the state came; 0: there was no frame
   FrameState state{.calibrated = false, .forces_on = false};
@@ -32,12 +32,12 @@ struct FrameSample {
   std::optional<FrameTimes::Window> times = std::nullopt;  // of the last whole window
 };
 
-// What was seen of a run, once it is over.
+// The statistics of a run that is over.
 struct FrameCount {
   std::size_t frames = 0, late = 0;  // late: more than a period after it was due
   double longest_trip = 0;           // ms, from sending a frame's force to its answer
   double largest_difference = 0;     // N, between the force that the device says it applied and what was sent
-  bool says_force = false;           // whether it says one
+  bool says_force = false;           // true if it says one
 };
 
 class FrameThread {

@@ -24,7 +24,7 @@ constexpr milliseconds kHttp{1000}, kRepeat{1000};
 constexpr const char* kService = "FORCESHADE_HAPLY_SERVICE";
 
 // The service says none of these. The boxes are those in which the vendor's tutorials keep their targets. The forces are the
-// least that clients use: nobody publishes continuous ones.
+// least that clients use: no continuous ones are published.
 struct Limits {
   float reach;             // mm from the middle, along each axis
   float peak, continuous;  // N
@@ -59,11 +59,11 @@ haply::Version version_of_service(const haply::Address& address) {
 }
 
 std::string or_unknown(const std::string& text) {
-  return text.empty() ? "not said" : text;
+  return text.empty() ? "unknown" : text;
 }
 
 std::string filters_of(const Inverse3& arm) {
-  const auto number = [](const std::optional<double>& value) { return value ? files::shortest(*value) : "not said"; };
+  const auto number = [](const std::optional<double>& value) { return value ? files::shortest(*value) : "unknown"; };
   return "force gate gain " + number(arm.gate_gain) + ", damping " + number(arm.damping);
 }
 
@@ -88,7 +88,7 @@ FramedDescription description_of(const Inverse3& arm, const haply::Version& vers
 
 haply::Message first_message(haply::Conversation& service, const FramedOptions& options) {
   const Answer answer = service.receive(options.open);
-  if (answer.kind == Answer::Kind::late) throw DeviceError("the Inverse Service accepted the connection and said nothing");
+  if (answer.kind == Answer::Kind::late) throw DeviceError("the Inverse Service accepted the connection and sent nothing");
   if (answer.kind == Answer::Kind::closed)
     throw DeviceError("the Inverse Service closed the connection (" + service.why() + ")");
   return haply::message_of(answer.text);
@@ -119,7 +119,7 @@ haply::Message begun(haply::Conversation& service, const haply::Version& version
 }
 
 void report(const Inverse3& arm, Attendant& attendant) {
-  const auto enabled = [](const std::optional<bool>& on) { return !on ? "not said" : *on ? "on" : "off"; };
+  const auto enabled = [](const std::optional<bool>& on) { return !on ? "unknown" : *on ? "on" : "off"; };
   attendant.report("Inverse3 " + files::printable(arm.id) + ": handedness " + files::printable(or_unknown(arm.handedness)) +
                    ", basis " + or_unknown(arm.basis) + ", gravity compensation " + enabled(arm.gravity_compensation) + ", " +
                    filters_of(arm));
@@ -129,7 +129,7 @@ void report_other_sessions(const haply::Address& address, Attendant& attendant) 
   try {
     const std::string words = haply::words_of_other_sessions(haply::sessions_in(haply::http_get(address, "/sessions", kHttp)));
     if (!words.empty()) attendant.report(words);
-  } catch (const std::runtime_error&) {  // it is only said
+  } catch (const std::runtime_error&) {  // only a report
   }
 }
 

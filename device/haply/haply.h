@@ -30,7 +30,7 @@ namespace forceshade::device {
 std::unique_ptr<Device> open_haply(const std::string& name, const FramedOptions& options, Attendant& attendant);
 std::unique_ptr<Device> open_haply(const std::string& name, Attendant& attendant, Forces forces);
 
-// Whether a service answers, and its version.
+// Checks that a service answers, and its version.
 std::vector<Check> haply_checks(const std::string& name);
 
 }  // namespace forceshade::device

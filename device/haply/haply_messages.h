@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the Inverse Service says and is said, as JSON text: nothing here opens a socket. Its lengths are in m; those of these
-// structures are in mm. Its axes are the laws': x right, y away from the user, z up.
+// Encodes and decodes the Inverse Service's JSON messages; opens no socket. Its lengths are in m; those of these structures
+// are in mm. Its axes are the laws': x right, y away from the user, z up.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace forceshade::device::haply {
 
-// What the service sent is not what it should be. what() says what was expected.
+// An unexpected message of the service. what() says what was expected.
 struct Unexpected : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -26,11 +26,11 @@ struct Version {
   bool is_new() const noexcept { return minor >= 5; }
 };
 
-// From the answer to GET /version. Throws Unexpected where there is none, and for versions that are not spoken here: expected
-// is 3.1 or later, below 4.
+// From the answer to GET /version. Throws Unexpected where it has no version, and for versions that are not spoken here:
+// expected is 3.1 or later, below 4.
 Version version_of(const std::string& answer);
 
-// How many sessions the answer to GET /sessions lists, if it is such a list.
+// The number of sessions that the answer to GET /sessions lists, if it is such a list.
 std::optional<std::size_t> sessions_in(const std::string& answer);
 // The warning where ours is not the only one of these; empty otherwise.
 std::string words_of_other_sessions(std::optional<std::size_t> sessions);

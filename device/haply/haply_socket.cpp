@@ -55,7 +55,7 @@ void connect(asio::io_context& io, tcp::socket& socket, const Address& address, 
     expect_done(io, done, deadline, "connecting to " + address.words());
   } catch (const std::runtime_error&) {
     socket.close(error);
-    if (!done) run_until(io, done, Clock::time_point::max());  // which ends what was begun, since the socket is closed
+    if (!done) run_until(io, done, Clock::time_point::max());  // ends what was begun, since the socket is closed
     throw;
   }
   socket.set_option(tcp::no_delay(true), error);
@@ -111,7 +111,7 @@ Socket::Socket(const Address& address, Time timeout) : it_(std::make_unique<Impl
 
 Socket::~Socket() {
   Socket::close(kToEnd);
-  // What was begun ends here, so that nothing is written to what is gone.
+  // Ends what was begun, so that nothing is written to what is gone.
   error_code ignored;
   it_->stream.next_layer().close(ignored);
   it_->io.restart();

@@ -25,7 +25,7 @@ Address address_of(const std::string& text);
 
 class Socket final : public Conversation {
  public:
-  // Throws std::runtime_error where nobody listens, or what listens is no WebSocket.
+  // Throws std::runtime_error where no WebSocket listens.
   Socket(const Address& address, Time timeout);
   ~Socket() override;
   Socket(const Socket&) = delete;
@@ -41,7 +41,7 @@ class Socket final : public Conversation {
   std::unique_ptr<Implementation> it_;
 };
 
-// The body of the answer. Throws std::runtime_error where there is none, or its status is not 200.
+// The body of the answer. Throws std::runtime_error where no answer comes, or its status is not 200.
 std::string http_get(const Address& address, const std::string& target, Socket::Time timeout);
 
 }  // namespace forceshade::device::haply

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where the vendor's guide puts it, with its name in GTDD_HOME.
+// The folder in the vendor's guide, with its name in GTDD_HOME.
 constexpr const char* kGuides = "/usr/share/3DSystems";
 
 fs::path folder() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the vendor's driver keeps one file for each device that was set up: the file's name is the device's.
+// The folder in which the vendor's driver keeps a file for each device that was set up, named as the device.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@ namespace forceshade::device {
 
 struct DriverFolder {
   std::filesystem::path path;      // empty where no variable says where it is
-  std::string problem;             // why no names can be read; empty where they can
+  std::string problem;             // the reason why no names can be read; empty where they can
   std::vector<std::string> names;  // sorted, as hdInitDevice takes them: without the ending .config
 };
 

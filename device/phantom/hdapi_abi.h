@@ -30,7 +30,7 @@ inline constexpr HDSchedulerHandle kInvalidSchedulerHandle = 0xFFFFFFFF;  // (r)
 inline constexpr unsigned kCallbackContinue = 1;
 inline constexpr HDushort kDefaultPriority = 32767;  // of 0 to 65535
 
-// What hdGet and hdSet speak of. Doubles unless said otherwise.
+// The parameters of hdGet and hdSet; doubles where no other type is given.
 inline constexpr HDenum kButtons = 0x2000;            // int, one bit each
 inline constexpr HDenum kSafetySwitch = 0x2001;       // boolean
 inline constexpr HDenum kInkwellSwitch = 0x2002;      // boolean

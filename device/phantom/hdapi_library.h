@@ -20,7 +20,7 @@ struct Functions {
 // load_first() of loaded_library.h, with its errors.
 Functions load(const std::vector<std::string>& names);
 
-// What vendor() tries, in this order.
+// The files that vendor() tries, in this order.
 std::vector<std::string> names_to_try();
 
 // The file named in the environment's FORCESHADE_HD_LIBRARY, or libHD.so.3.4, libHD.so.3.0, libHD.so. Once loaded, the

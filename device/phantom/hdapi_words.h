@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What goes wrong with a PHANToM, in words that say what to do about it.
+// Texts for errors of a PHANToM, with advice for each.
 
 #include <cstddef>
 #include <span>
@@ -19,7 +19,7 @@ struct Meaning {
 // Never fails: an unknown code has words, too.
 const Meaning& meaning_of(HDerror code) noexcept;
 
-// What went wrong, first: an error of the driver's with what it was asked for, or, with no code, words that say it all.
+// The first error: one of the driver's with what it was asked for, or, with no code, words that say it all.
 struct Trouble {
   const char* words = nullptr;  // null: nothing went wrong
   HDErrorInfo error{};
@@ -31,7 +31,7 @@ struct Trouble {
 // A sentence about the trouble, in `room`, or a constant. Allocates nothing.
 const char* sentence(const Trouble& trouble, std::span<char> room) noexcept;
 
-// Why hdInitDevice failed and what to check. The driver's error is often a general one, whatever the cause.
+// The reason why hdInitDevice failed, and what to check. The driver's error is often a general one, whatever the cause.
 std::string initialisation_advice(const std::string& name, const Trouble& trouble);
 
 inline constexpr const char* kHoldInResetPose =

@@ -21,9 +21,9 @@ struct PhantomOptions {
   // The time for which a force is held without a new command (it fades from an eighth of it on), and for which the driver may
   // run no frame.
   std::chrono::milliseconds watchdog_timeout{25};
-  // How long the driver may take to open the device, to run good frames, and the user to calibrate it.
+  // The longest times for the driver to open the device and to run good frames, and for the user to calibrate it.
   std::chrono::milliseconds open{20'000}, start{5000}, calibration{120'000};
-  double rate_tolerance = 0.05;  // by which share the device's frames may miss the rate
+  double rate_tolerance = 0.05;  // the share by which the device's frames may miss the rate
   bool force = true;             // false: the force output is never switched on
 };
 
@@ -38,7 +38,7 @@ class Phantom final : public Device {
   // what it can do; switches no force on and runs no frame. The attendant lives as long as this. Throws DeviceError, with what
   // to check.
   Phantom(const std::string& name, const PhantomOptions& options, Attendant& attendant, HdapiLibrary library = hdapi::vendor);
-  Phantom(const std::string& name, const PhantomOptions& options);  // with nobody there
+  Phantom(const std::string& name, const PhantomOptions& options);  // without an attendant
   explicit Phantom(const std::string& name) : Phantom(name, PhantomOptions{}) {}
 
   // Zero force, output off, scheduler stopped, device released, in this order, and the process ended. Waits for the driver a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How the process that holds a PHANToM ends, whatever ends it: with zero force first, where that can still be done.
+// Ends the process that holds a PHANToM, whatever the cause: with zero force first, where that can still be done.
 
 #include <atomic>
 #include <chrono>
@@ -14,7 +14,7 @@
 
 namespace forceshade::device {
 
-// Exit codes: the device was let go; it was not opened or started, which was said; some call of the driver's did not return.
+// Exit codes: the device was let go; it was not opened or started, as reported; a call of the driver's did not return.
 inline constexpr int kLetGo = 0, kRefused = 1, kStuck = 2;
 
 // One for a process, which lives as long as it.
@@ -36,7 +36,7 @@ class PhantomEnd final : public system::LastAct {
   std::atomic<bool> interrupts_ = false;
 };
 
-// What the watch says for the process, and ends it, where the driver's call does not return in time.
+// The message that the watch sends for the process before it ends it, where the driver's call does not return in time.
 class LastWords {
  public:
   // Both are called by the thread that calls the driver.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is done with a PHANToM in its driver's thread: one frame a tick, the only place where the driver is called while its
+// Runs the frames of a PHANToM in its driver's thread, one a tick: the only place where the driver is called while its
 // scheduler runs.
 
 #include <Eigen/Core>

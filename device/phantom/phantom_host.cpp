@@ -27,7 +27,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kHostPoll{1}, kHostWatch{10};
 constexpr int kMeasured = 2;  // Hz: a window of frames is half a second
 
-// Why the device cannot be driven.
+// The reason why the device cannot be driven.
 struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -170,7 +170,7 @@ PhantomDescription Host::described() {
   return it;
 }
 
-// In the vendor's order of preference, where a device has several: one that needs nobody first.
+// The first in the vendor's order of preference, where a device has several: one that needs no person comes first.
 hdapi::HDenum Host::preferred_style() {
   const auto styles = static_cast<hdapi::HDenum>(whole(hdapi::kCalibrationStyles));
   for (const hdapi::HDenum style : {hdapi::kCalibratesItself, hdapi::kCalibratesInInkwell, hdapi::kCalibratesAtResetPose})
@@ -295,7 +295,7 @@ void Host::close() noexcept {
 
 int run_phantom_host(system::Packets& packets, PhantomShared& shared, const std::string& name, const PhantomOptions& options,
                      HdapiLibrary library) {
-  // What the other threads still look at when this one returns lives as long as the process.
+  // Objects that other threads still use when this one returns live as long as the process.
   auto& last_words = *new LastWords;
   auto& end = *new PhantomEnd;
   auto& host = *new std::optional<Host>;

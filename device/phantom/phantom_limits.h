@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a PHANToM may do, from what its driver says of it. A driver that says nothing or nonsense never makes a limit wider.
+// The limits of a PHANToM, from what its driver says of it. A driver that says nothing or nonsense never makes a limit wider.
 
 #include <Eigen/Core>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the process of a PHANToM's driver and that of the servo loop have in common: memory that both map, where samples go one
+// The data that a PHANToM's driver's process shares with the servo loop's: memory that both map, where samples go one
 // way and orders the other, and messages about all that is not urgent. Plain data, since either process may die at any moment.
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ struct PhantomSample {
   enum class Phase { settling, ready, closed };
 
   Phase phase = Phase::settling;
-  bool troubled = false;  // why, is in PhantomShared::trouble; from then on the force is zero and the output off
+  bool troubled = false;  // PhantomShared::trouble says why; from then on the force is zero and the output off
   std::int64_t time = 0;  // CLOCK_MONOTONIC, ns; 0: there was no frame
   Eigen::Vector3d position{0, 0, 0}, gimbal{0, 0, 0};
   std::optional<std::array<double, 3>> joints = std::nullopt;
@@ -45,7 +45,7 @@ struct PhantomShared {
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "shared between processes");
 
-// What the driver said of the device when it was opened.
+// The driver's description of the device when it was opened.
 struct PhantomDescription {
   std::array<char, 96> model{}, serial{}, driver{}, firmware{};
   double peak = 0, continuous = 0, speed = 0, slew = 0;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a program prints on standard output, in English; none where it cannot be started or fails.
+// The standard output of a program, in English; none where it cannot be started or fails.
 std::optional<std::string> output_of(std::vector<std::string> words) {
   words.insert(words.begin(), {"env", "LC_ALL=C"});
   std::vector<char*> arguments;

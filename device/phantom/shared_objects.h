@@ -13,8 +13,8 @@ namespace forceshade::device {
 // LD_LIBRARY_PATH, in the loader's cache, or in the system's folders. Only one for this kind of processor.
 std::optional<std::filesystem::path> file_of_library(const std::string& name);
 
-// What it lacks, or one that it needs lacks: names of libraries, and versions of those that are there, each once, as `ldd`
-// says. None where ldd could not find out.
+// The names of missing libraries, its own or those of a library that it needs, and missing versions of those that are there,
+// each once, as `ldd` prints them. None where ldd could not find out.
 std::optional<std::vector<std::string>> missing_dependencies(const std::filesystem::path& file);
 
 // The Debian package, or the vendor's, that has this library; empty where it is not known.

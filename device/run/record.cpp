@@ -40,7 +40,7 @@ bool has_ended(const std::string& path) {
   }
 }
 
-// The process that writes a recording, by the lock that SQLite holds for as long; 0: there is none.
+// The process that writes a recording, by the lock that SQLite holds for as long; 0: no process writes it.
 pid_t writer_of(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (file < 0) return 0;
@@ -52,7 +52,7 @@ pid_t writer_of(const std::string& path) {
   return is_known && !has_ended(path) ? lock.l_pid : 0;
 }
 
-// What is said of the recording behind a table, said of the table, the file that was asked for.
+// Replaces the name of the recording behind a table by that of the table, the file that was asked for.
 std::string said_of(const std::string& table, std::string words, const std::string& recording) {
   const std::size_t at = words.find(recording);
   return at == std::string::npos ? words : words.replace(at, recording.size(), table);

@@ -20,10 +20,10 @@ nlohmann::ordered_json summary(const Outcome& outcome, const Rendering& what, co
 // The rendering: its kind, name, digest and parameters.
 nlohmann::ordered_json summary_of(const Identity& identity);
 
-// What the servo loop measured.
+// The servo loop's measurements.
 nlohmann::ordered_json to_json(const device::ServoResult& run);
 
-// What each tick followed, "device" or "clock"; null where ticks followed one another.
+// The pacer of the ticks, "device" or "clock"; null where ticks followed one another.
 const char* pacer_of(const device::ServoResult& run);
 
 // An array, oldest first: tick, t_s, position_mm, law_force_N, force_N, limited (names of rules), tripped (its name or null).

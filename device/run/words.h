@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What recordings and summaries say of a run: of the rendering, the device, the build and the settings.
+// The words of recordings and summaries about a run: the rendering, the device, the build and the settings.
 
 #include <string>
 #include <utility>
@@ -22,7 +22,7 @@ recorder::Metadata metadata_of(const Identity& identity);
 recorder::Metadata metadata_of_run(const std::string& device, const device::Capabilities& capabilities,
                                    const device::ServoOptions& servo);
 
-// What a device says of itself: model, serial, driver, firmware, as far as it says them.
+// Model, serial, driver and firmware, as far as the device gives them.
 std::vector<std::pair<std::string, std::string>> words_of(const device::Capabilities& capabilities);
 
 // "X,Y,Z" in mm, each in the shortest form that reads back the same.

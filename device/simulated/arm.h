@@ -53,7 +53,7 @@ struct Arm {
   double energy(const Pose& pose, const Joints& velocity) const noexcept;  // J, kinetic and potential
 };
 
-// What a mass at the tip would have to be to feel the same, kg: the matrix (J M⁻¹ Jᵀ)⁻¹.
+// The mass at the tip that would feel the same, kg: the matrix (J M⁻¹ Jᵀ)⁻¹.
 Eigen::Matrix3d apparent_mass(const Arm& arm, const Pose& pose) noexcept;
 
 // The frames of the arm and of docs/laws.md (x right, y into the page, z up) share their origin and differ by a quarter turn

@@ -16,7 +16,7 @@ struct HandOnWall {
   double seconds = 6;
 };
 
-// What came of it. The hand comes down within 1.5 s; it means to stay at its depth from then on.
+// The result. The hand comes down within 1.5 s; it means to stay at its depth from then on.
 struct FeltOnWall {
   double energy = 0;  // mJ: the most that the hand and the arm were given, less what was taken from them, at any time
   double swing = 0;   // mm: the farthest that the tip moved along the wall's normal within a tenth of a second, from 1.5 s on

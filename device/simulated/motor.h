@@ -29,7 +29,7 @@ Heat heated(const Motor& motor, Heat heat, double torque, double seconds) noexce
 inline constexpr double kDeratingStart = 0.9;
 double torque_limit(const Motor& motor, const Heat& heat) noexcept;
 
-// What comes out at the joints when `torque` is commanded. A limit shortens the whole vector: a force that is too large keeps
+// The torque at the joints when `torque` is commanded. A limit shortens the whole vector: a force that is too large keeps
 // its direction, which is what force shading is about. Then the current is rounded to the amplifier's nearest step.
 Joints delivered(const Motor& motor, const Eigen::Vector3d& gears, const Eigen::Vector3d& limits,
                  const Joints& torque) noexcept;

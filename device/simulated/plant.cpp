@@ -9,7 +9,7 @@ struct Rates {
   Eigen::Vector3d hand_velocity, hand_acceleration;
 };
 
-// Where the way is at the share s of its period, and how fast.
+// A position on the way and the velocity there.
 struct Point {
   Eigen::Vector3d position, velocity;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What moves: the arm with its friction and, if one holds it, the hand. Integrated at a fixed step by Runge and Kutta's
+// The moving parts: the arm with its friction and, if one holds it, the hand. Integrated at a fixed step by Runge and Kutta's
 // fourth-order method; the same inputs give the same bits.
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How stiff a virtual spring can be before sampling and encoders make it lively, found by simulating it.
+// The stiffness at which sampling and encoders make a virtual spring lively, found by simulating it.
 
 namespace forceshade::device {
 

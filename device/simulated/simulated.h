@@ -20,7 +20,7 @@ struct Operator {
   Grip grip;
   Intention intention;
   Tremor tremor;
-  bool ends;  // whether the device has no more readings once the intention is over
+  bool ends;  // true if the device has no more readings once the intention is over
 };
 
 // Its clock is the number of readings: each one moves the arm on by one period under the force last commanded, or, as on a
@@ -32,10 +32,10 @@ class Simulated final : public Device {
   struct Options {
     double step_rate = 20'000;  // Hz, at least: a period is cut into equal steps
     bool latency = true;        // of one sample
-    Joints start{0, 0, 0};      // where an arm that nobody holds starts from; in a hand it is where the hand is
+    Joints start{0, 0, 0};      // the start of an arm without a hand; in a hand it is where the hand is
     // Attendant::kButtons of them, which live as long as the device; null: it has no button.
     const std::atomic<std::uint16_t>* buttons = nullptr;
-    // Who means the hand to be somewhere, instead of its intention; lives as long as the device. Null: the intention.
+    // The source of the hand's target, instead of its intention; lives as long as the device. Null: the intention.
     Steering* steering = nullptr;
   };
 
@@ -56,7 +56,7 @@ class Simulated final : public Device {
 
   State state() const noexcept override;
 
-  // What no encoder measures: the tip itself, mm in the laws' frame, and all that moves.
+  // The state that no encoder measures: the tip itself, mm in the laws' frame, and all that moves.
   Eigen::Vector3d tip() const noexcept;
   const Motion& motion() const noexcept { return motion_; }
 

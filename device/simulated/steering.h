@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where somebody means a simulated hand to be, set by another thread while it moves: a mouse for a person without a PHANToM.
+// The target of a simulated hand, set by another thread while it moves: a mouse for a person without a PHANToM.
 
 #include <Eigen/Core>
 

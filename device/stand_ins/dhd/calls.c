@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What each published function of a device begins and ends with: the lock, the judgement of its ID, and the last error.
+// The beginning and end of each published function of a device: the lock, the judgement of its ID, and the last error.
 
 #include <pthread.h>
 #include <stdio.h>

@@ -21,7 +21,7 @@ const struct choice_entry kFaultTable[kFaults] = {
     {"no-expert-mode", "", "a function of the expert mode without dhdEnableExpertMode"},
     {"opened-twice", "", "a device opened again without dhdClose"},
     {"force-first", "", "a force before any position was read"},
-    {"not-enabled", "", "a force that nobody enabled, or that the client itself had switched off"},
+    {"not-enabled", "", "a force that was not enabled, or that the client itself had switched off"},
     {"after-cut", "", "a force 100 ms after the device had switched its forces off"},
     {"uncalibrated-force", "", "a force while the device waits for its calibration"},
     {"not-finite", "", "a number that is NaN or infinite"},
@@ -186,7 +186,7 @@ PUBLISHED int forceshade_stand_in_verdict(const char* path, const char* report) 
   return fclose(out) == 0 ? kinds : -3;
 }
 
-// What was wrong with the settings, or an empty text.
+// Reads the settings. Returns the first error in words, or an empty text.
 PUBLISHED const char* forceshade_stand_in_settings(const char* settings) {
   const char* const wrong = read_settings(settings);
   return wrong ? wrong : "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client does in each frame: readings and forces.
+// The functions that a client calls in each frame: readings and forces.
 
 #define _GNU_SOURCE
 #include <math.h>

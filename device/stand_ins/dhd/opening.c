@@ -86,7 +86,7 @@ PUBLISHED int dhdOpenType(int type) {
   return opened(type == models[model()].type);
 }
 
-// Of whichever device: the forces of one that is closed while they are on are the device's own affair.
+// Closes the device, but does not switch its forces off.
 PUBLISHED int dhdClose(signed char id) {
   lock();
   ++session()->calls;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a client sets once: brakes, forces, gravity, limits, the functions of the expert mode; and the status.
+// The functions that a client calls once: brakes, forces, gravity, limits, the functions of the expert mode; and the status.
 
 #include <math.h>
 #include <string.h>
@@ -107,7 +107,7 @@ static int given(const char* function, const void* place) {
   return call_ends(-1, ERROR_NULL);
 }
 
-// A limit; a negative one is none.
+// Sets a limit; a negative number removes it.
 static int set_limit(const char* function, double* limit, double most, signed char id) {
   if (!call_begins(function, id)) return -1;
   if (!isfinite(most)) {

@@ -33,12 +33,12 @@ def options_of(words):
         description="Force Dimension's library DHD with a device in a simulated hand; it judges the client that loads it.",
         usage="forceshade-standin dhd [OPTIONS] [-- COMMAND ...]")
     add = parser.add_argument
-    add("-h", "--help", action="store_true", help="this, and the tables of faults, assumptions and events")
+    add("-h", "--help", action="store_true", help="print this, and the tables of faults, assumptions and events")
     add("--library", metavar="FILE", help="the stand-in's " + NAME + "; found by itself where it was installed or built")
     add("--assume", action="append", default=[], metavar="NAME=VALUE")
     add("--event", action="append", default=[], metavar="NAME@READING")
-    add("--report", metavar="FILE", help="for the verdict, as JSON")
-    add("--log", metavar="FILE", help="for what happens, one JSON object a line")
+    add("--report", metavar="FILE", help="the file for the verdict, as JSON")
+    add("--log", metavar="FILE", help="the file for the events, one JSON object a line")
     add("--judge", metavar="LOG", help="print the verdict of a client that was run with this journal, and run none")
     add("command", nargs="*", metavar="COMMAND", help="the client, with FORCESHADE_DHD_LIBRARY and LD_LIBRARY_PATH set; "
         "without one, what has to be set is printed for a shell")

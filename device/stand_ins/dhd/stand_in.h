@@ -13,7 +13,7 @@ enum { kFaults = 20, kSwitches = 23, kEvents = 19, kMostSessions = 16, kMostOrde
 enum { kSmall = 10 };  // mN: less is not felt
 #define kGap 0.012     // m: of the gripper
 
-// What a client must not do, by the documents. The order is that of the table in faults.c.
+// The faults of a client, by the documents. The order is that of the table in faults.c.
 enum fault {
   FAULT_NOT_OPEN,
   FAULT_AFTER_CLOSE,
@@ -37,7 +37,7 @@ enum fault {
   FAULT_LEFT_OPEN,
 };
 
-// What the documents leave open, and which device is connected. The order is that of the table in switches.c.
+// The choices that the documents leave open, and which device is connected. The order is that of the table in switches.c.
 enum choice {
   SET_FORCE_OFF,
   NOT_FINITE,
@@ -135,8 +135,8 @@ struct state {
   struct arm arm;
   int64_t time_ns;  // up to which the arm has moved
   bool forces_on, brakes_on, gravity, reset, powered, plugged, was_in_contact, was_settling, has_error, pressed;
-  int32_t cause;                    // why the forces are off
-  int64_t cut_ns, unplugged_ns;     // when the device switched them off by itself; when it was unplugged
+  int32_t cause;                    // of the forces being off
+  int64_t cut_ns, unplugged_ns;     // times: the device switched them off by itself; it was unplugged
   int32_t watchdog, time_guard_us;  // units of 125 µs; µs
   // N, N·m, N; negative: none
   double max_force, max_torque, max_gripper_force;

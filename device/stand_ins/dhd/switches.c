@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can be chosen by FORCESHADE_STANDIN_DHD.
+// The choices of FORCESHADE_STANDIN_DHD.
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,10 +15,10 @@ const struct choice_entry kChoices[kSwitches] = {
     {"time-guard", "0|NUMBER", "us: a position that is read sooner after the last one is that one, and the result is 1"},
     {"unplugged", "error|block|stale",
      "calls of a device that was unplugged: -1 and COM, no return, or 0 and the last position"},
-    {"last-error", "thread|process", "whose error dhdErrorGetLast says"},
-    {"error-kept", "yes|no", "whether the last error outlives a call that succeeds"},
-    {"expert", "process|thread", "where expert mode is on"},
-    {"status-length", "17|16", "how many numbers dhdGetStatus writes"},
+    {"last-error", "thread|process", "the owner of the error that dhdErrorGetLast returns"},
+    {"error-kept", "yes|no", "the last error outlives a call that succeeds"},
+    {"expert", "process|thread", "the extent of expert mode"},
+    {"status-length", "17|16", "the count of numbers that dhdGetStatus writes"},
     {"brakes", "on|off", "the brakes of a device that was just opened"},
     {"forces", "off|on", "the forces of a device that was just opened"},
     {"enable-uncalibrated", "error|ok", "dhdEnableForce before the calibration: -1 and DEVICE_NOT_READY, or 0"},
@@ -26,11 +26,11 @@ const struct choice_entry kChoices[kSwitches] = {
     {"call-time", "0|NUMBER", "us that a reading and a force each take"},
     {"model", "omega.3|delta.3|omega.6|omega.7|omega.7-left|sigma.3|sigma.7|lambda.3|lambda.7|falcon", "the device"},
     {"serial", "1234|NUMBER", "its serial number; that of a Falcon is 65535"},
-    {"calibrated", "yes|no", "whether it is calibrated when it is opened"},
+    {"calibrated", "yes|no", "it is calibrated when it is opened"},
     {"available", "yes|no", "no: another program has locked it"},
     {"pressed", "no|yes", "its button is down"},
     {"clock", "real|NUMBER",
-     "what moves the hand: the time, or each reading by the period of so many Hz, for runs faster than real time"},
+     "the hand moves by the time, or at each reading by the period of so many Hz, for runs faster than real time"},
     {"longest-gap", "20|NUMBER", "ms without a force while forces are on; more is a fault"},
     {"most-force", "100|NUMBER", "N, beyond which a force is absurd"},
 };
@@ -54,7 +54,7 @@ const struct event_entry kEventTable[kEvents] = {
     {"calibrated", "it was calibrated"},
     {"press", "its button goes down, or up again"},
     {"power-off", "its power is off: forces are off, too"},
-    {"error", "its status says an error"},
+    {"error", "its status has an error"},
 };
 
 enum { kValueLength = 24 };

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a client must not do, by the documents. A fault is recorded with its first occurrence, and the run goes on."""
+"""The faults of a client, by the documents. A fault is recorded with its first occurrence, and the run goes on."""
 
 import json
 import math
@@ -61,7 +61,7 @@ _decoder = json.JSONDecoder(parse_float=_number, parse_constant=_constant)
 
 
 def parse(text):
-    """The message; raises NotFinite, or ValueError for what is no JSON object."""
+    """The message; raises NotFinite, or ValueError for anything but a JSON object."""
     message = _decoder.decode(text.decode() if isinstance(text, bytes) else text)
     if not isinstance(message, dict):
         raise ValueError("no object")

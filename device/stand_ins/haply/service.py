@@ -265,14 +265,14 @@ def options_of(words):
                                      "\nexit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, a port that is taken, or a "
                                      "file that cannot be written")
     add = parser.add_argument
-    add("--port", type=number_of(int, 0, 65535), default=10001, help="of the WebSocket at 127.0.0.1; 0: a free one, which is printed; default 10001")
-    add("--version", type=numbers_of_version, default="3.5.1", help="of the service; default 3.5.1")
-    add("--type", default="inverse3", choices=["inverse3", "inverse3x", "minverse"], help="of the device")
+    add("--port", type=number_of(int, 0, 65535), default=10001, help="the port of the WebSocket at 127.0.0.1; 0: a free one, which is printed; default 10001")
+    add("--version", type=numbers_of_version, default="3.5.1", help="the version of the service; default 3.5.1")
+    add("--type", default="inverse3", choices=["inverse3", "inverse3x", "minverse"], help="the type of the device")
     add("--device-id", default="049D", help="default 049D")
     add("--handedness", default="right", choices=["right", "left"], help="default right")
     add("--sessions", type=number_of(int, 0), default=0, help="end after so many sessions; else at SIGTERM or SIGINT")
     add("--clock", default="real", choices=["real", "messages"],
-        help="what moves the hand: the time, or each message by a period of --rate, for runs faster than real time")
+        help="the clock that moves the hand: the time, or each message by a period of --rate, for runs faster than real time")
     add("--rate", type=number_of(float, 1e-3, 1e6), default=1000.0, help="Hz, with --clock messages; default 1000")
     add("--most-force", type=number_of(float, 0), default=10.0, help="N, beyond which a force is absurd; default 10")
     add("--longest-gap", type=number_of(float, 0), default=20.0, help="ms without a message that a force may act; default 20")
@@ -281,7 +281,7 @@ def options_of(words):
     add("--assume", type=checked(switches.parse_assumption), action="append", default=[], metavar="NAME=VALUE")
     add("--event", type=checked(switches.parse_event), action="append", default=[], metavar="NAME@MESSAGE")
     add("--report", help="FILE for the verdict, as JSON; - is standard output")
-    add("--log", help="FILE for what happens, one JSON object a line")
+    add("--log", help="FILE for the events, one JSON object a line")
     options = parser.parse_args(words)
     options.assumptions = dict(options.assume)
     options.events = {}

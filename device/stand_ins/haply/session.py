@@ -28,7 +28,7 @@ class Session:
         self.is_early = False  # the next message came before the answer to the last one
         self.answered = 0
         self.force = (0.0, 0.0, 0.0)  # that this session commands
-        self.last = now()  # when its last message came
+        self.last = now()  # the time of its last message
         self.report = {"session": number, "messages": 0, "largest_force_N": 0.0, "longest_gap_ms": 0.0, "contact_messages": 0,
                        "binary_messages": 0}
 
@@ -63,7 +63,7 @@ class Session:
         self.messages += 1
         gap = (begin - self.last) / 1e6
         self.report["longest_gap_ms"] = max(self.report["longest_gap_ms"], gap) if self.messages > 1 else 0.0
-        # Who was not answered may wait.
+        # A client that was not answered may wait.
         if gap > service.options.longest_gap and length(self.force) > SMALL and not self.is_unanswered:
             self.fault("gap", f"{gap:.1f} ms")
         self.is_unanswered, self.is_idle = True, False
@@ -140,7 +140,7 @@ class Session:
         return json.dumps(state)
 
     def judged(self, text):
-        """What to do: answer, silent or close; and whether with the configuration."""
+        """The reaction: answer, silent or close; and True if the answer has the configuration."""
         assumed = self.service.assumed
         if isinstance(text, bytes):
             self.report["binary_messages"] += 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the documents leave open, each a named assumption with its values, the first of them the default; and what can go wrong."""
+"""Choices that the documents leave open, each a named assumption with its values, the first of them the default; and what can go wrong."""
 
 import math
 
@@ -11,15 +11,15 @@ ASSUMPTIONS = {
     "idle-after": (["100", NUMBER, "never"], "ms without a message after which the device gives no force any more"),
     "after-close": (["idle", "hold"], "a session that ends while its force acts: the device idles at once, or when idle-after is over"),
     "not-finite": (["refuse", "close"], "NaN or infinity in a message: no force and an answer, or the connection is closed"),
-    "binary": (["accept", "refuse"], "a message that is not text: read as one, or taken for what is no JSON object"),
-    "malformed": (["answer", "silent", "close"], "what is no JSON object"),
+    "binary": (["accept", "refuse"], "a message that is not text: read as one, or taken as malformed"),
+    "malformed": (["answer", "silent", "close"], "a text that is no JSON object"),
     "unknown-command": (["answer", "silent", "close"], "a command or a device that there is not"),
     "values-key": (["by-version", "both"], "a force is read from `vector` since 3.5 and from `values` before, or from either"),
     "clamp": (["none", NUMBER], "N: a longer force is shortened"),
     "ration": (["1", NUMBER], "the share of a force that the service's filters leave"),
     "in-flight": (["queue", "drop"], "a message before the answer to the last one: answered in turn, or left unanswered"),
     "top-rate": (["none", NUMBER], "Hz: answers come no faster"),
-    "control-mode": (["idle", "force"], "what a state says for control_mode"),
+    "control-mode": (["idle", "force"], "the control_mode of a state"),
     "http": (["same", "before", "none"], "HTTP answers at the port of the WebSocket, at the one before, or not"),
     "envelope": (["always", "asked"], "an answer of HTTP has `ok` and `data`, always or only with ?format=json"),
     "in-use": (["others", "any"], "in_use is true while another session is open, or while any is"),
@@ -27,7 +27,7 @@ ASSUMPTIONS = {
     "basis-reported": (["yes", "no"], "a configuration has the basis"),
     "mount": (["identity", "turned"], "the device stands as it should, or turned by a quarter about z, as its configuration has it"),
     "transform": (["identity", "doubled"], "a length of the device is one of the session, or two, as each state has it"),
-    "grip": (["wired", "wireless", "none"], "which grip is connected"),
+    "grip": (["wired", "wireless", "none"], "the grip that is connected"),
     "ping": (["never", NUMBER], "s between pings"),
 }
 
