@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the bytes of a recording mean: samples end to end, each the columns below without gaps, little-endian.
+// The layout of the bytes of a recording: samples end to end, each the columns below without gaps, little-endian.
 
 #include <array>
 #include <bit>

@@ -28,7 +28,7 @@ class Parts final : public device::SampleSink {
   // Called by the same thread, when nothing more is pushed. Throws RecordingError where a part has lost ticks.
   void end(const std::string& end_reason);
 
-  // Whether the disk refused the current part's ticks at the last try.
+  // True if the disk refused the current part's ticks at the last try.
   bool failing() const noexcept;
 
   // Called by the loop: neither waits nor allocates. It looks at most twice for where ticks go.
@@ -44,7 +44,7 @@ class Parts final : public device::SampleSink {
   std::atomic<Part*> current_ = nullptr, in_use_ = nullptr;  // the second: by the loop, just now
   int number_ = 0;
   std::string lost_;        // by the part that was closed last, in words
-  system::Thread closing_;  // which writes them
+  system::Thread closing_;  // writes them
 };
 
 }  // namespace forceshade::recorder

@@ -36,8 +36,8 @@ void remove_all(const std::string& path) noexcept {
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) ::unlink((path + suffix).c_str());
 }
 
-// A whole recording without samples, or none: it is made under another name, so that a death leaves no file that looks like a
-// recording and is none.
+// Makes a whole recording without samples, or no file: it is made under another name, so that a death leaves no file that only
+// looks like a recording.
 void make_file(const std::string& path, Metadata& metadata) {
   const std::string made = path + "-new-" + std::to_string(::getpid());
   const int descriptor = ::open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -119,7 +119,7 @@ class Recorder::Writer {
     stop();
     Result result{written_, dropped_ + chunk_.size() + ring_.read_available(), error_};
     if (!result.error.empty()) return result;
-    // Who deletes a file that is being written notices nothing, and neither does SQLite.
+    // Deleting a file that is being written gives no error, not even in SQLite.
     if (::access(database_.path().c_str(), F_OK) != 0) {
       result = {0, result.written + result.lost, database_.path() + ": the recording was deleted while it was made"};
       return result;

@@ -29,8 +29,8 @@ std::string ticks(std::uint64_t first, std::uint64_t last) {
   return first == last ? "tick " + std::to_string(first) : "ticks " + std::to_string(first) + " to " + std::to_string(last);
 }
 
-// For what SQLite itself says little about: a file that is absent, may not be read, or is none of its own. A pipe would keep
-// the reader waiting for ever.
+// Gives better errors than SQLite for a file that is absent, may not be read, or is not its own. A pipe would keep the reader
+// waiting for ever.
 std::string readable(const std::string& path) {
   std::error_code none;
   const auto status = std::filesystem::status(path, none);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the supervisor and the passivity controller of a run went by, as its recording keeps it.
+// The settings of the supervisor and the passivity controller of a run, as its recording keeps them.
 
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ namespace forceshade::recorder {
 // One key for each number, `supervisor_*` and `passivity_*`, in the shortest form that reads back the same.
 Metadata metadata_of(const device::SafetySettings& settings);
 
-// None where there are none of these keys, as in a recording of an earlier version. Throws RecordingError, naming the file and
+// Nothing without any of these keys, as in a recording of an earlier version. Throws RecordingError, naming the file and
 // the key, where one is missing or is not what metadata_of() writes.
 std::optional<device::SafetySettings> safety_settings_in(const Metadata& metadata, const std::string& path);
 

@@ -10,7 +10,7 @@
 namespace forceshade::recorder {
 namespace {
 
-// How long a reader and the writer of one recording wait for each other.
+// The longest time for which a reader and the writer of one recording wait for each other.
 constexpr int kBusyTimeoutMs = 1000;
 
 // SQLite calls back every so many steps of its machine; a call that returns anything but 0 ends the statement.

@@ -43,7 +43,7 @@ class Database {
   void distrust();
 
   std::string path_;
-  std::unique_ptr<std::int64_t> steps_left_;  // where it stays when the database is moved
+  std::unique_ptr<std::int64_t> steps_left_;  // its address stays when the database is moved
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
