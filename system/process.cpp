@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kInterrupt = SIGUSR1;
 constexpr std::chrono::milliseconds kBetweenLooks{1};
-constexpr int kKilledFirst = 1000, kKilledLast = -1000;  // where memory runs out
+constexpr int kKilledFirst = 1000, kKilledLast = -1000;  // order if memory runs out
 
 std::atomic<LastAct*> last_act = nullptr;
 std::atomic<int> others = 0;            // processes that this one has made
@@ -65,8 +65,8 @@ void be_a_process_of_its_own(const char* name) {
   sigprocmask(SIG_SETMASK, &all, nullptr);
 }
 
-// What a library prints goes to standard error; no file of the other process's stays open. The socket, which may have a new
-// number.
+// Sends to standard error what a library prints, and closes all files of the other process. Returns the socket, which may have
+// a new number.
 int have_files_of_its_own(int socket) {
   __fpurge(stdout);
   if (socket <= STDERR_FILENO) socket = ::fcntl(socket, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -133,7 +133,7 @@ Process::Process(const char* name, const std::function<int(Packets&)>& body) : p
   if (id_ == 0) {
     ::close(ends[0]);
     be_a_process_of_its_own(name);
-    if (others > 0) be_victim(readiness_before);  // where the right to the next is lacking
+    if (others > 0) be_victim(readiness_before);  // if the right to the next is lacking
     be_victim(kKilledLast);
     Packets its(have_files_of_its_own(ends[1]), self);
     end(body(its));
@@ -178,7 +178,7 @@ void Process::kill() noexcept {
   ::kill(id_, SIGKILL);
 }
 
-// What is registered last is called first. The library's objects are never destroyed, since its threads may use them.
+// The handler registered last runs first. The library's objects are never destroyed, since its threads may use them.
 void before_end(LastAct& act) noexcept {
   last_act = &act;
   ::on_exit(

@@ -52,7 +52,7 @@ class Process {
   struct Ended {
     int code = 0, signal = 0;  // 0 where the program ignores SIGCHLD, so that the system keeps none
   };
-  // How it ended, once; waits until then.
+  // The end of the process, once; waits until then.
   std::optional<Ended> ended(std::int64_t deadline) noexcept;
   // Goes on where a signal has stopped it.
   void resume() noexcept;
@@ -63,7 +63,7 @@ class Process {
   Packets packets_;
 };
 
-// What such a process does before it ends, whatever ends it.
+// The last act of such a process before it ends, whatever ends it.
 class LastAct {
  public:
   // Called by the thread that crashes or calls exit(), before anything is destroyed. False: it could not.

@@ -88,7 +88,7 @@ Thread::Thread(const char* name, std::function<void()> body) : it_(std::make_uni
   sigset_t masked, before;
   sigfillset(&masked);
   for (const int crash : kCrashSignals) sigdelset(&masked, crash);
-  pthread_sigmask(SIG_SETMASK, &masked, &before);  // which the thread inherits
+  pthread_sigmask(SIG_SETMASK, &masked, &before);  // the thread inherits it
   try {
     it_->thread = std::thread(std::move(body));
   } catch (...) {

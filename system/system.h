@@ -31,7 +31,7 @@ std::int64_t processor_time() noexcept;
 // The date in UTC, for names and records; nothing is decided by it. The format is that of strftime().
 std::string date(const char* format = "%Y-%m-%dT%H:%M:%SZ");
 
-// A number that nobody can foresee.
+// A number that cannot be foreseen.
 std::uint32_t random();
 
 // False where a signal ended the sleep early.
