@@ -33,7 +33,7 @@ std::string condition_words(const MatchingTable& table);
 // "Table 6.1: Circular cylinder, no vision", without a number for a condition that the thesis does not have.
 std::string heading_of(const MatchingTable& table);
 
-// How intervals were made: level, method, unit, count, seed.
+// The method of the intervals: level, method, unit, count, seed.
 std::string method_of(const AnalysisOptions& options);
 
 // Tables 6.1 to 6.9 and 7.1 with intervals, beside the thesis's overall rows; psychometric fits; who answered; the method.

@@ -25,7 +25,7 @@ struct Estimate {
   Interval interval;
 };
 
-// What is drawn with replacement. `trials`: each participant's trials within a reference radius, for statements about the
+// The units drawn with replacement. `trials`: each participant's trials within a reference radius, for statements about the
 // participants who took part. `participants`: whole participants with all their trials, for statements about others like them,
 // which needs many of them (docs/analysis.md has the measured coverage).
 enum class Unit { trials, participants };
@@ -51,7 +51,7 @@ using Statistic = std::function<std::vector<double>(const std::vector<std::size_
 std::vector<Interval> bca_intervals(const std::vector<Stratum>& strata, const Statistic& statistic,
                                     const Resampling& resampling, std::string_view purpose);
 
-// What resamples are drawn from where that is not the data themselves: strata of other rows, how many units to draw from each,
+// The source of resamples where that is not the data themselves: strata of other rows, how many units to draw from each,
 // and the statistic of these rows. The statistic of the data is to be the one of the whole of it, or near it.
 struct World {
   std::vector<Stratum> strata;

@@ -16,7 +16,7 @@ long in_units(double printed, std::size_t column) {
   return std::lround(printed / kUnits[column]);
 }
 
-// Whether `count` of `trials` answers can be printed as this percentage.
+// True if `count` of `trials` answers can be printed as this percentage.
 bool rounds_to(int count, int trials, int percent) {
   return std::abs(200 * count - 2 * percent * trials) <= trials;
 }

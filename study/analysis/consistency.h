@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether the thesis's printed numbers fit each other, by whole-number arithmetic on the printed digits.
+// Checks that the thesis's printed numbers fit each other, by whole-number arithmetic on the printed digits.
 
 #include <array>
 #include <optional>
@@ -22,7 +22,7 @@ struct MeanCheck {
 };
 std::vector<MeanCheck> mean_checks();
 
-// What explains an overall SD above the mean of the participants': it is of the pooled radii of all of them, so it holds the
+// Explains an overall SD above the mean of the participants': it is of the pooled radii of all of them, so it holds the
 // differences between participants, too. In percent of a common mean m, with 12 trials for each of 5 participants,
 // 59 * pooled^2 = 55 * rms^2 + 12 * 4 * between^2, where between is the standard deviation of the participants' mean radii.
 struct PooledCheck {
@@ -36,7 +36,7 @@ std::vector<PooledCheck> pooled_checks();
 std::vector<std::string> differing_summary_rows();
 
 // One row of table 6.9: in how many ways 120 answers can be counted so that all four percentages round to the printed ones,
-// halves to either side. Where there is none, the largest number of trials below 120 and the smallest above that fit.
+// halves to either side. Without such a way, the largest number of trials below 120 and the smallest above that fit.
 struct CountCheck {
   std::string stimulus;
   int radius, sum;  // mil, %

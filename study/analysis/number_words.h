@@ -17,7 +17,7 @@ inline std::string fixed(double value, int decimals) {
   return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr};
 }
 
-// "0.81 to 0.89"; "-" where there is none.
+// "0.81 to 0.89"; "-" for an undefined interval.
 inline std::string fixed(const Interval& interval, int decimals) {
   return interval.is_defined() ? fixed(interval.low, decimals) + " to " + fixed(interval.high, decimals) : "-";
 }

@@ -20,7 +20,7 @@ struct Origins {
 
 Origins origins_of(const experiments::Results& results);
 
-// Why these trials are not to be analysed together: some are a model's and others are not. Empty where they may be.
+// The reason why these trials must not be analysed together: some are a model's and others are not. Empty where they may be.
 std::string fault_of(const Origins& origins);
 
 // Whole sentences; none where there are no trials.

@@ -11,7 +11,7 @@
 
 namespace forceshade::analysis {
 
-// What a session can add to its results.
+// The data that a session can add to its results.
 struct Profiles {
   std::vector<RadiusProfile> radii;
   std::vector<PositionProfile> positions;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a session records of one matching trial beside its results (thesis 5.5.3), for the figures 6-1, 6-6, 6-7, 6-12 and 6-17.
+// Records of one matching trial beside a session's results (thesis 5.5.3), for the figures 6-1, 6-6, 6-7, 6-12 and 6-17.
 
 #include <string>
 #include <vector>

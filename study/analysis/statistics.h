@@ -37,7 +37,7 @@ struct MatchingSummary {
 // The summary of the trials at these places, each as often as it is named.
 MatchingSummary summary_of(const std::vector<TrialNumbers>& trials, const std::vector<std::size_t>& rows);
 
-// What the thesis prints beside each scatter plot as "varper": one reference radius, mil, and the percentage there.
+// The "varper" that the thesis prints beside each scatter plot: one reference radius, mil, and the percentage there.
 struct Spread {
   double reference;
   double mean, sd_percent;
@@ -46,7 +46,7 @@ struct Spread {
 // The spreads in ascending order of the reference radius.
 std::vector<Spread> spreads_of(const std::vector<TrialNumbers>& trials, const std::vector<std::size_t>& rows);
 
-// What resamples of trials are drawn from: rows of `trials`, in strata that correspond to those of the data.
+// The source of resamples of trials: rows of `trials`, in strata that correspond to those of the data.
 struct ResidualWorld {
   std::vector<TrialNumbers> trials;
   std::vector<Stratum> strata;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What an experiment renders: each bump of a protocol as it is described and as it is driven.
+// Renders the bumps of an experiment: each bump of a protocol as it is described and as it is driven.
 
 #include <atomic>
 #include <functional>
@@ -27,8 +27,8 @@ class Bumps {
   // read: read_until(), or one that shows how far the check of a mesh is.
   explicit Bumps(experiments::Protocol protocol, Read read) : protocol_(std::move(protocol)), read_(std::move(read)) {}
 
-  // What this stimulus and radius is, wherever it stands. Throws BadInput, heights::Error or mesh::Error for what cannot be
-  // rendered. The protocol's height maps and meshes are read as `drive` reads them without further options.
+  // The description of this stimulus and radius, wherever it stands. Throws BadInput, heights::Error or mesh::Error where it
+  // cannot be rendered. The protocol's height maps and meshes are read as `drive` reads them without further options.
   Description description(const experiments::Bump& bump) const;
 
   // The same as it is driven; kept for the next call.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where contact begins, for the eye alone: found by halving.
+// Finds the border of contact by halving, for the eye alone.
 
 #include <cmath>
 

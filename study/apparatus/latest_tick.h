@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a window needs of a servo loop that runs in another thread: its latest tick, and that it ends when somebody says so.
+// Gives a window the latest tick of a servo loop in another thread, and ends that loop on demand.
 
 #include <atomic>
 #include <optional>

@@ -45,7 +45,7 @@ class RecordedLoop {
   // The loop begins, in its own thread.
   void start();
 
-  // What the session shows now is offered to the loop, and a trial that began gets its part. Call after every press, and often
+  // Offers the session's present scene to the loop, and begins the part of a new trial. Call after every press, and often
   // meanwhile. Throws RecordingError where the disk has refused.
   void follow(const experiments::Session& session);
 
@@ -53,8 +53,8 @@ class RecordedLoop {
   double seconds();
   // The latest tick; none before the first.
   std::optional<device::Sample> latest() { return latest_.latest(); }
-  // What was felt at the tick. A bump that was changed under the tip is exchanged later (device/stage.h): until then this is
-  // what the session showed before. By rising ticks.
+  // The scene that was felt at the tick; call it by rising ticks. A bump that was changed under the tip is exchanged later
+  // (device/stage.h): until then this is what the session showed before.
   experiments::Scene felt(const device::Sample& tick);
 
   bool has_ended() const noexcept { return ended_; }

@@ -13,7 +13,7 @@
 
 namespace forceshade::apparatus {
 
-// Where the answers of a run come from. device: the name with which it was opened.
+// The origin of the answers of a run. device: the name with which it was opened.
 experiments::Origin origin_of(experiments::AnsweredBy who, const std::string& device, bool is_certified);
 
 // Called with words for the experimenter.

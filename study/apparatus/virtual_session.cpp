@@ -59,7 +59,7 @@ struct SteeringOnly final : device::Attendant {
   device::Steering hand;
 };
 
-// Where the hand means to be, tick by tick: a stroke across all bumps and back, and a moment in the air after each press.
+// Steers the hand, tick by tick: a stroke across all bumps and back, and a moment in the air after each press.
 class Hand {
  public:
   Hand(device::Steering& steering, double reach) : steering_(steering), reach_(reach) {}

@@ -64,17 +64,17 @@ BidsJson task_of(const SavedSession& session) {
 void describe_trials(BidsJson& json, const SavedSession& session) {
   const bool is_matching = session.protocol.experiment == Experiment::matching;
   json["trial"] = described("Number of the trial in the session, from 1");
-  json["stimulus"] = described("How the matching bump, or the bump to classify, was rendered");
+  json["stimulus"] = described("Rendering of the matching bump, or of the bump to classify");
   json["radius_mil"] = described(is_matching ? "Radius of the reference bump" : "Radius of the bump", "mil (0.0254 mm)");
   json["initial"] = with_levels("Initial radius of the matching bump", {{"large", "The large initial radius of the protocol"},
                                                                         {"same", "That of the reference bump"},
                                                                         {"small", "The small initial radius of the protocol"}});
   json["initial_radius_mil"] = described("Initial radius of the matching bump", "mil (0.0254 mm)");
   json["repetition"] = described("Number of the repetition of the condition, from 1");
-  json["vision"] = with_levels("Whether the bumps were shown on the screen", {{"yes", "Shown"}, {"no", "Hidden"}});
+  json["vision"] = with_levels("Visibility of the bumps on the screen", {{"yes", "Shown"}, {"no", "Hidden"}});
   json["matching_radius_mil"] = described("Radius of the matching bump after the event", "mil (0.0254 mm)");
-  json["used"] = with_levels("Whether the results use the trial that the event belongs to",
-                             {{"yes", "They do"}, {"no", "They do not: it is practice, interrupted or abandoned"}});
+  json["used"] = with_levels("Use of the event's trial in the results",
+                             {{"yes", "Used"}, {"no", "Not used: practice, interrupted or abandoned"}});
   json["response"] = described(is_matching ? "Satisfaction index, 1 (entirely different) to 10 (no difference)"
                                            : "Number of the picture: 1 plane, 2 two polygons, 3 three polygons, 4 cylinder");
 }
@@ -140,7 +140,7 @@ void write_motion(const fs::path& base, const SavedSession& session, const Motio
                 "\tworkspace\n";
   write_text(base.string() + "_channels.tsv", channels);
   // The axes stand in the description alone: the specification names directions F/B, L/R and U/D in SpatialAxes, and its
-  // validator (1.15.0) accepts only A/P, L/R and S/I. RotationOrder and RotationRule belong to orientations; there are none.
+  // validator (1.15.0) accepts only A/P, L/R and S/I. RotationOrder and RotationRule belong to orientations: not recorded.
   BidsJson levels;
   levels["workspace"] = described("x to the right, y away from the participant, z up; the plane of the bumps is z = 0");
   BidsJson channels_json;
@@ -238,7 +238,7 @@ std::string joined(const std::vector<std::string>& words, const char* between = 
   return all;
 }
 
-// "sub-V1, sub-V2", those of which this word is said.
+// "sub-V1, sub-V2": the participants that have this word.
 std::string subjects_with(const std::map<std::string, Participant>& participants, std::vector<std::string> Participant::*words,
                           const std::string& word) {
   std::vector<std::string> subjects;
@@ -257,19 +257,18 @@ std::string readme_of(const std::map<std::string, Participant>& participants) {
     text += "No person answered for " + subjects + ": it is a virtual participant, a model on a simulated device.\n";
   if (const std::string subjects = subjects_with(participants, &Participant::certified, "no"); !subjects.empty())
     text += "The forces were not certified for " + subjects + ".\n";
-  return text +
-         "Who answered, on which device, and whether the forces were certified: participants.tsv.\nExported by forceshade.\n";
+  return text + "Answers, devices and the certification of forces: participants.tsv.\nExported by forceshade.\n";
 }
 
 BidsJson participants_sidecar() {
   return {{"pseudonym", described("Identifier in the session; nothing else about participants was recorded")},
           {"answered_by",
-           with_levels("Who answered", {{"person", "A person"}, {"virtual participant", "A model of a person, and nobody"}})},
-          {"device", described("The devices that gave the forces, as forceshade names them; simulated: none was there")},
-          {"certified", with_levels("Whether the forces were certified", {{"yes", "They were"},
-                                                                          {"no", "They were not"},
-                                                                          {"yes; no", "Not in every run"},
-                                                                          {"no; yes", "Not in every run"}})}};
+           with_levels("Source of the answers", {{"person", "A person"}, {"virtual participant", "A model of a person"}})},
+          {"device", described("The devices that gave the forces, as forceshade names them; simulated: no real device")},
+          {"certified", with_levels("Certification of the forces", {{"yes", "Certified"},
+                                                                    {"no", "Not certified"},
+                                                                    {"yes; no", "Not in every run"},
+                                                                    {"no; yes", "Not in every run"}})}};
 }
 
 // Words of what was exported of each participant, by label. All that can be refused is refused before anything is written.

@@ -112,7 +112,7 @@ class Rows {
 
   static const char* words_of(TrialUse use) { return use == TrialUse::result ? "yes" : "no"; }
 
-  // What an end of the run left unfinished, of unknown duration.
+  // Adds the rows that an end of the run left unfinished, of unknown duration.
   void interrupt() {
     if (trial_) rows_[run_].push_back(*std::exchange(trial_, std::nullopt));
     if (pause_) rows_[run_].push_back(*std::exchange(pause_, std::nullopt));

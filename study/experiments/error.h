@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is wrong with a file of an experiment, in words for whoever edits it.
+// An error in a file of an experiment, in words for its editor.
 
 #include <cstddef>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the participant reads, in one language, from a TOML file.
+// The texts for the participant in one language, from a TOML file.
 
 #include <filesystem>
 #include <string>
@@ -37,7 +37,7 @@ struct Language {
 // Throws Error with file, line and key: every text has to be there, and hold no other names in braces.
 Language read_language(const std::filesystem::path& file);
 
-// What a window calls its keys.
+// The names of the keys in a window.
 struct KeyNames {
   std::string smaller = "j", bigger = "k", done = "l", enter = "Enter", erase = "Backspace";
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which trial comes when: blocks and their trials, in an order that follows from a seed alone.
+// The order of a session: blocks and their trials, in an order that follows from a seed alone.
 
 #include <cstdint>
 #include <string>

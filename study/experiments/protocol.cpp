@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, Bigger>, 2> kBiggers{
     {{"higher", Bigger::higher}, {"larger-radius", Bigger::larger_radius}}};
 constexpr std::array<std::string_view, 3> kUnits{"mm", "m", "in"};
 
-// Where the files of a protocol are, and whether they have to be there.
+// The folder of the files of a protocol, and the rule for missing ones.
 struct Beside {
   fs::path folder;
   Files files;
@@ -124,7 +124,7 @@ void read_stimuli(TomlTable& table, const Beside& where, Protocol& protocol) {
   }
 }
 
-// Whether every condition of `stimulus` can be rendered.
+// Fails where a condition of `stimulus` cannot be rendered.
 void expect_radii(const TomlTable& table, std::string_view key, const Protocol& protocol, const Stimulus& stimulus,
                   const std::vector<Mil>& radii) {
   for (const Mil radius : radii) {

@@ -36,7 +36,7 @@ struct Stimulus {
   std::vector<Variant> variants;  // empty for a law
 };
 
-// What a session does after it was interrupted in a block.
+// The continuation of a session that was interrupted in a block.
 enum class Resume {
   trial,  // the interrupted trial begins again, after a screen of text
   block,  // the block begins again with its instructions; its earlier trials are left out of the results
@@ -44,7 +44,7 @@ enum class Resume {
 
 enum class BlockOrder { as_listed, random };
 
-// What the key for a bigger bump does. The thesis's figure 5-7 speaks of the bump's size, its chapter 7 calls a bump of a
+// The effect of the key for a bigger bump. The thesis's figure 5-7 speaks of the bump's size, its chapter 7 calls a bump of a
 // smaller radius bigger, because at the same width it is higher.
 enum class Bigger { higher, larger_radius };
 
@@ -83,7 +83,7 @@ struct Protocol {
 
   // The radii at which a stimulus is presented in the classification experiment.
   std::vector<Mil> radii_of(const Stimulus& stimulus) const;
-  // What the keys make of a radius: direction 1 is the next larger one, -1 the next smaller; the same at the limit.
+  // The radius after a press of a key: direction 1 is the next larger one, -1 the next smaller; the same at the limit.
   Mil stepped(const Stimulus& stimulus, Mil radius, int direction) const;
 
   // Trials of one participant without practice.
@@ -93,7 +93,7 @@ struct Protocol {
   std::vector<Bump> bumps() const;
 };
 
-// Whether the height maps and meshes that a protocol names have to be there: not where a finished session is analysed.
+// The rule for missing height maps and meshes of a protocol: they may be missing where a finished session is analysed.
 enum class Files { must_exist, may_be_missing };
 
 // Files within it are relative to `folder`; without one, to the protocol's. Throws Error with file, line and key, also where a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a participant answered, one row a trial: what a session yields and what the analysis takes (thesis 5.5, 5.6, chapter 6).
+// A participant's answers, one row a trial: a session yields and the analysis takes them (thesis 5.5, 5.6, chapter 6).
 
 #include <optional>
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace forceshade::experiments {
 
-// Where a matching trial's radius began, beside the reference radius: the symbols +, × and o of the thesis's plots. Where the
+// The initial radius of a matching trial beside the reference radius: the symbols +, × and o of the thesis's plots. Where the
 // largest or smallest initial radius equals the reference, that trial is still of its own condition.
 enum class InitialRadius { large, same, small };
 
-// Who answers: a person, or a model of one (virtual_participant.h). Sessions of earlier versions and results of other programs
-// do not say it.
+// The one who answers: a person, or a model of one (virtual_participant.h). Sessions of earlier versions and results of other
+// programs do not say it.
 enum class AnsweredBy { not_recorded, person, model };
 
 // "", "person", "virtual participant": in files.
 std::string_view name_of(AnsweredBy who);
 
-// Where an answer comes from. What was not recorded is empty.
+// The origin of an answer. Fields that were not recorded are empty.
 struct Origin {
   AnsweredBy answered_by = AnsweredBy::not_recorded;
   std::string device = {};             // that gave the forces, by the name with which it was opened; printable
-  std::optional<bool> certified = {};  // whether these forces were
+  std::optional<bool> certified = {};  // true if these forces were
 
   friend bool operator==(const Origin&, const Origin&) = default;
 };

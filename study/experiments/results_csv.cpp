@@ -36,7 +36,7 @@ const std::vector<std::string> kMatchingColumns{"participant",
 const std::vector<std::string> kClassificationColumns{"participant", "trial",  "stimulus", "radius_mil",
                                                       "repetition",  "answer", "seconds"};
 const std::vector<std::string> kRadiusColumns{"participant", "trial", "step", "seconds", "radius_mil"};
-const std::vector<std::string> kOriginColumns{"answered_by", "device", "certified"};  // which a file may lack
+const std::vector<std::string> kOriginColumns{"answered_by", "device", "certified"};  // a file may lack them
 constexpr std::array<std::string_view, 3> kInitials{"large", "same", "small"};
 constexpr int kLargestMil = 1'000'000, kMostSeconds = 1'000'000, kMostSteps = 1'000'000;
 

@@ -60,7 +60,7 @@ Session::Session(Protocol protocol, Language language, std::uint64_t seed, Log l
   if (place_ == Place::pending && block_ == blocks_.size()) end_session();
 }
 
-// What a log must not hold at this point. Live events pass it, too, in tests of the replay.
+// An error text for an event that a log must not hold here, else "". In tests of the replay live events pass it, too.
 std::string Session::expected(const Event& event) const {
   const auto unless = [](bool is_right, const char* words) { return is_right ? std::string() : std::string(words); };
   if (event.kind == EventKind::run_started)

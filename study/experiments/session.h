@@ -119,7 +119,7 @@ class Session {
   Log log_;
   KeyNames keys_;
   std::vector<Block> blocks_;
-  std::vector<std::vector<int>> attempts_;  // how often each trial of each block was started
+  std::vector<std::vector<int>> attempts_;  // starts of each trial of each block
   Place place_ = Place::instructions;
   std::size_t block_ = 0, trial_ = 0, question_ = 0;
   Mil radius_ = 0;

@@ -75,7 +75,7 @@ About read_about(const fs::path& folder) {
   }
 }
 
-// What follows from the folder but for the events.
+// The contents of the folder but for the events.
 struct Opened {
   About about;
   Protocol protocol;
@@ -93,7 +93,7 @@ fs::path log_in(const fs::path& folder) {
   return folder / "trials.jsonl";
 }
 
-// What a session logs, with where its answers come from beside each start of a run.
+// Logs the events of a session, and the origin of its answers beside each start of a run.
 template <class Log>
 Session::Log logged(std::shared_ptr<Log> log, const Origin& origin) {
   return [log = std::move(log), device = files::printable(origin.device), certified = origin.certified](const Event& event) {
@@ -159,7 +159,7 @@ class RecordedSession::Log {
         done += static_cast<std::size_t>(written);
       } else if (errno != EINTR) {
         const Error error = failed(file_, "be written");
-        // What is left of the line would damage the next one. Where this fails, too, the line is torn, and is recognised.
+        // The rest of the line would damage the next one. Where this fails, too, the line is torn, and is recognised.
         [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size_);
         throw error;
       }

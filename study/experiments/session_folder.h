@@ -19,7 +19,7 @@ bool is_participant(std::string_view id);
 // The folder for the ticks of a run, from 1: SESSION/ticks/run-1 and so on. It need not exist.
 std::filesystem::path ticks_of_run(const std::filesystem::path& session, int run);
 
-// Whether each event reaches the disk before the session goes on. Without it, a crash of the machine, not of the program, may
+// Puts each event on the disk before the session goes on, or not. Without it, a crash of the machine, not of the program, may
 // lose the last seconds: enough for virtual participants.
 enum class Sync { each_event, never };
 
@@ -42,7 +42,7 @@ class RecordedSession {
   const std::string& participant() const { return participant_; }
   int run() const { return run_; }  // from 1
   const std::filesystem::path& folder() const { return folder_; }
-  // Where the ticks of this run belong.
+  // The folder for the ticks of this run.
   std::filesystem::path ticks() const { return ticks_of_run(folder_, run_); }
   // Words about what was repaired; empty if nothing was.
   const std::string& note() const { return note_; }

@@ -11,13 +11,13 @@
 
 namespace forceshade::experiments {
 
-// What becomes of the trial that an event belongs to. abandoned: it was answered, and its block was begun again.
+// The use of the trial that an event belongs to. abandoned: it was answered, and its block was begun again.
 enum class TrialUse { no_trial, interrupted, abandoned, practice, result };
 
-// Says it of each event of the session, in their order.
+// The use of the trial of each event of the session, in their order.
 std::vector<TrialUse> uses_of(const SavedSession& session);
 
-// Where the answers of a run come from.
+// The origin of the answers of a run.
 Origin origin_of(const SavedSession& session, int run);
 
 // The results of every trial that was answered; practice, trials that an interruption ended and trials of a block that was

@@ -13,7 +13,7 @@
 
 namespace forceshade::experiments {
 
-// What was felt on one side.
+// The bump that was felt on one side.
 struct ListedBump {
   std::string stimulus;            // as the protocol names it
   Mil radius = 0;                  // 0 for a stimulus of one shape

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A TOML file of an experiment, read key by key; whatever is wrong is said with file, line and key. Included by source files
-// alone.
+// A TOML file of an experiment, read key by key; errors name the file, the line and the key. Included by source files alone.
 
 #include <filesystem>
 #include <optional>

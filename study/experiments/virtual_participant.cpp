@@ -36,7 +36,7 @@ double degrees(double radians) {
   return radians * (180 / std::numbers::pi);
 }
 
-// Where the hand is at x while the law pushes it with kPress, and what it feels there. The force grows with depth.
+// The place of the hand at x under a force of kPress, and the force there. The force grows with depth.
 Felt felt_at(const fast::Law& law, double x, double beside) {
   const auto force = [&](double z) {
     return law.force(Eigen::Vector3f(static_cast<float>(x), 0, static_cast<float>(z))).cast<double>().eval();
@@ -74,7 +74,7 @@ Cues cues_of(const Stroke& stroke) {
   return cues;
 }
 
-// What the participant has learned of round bumps: which mean height belongs to which mean direction.
+// The participant's knowledge of round bumps: the mean height that belongs to each mean direction.
 class RoundBumps {
  public:
   explicit RoundBumps(const Protocol& protocol) {
@@ -223,7 +223,7 @@ class VirtualParticipant::Model {
     before_burst_ = scene.right->radius;
     const double of_height = matching.truth.height - reference.truth.height,
                  of_direction = matching.size_of_direction - reference.size_of_direction;
-    // What the two cues disagree by, seen with the weights of the combination; noise of the estimate aside.
+    // The disagreement of the two cues, seen with the weights of the combination; noise of the estimate aside.
     left_ = std::sqrt(matching.weight_of_direction * of_direction * of_direction +
                       (1 - matching.weight_of_direction) * of_height * of_height) /
             deviation;

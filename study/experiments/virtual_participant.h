@@ -14,7 +14,7 @@
 
 namespace forceshade::experiments {
 
-// What the hand meets at one place of a bump, pressing with a constant force.
+// The sensation of the hand at one place of a bump, pressing with a constant force.
 struct Felt {
   double height = 0;     // mm, of the hand above where it is beside the bump, pressing as hard
   double direction = 0;  // degrees of the force from the vertical, positive away from the middle

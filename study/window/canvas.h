@@ -54,13 +54,13 @@ class Canvas {
   // In pixels of the picture.
   Size size() const;
 
-  // What the last frame showed, read back from the graphics card.
+  // The picture of the last frame, read back from the graphics card.
   Image pixels();
 
   // Words about what is not as the settings would have it: a font that had to be replaced. Empty otherwise.
   const std::string& note() const;
 
-  // Whether this build has windows; without, the constructor throws, and the message names the packages.
+  // True if this build has windows; without, the constructor throws, and the message names the packages.
   static bool is_available() noexcept;
 
  private:

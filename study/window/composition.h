@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the pictures of all windows have in common: their colours, how lines of text are put into them, and how the tip looks.
+// The common part of the pictures of all windows: their colours, their lines of text, and the look of the tip.
 
 #include <cstdint>
 #include <string>
@@ -21,7 +21,7 @@ inline constexpr Colour kPaper{0.965F, 0.961F, 0.949F}, kPanel{0.925F, 0.918F, 0
 // Pixels: the size of the body of all text in a window of this size, where the settings do not scale it.
 double text_size(Size window);
 
-// Which point of a line of text its x is.
+// The point of a line of text at its x.
 enum class Align : std::uint8_t { left, centre, right };
 
 // A picture on paper while it is put together. Pixels.

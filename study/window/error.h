@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Why there is no window, or why its settings were refused, in words for the researcher.
+// The reason why a window or its settings were refused, in words for the researcher.
 
 #include <stdexcept>
 

@@ -281,7 +281,7 @@ class Canvas::Display {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   }
 
-  // Where swapping waits for a display of 60 Hz, nothing is left to wait for.
+  // Waits for nothing where swapping has waited for a display of 60 Hz.
   void wait() {
     next_ = std::max(next_ + kFrame, Clock::now());  // a late frame delays those after it
     std::this_thread::sleep_until(next_);

@@ -27,7 +27,7 @@ bool is_one_of(const std::vector<std::string>& keys, std::string_view name) {
   return std::ranges::any_of(keys, [&](const std::string& key) { return small(key) == small(name); });
 }
 
-// What no terminal may show becomes no answer either.
+// Text that no terminal may show becomes no answer either.
 bool is_character(std::string_view name) {
   return files::character_size(name) == name.size() && files::is_printable(name);
 }

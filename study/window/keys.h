@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which key of the participant's keyboard is which action of the session.
+// The keys of the participant's keyboard, and their actions in the session.
 
 #include <array>
 #include <optional>
@@ -31,11 +31,11 @@ struct Key {
   bool is_repeat = false;  // made by the keyboard while the key is held down
 };
 
-// What the key does on a screen of this kind; nothing if it has no meaning there. A key that is held down repeats only while an
+// The action of a key on this kind of screen; nothing if it has no meaning there. A key that is held down repeats only while an
 // answer is typed: one press is one change of the radius, and no screen is skipped by holding Return.
 std::optional<experiments::Press> press_of(const Keys& keys, experiments::ScreenKind kind, const Key& key);
 
-// What keys typed within one frame do, in their order. Those after one that leaves the screen (enter, done) are left out: they
+// The actions of keys typed in one frame, in order. Those after one that leaves the screen (enter, done) are left out: they
 // were meant for a screen that the participant had not seen.
 std::vector<experiments::Press> presses_of(const Keys& keys, experiments::ScreenKind kind, std::span<const Key> typed);
 

@@ -47,7 +47,7 @@ class Layout : private Composition {
   }
 
  private:
-  // Which trial it is at the right; the title in what is left.
+  // The number of the trial at the right; the title in the rest.
   void draw_header() {
     double right = window_.width - margin_;
     if (screen_.trials > 0) {
@@ -143,7 +143,7 @@ class Layout : private Composition {
     add_tip(centre, radius);
   }
 
-  // Where what was typed stands, in the middle: above the keys.
+  // Draws the typed text in the middle, above the keys.
   void draw_entry() {
     const double size = 1.3 * label_, width = 4 * size, bottom = bottom_of_text(), top = bottom - line(size) - 0.5 * size;
     const double x = window_.width / 2;
@@ -206,7 +206,7 @@ class Layout : private Composition {
     draw_entry();
   }
 
-  // Where the tip is, over the line z = 0, in a strip that is as wide as the scene. The text of the screen gives way to it.
+  // Draws the tip over the line z = 0, in a strip that is as wide as the scene. The text of the screen gives way to it.
   void draw_tip_alone(const Rectangle& strip) {
     const View view(scene_, window_);
     const double radius = 0.8 * kTipRadius * view.pixels_per_mm(), inset = 0.5 * label_;

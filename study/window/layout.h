@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the participant sees, as a picture: from a screen of the session and the state of the scene, without a display.
+// Draws the picture for the participant: from a screen of the session and the state of the scene, without a display.
 
 #include "forceshade/participant.h"
 #include "study/experiments/language.h"

@@ -74,7 +74,7 @@ using Item = std::variant<Triangles, Line, Ellipse, Box, Text>;
 struct Picture {
   Colour background;
   std::vector<Item> items;         // drawn in this order
-  std::optional<Rectangle> scene;  // where the two bumps are or would be shown
+  std::optional<Rectangle> scene;  // the area in which the two bumps are or would be shown
   std::optional<Point> cursor;     // the centre of what is drawn for the tip
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the participant's eyes are given of the virtual world, and where: the thesis's figures 5-3 and 5-8. Lengths in mm.
+// The visible part of the virtual world, and its place: the thesis's figures 5-3 and 5-8. Lengths in mm.
 
 #include <array>
 #include <cstdint>
@@ -15,13 +15,13 @@ struct Position {
   bool operator==(const Position&) const = default;
 };
 
-// What is felt, as one tick of the servo loop left it.
+// The felt scene, as one tick of the servo loop left it.
 struct Scene {
   // The position of the tip of the stylus, in the frame in which the two bumps stand at x = -separation/2 and +separation/2 on
   // the plane z = 0. Not given: no cursor is drawn.
   std::optional<Position> tip;
-  // On a classification screen, which has no scene: whether the tip is shown there by itself, in front of no surface. So
-  // somebody without a PHANToM sees how the surface pushes the hand that the mouse moves. Not for a hand that can feel.
+  // On a classification screen, which has no scene: true if the tip is shown there by itself, in front of no surface. So
+  // a participant without a PHANToM sees how the surface pushes the hand that the mouse moves. Not for a hand that can feel.
   bool shows_tip_alone = false;
   double felt_height = 0;  // of the surface that is rendered there: the nominal surface, on which the force begins
   double separation = 50.8;
@@ -46,10 +46,10 @@ double drawn_radius(double width);
 // mm: of the surface that is drawn, at x.
 double drawn_height(const Scene& scene, double x);
 
-// Where the tip is drawn: as far above the drawn surface as it is above the felt one, and on it where it has penetrated (thesis
-// 5.2, 5.5). So the cursor touches the picture exactly when the hand touches the object; drawn at the hand's own height it
-// would float over the picture of a bump that is higher than drawn, and show the difference in size that is to be felt. x and y
-// are not changed. A height that is not finite counts as 0.
+// The place at which the tip is drawn: as far above the drawn surface as it is above the felt one, and on it where it has
+// penetrated (thesis 5.2, 5.5). So the cursor touches the picture exactly when the hand touches the object; drawn at the hand's
+// own height it would float over the picture of a bump that is higher than drawn, and show the difference in size that is to be
+// felt. x and y are not changed. A height that is not finite counts as 0.
 Position drawn_cursor(const Position& tip, double felt_height, double drawn_height);
 
 }  // namespace forceshade::window

@@ -86,7 +86,7 @@ class SectionPicture : private Composition {
     add(Triangles{{{at(length, 0), kAccent}, {at(length - head, head / 2), kAccent}, {at(length - head, -head / 2), kAccent}}});
   }
 
-  // How long 1 N and 10 mm are, at the top right of the section.
+  // Draws the lengths of 1 N and 10 mm at the top right of the section.
   void draw_scales() {
     const double size = 0.7 * body_, right = view_.area().right - body_;
     double top = view_.area().top + 0.6 * body_;

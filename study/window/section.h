@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A surface cut by a plane y = constant, with the tip that feels it: what somebody sees who drives a device with the mouse.
+// A surface cut by a plane y = constant, with the tip that feels it: the view of a person who drives a device with the mouse.
 // Lengths in mm, forces in N.
 
 #include <array>
@@ -19,7 +19,7 @@ struct Region {
   double left = 0, right = 0, bottom = 0, top = 0;
 };
 
-// What lies inside the surface, along vertical lines from left to right.
+// The inside of the surface, along vertical lines from left to right.
 struct Stretch {
   double low, high;
 };
@@ -48,7 +48,7 @@ struct SectionScene {
   std::vector<std::string> words;  // below the picture, a paragraph each
 };
 
-// Where the region is seen in a window of this size.
+// The view of the region in a window of this size.
 class SectionView {
  public:
   SectionView(const Region& region, Size window);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How the participant's window looks and which keys it takes: a small TOML file. Its keys: docs/experiments.md.
+// The look and the keys of the participant's window: a small TOML file. Its keys: docs/experiments.md.
 
 #include <filesystem>
 #include <string>
@@ -24,7 +24,7 @@ struct Settings {
 // would have two meanings on one screen.
 Settings read_settings(const std::filesystem::path& file);
 
-// What the texts of a session call these keys: the first one for each action.
+// The names of these keys in the texts of a session: the first one for each action.
 experiments::KeyNames key_names(const Keys& keys);
 
 }  // namespace forceshade::window

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the plane with the two bumps is seen in the window: a parallel projection from the front and a little above.
+// The view of the plane with the two bumps in the window: a parallel projection from the front and a little above.
 
 #include "study/window/picture.h"
 #include "study/window/scene.h"

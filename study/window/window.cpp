@@ -22,7 +22,7 @@ bool is_one(const experiments::Screen& a, const experiments::Screen& b) {
 bool Window::draw(const experiments::Screen& screen, const Scene& scene) {
   const bool is_open = canvas_.draw(
       [=, look = look_](Size size, const Measure& measure) { return picture_of(screen, scene, look, size, measure); });
-  // Typed at the screen of the frame before. Where the session has left it since, they do not count for one that nobody saw.
+  // Typed at the screen of the frame before. Where the session has left it since, they do not count for one not yet seen.
   const std::vector<Key> typed = canvas_.keys();
   if (is_one(screen_, screen))
     for (experiments::Press& press : presses_of(keys_, screen.kind, typed)) presses_.push_back(std::move(press));

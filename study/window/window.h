@@ -30,7 +30,7 @@ class Window {
   // drawn before it was typed (keys.h); it means nothing where that is not the screen of this frame any more.
   std::vector<experiments::Press> presses();
 
-  // Where the mouse points in the plane y = 0 of the scene that was last drawn, in mm; nothing while it is outside the window.
+  // The point of the mouse in the plane y = 0 of the scene that was last drawn, in mm; nothing while it is outside the window.
   std::optional<Position> mouse() const;
 
   Image pixels() { return canvas_.pixels(); }
