@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which triangles of a mesh share an edge. Half-edge 3 i + k of triangle i leads from its corner k to the next one.
+// The triangles of a mesh that share an edge. Half-edge 3 i + k of triangle i leads from its corner k to the next one.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a build was configured without: cmake/features.cmake.
+// The features that a build was configured without: cmake/features.cmake.
 
 #include <stdexcept>
 #include <string>
@@ -9,7 +9,7 @@ namespace forceshade {
 
 // Thrown by what would need the feature.
 struct LeftOut : std::runtime_error {
-  // what: what cannot be done, as a sentence without its end.
+  // what: the act that cannot be done, as a sentence without its end.
   LeftOut(const std::string& what, const char* feature)
       : std::runtime_error(what + ": this build was configured without the feature " + feature) {}
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Why a god-object on a mesh cannot be built: the domain of a MeshRendering, for both sides.
+// The reasons why a god-object on a mesh cannot be built: the domain of a MeshRendering, for both sides.
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ inline mesh::Material material_of(const mesh::Materials& materials, std::size_t 
   return materials.list[materials.of_triangle.empty() ? 0 : materials.of_triangle[triangle]];
 }
 
-// Why a mesh of so many triangles cannot have these materials. friction: whether the contact rule uses their coefficients.
+// The reason why a mesh of so many triangles cannot have these materials. friction: the contact rule uses their coefficients.
 inline std::optional<ParameterError> error_of_materials(const mesh::Materials& materials, std::size_t triangles,
                                                         bool friction) {
   for (const mesh::Material& material : materials.list) {
@@ -63,7 +63,7 @@ inline std::optional<ParameterError> error_of_materials(const mesh::Materials& m
   return std::nullopt;
 }
 
-// Why it cannot be rendered, but for what the texture's height map says of itself: the stiffness; the materials, and friction
+// The reason for refusal, but for those that the texture's height map has itself: the stiffness; the materials, and friction
 // where the mesh may cross itself; normals that are not one for each corner, with components in [-2, 2], where the shading or
 // the contact rule uses them; the same of a texture, with points within 10^4 mm and gradients of 0 or of 2^-30 to 1000 mm/mm.
 inline std::optional<ParameterError> first_error(const MeshRendering& rendering) {

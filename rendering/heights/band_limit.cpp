@@ -59,7 +59,7 @@ class Axis {
   Eigen::FFT<double> fft_;
 };
 
-// What is left of a wave of length l: share_squared is (L/l)².
+// The remaining share of a wave of length l: share_squared is (L/l)².
 double gain(double share_squared) {
   if (share_squared >= 1) return 0;
   return share_squared <= 0.25 ? 1 : 0.5 - 0.5 * std::cos(2 * std::numbers::pi * std::sqrt(share_squared));

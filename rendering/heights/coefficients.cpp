@@ -10,7 +10,7 @@ namespace {
 const double kPole = std::sqrt(3.0) - 2;
 constexpr std::int64_t kTerms = 40;  // kPole^40 is below 2^-75
 
-// Which sample stands for one beyond the edge. A clamped spline has c(-1) = c(0), as heights that are mirrored half a
+// The sample that stands for one beyond the edge. A clamped spline has c(-1) = c(0), as heights that are mirrored half a
 // sample beyond the edge have.
 std::int64_t within(std::int64_t i, std::int64_t n, height::Edge edge) {
   if (edge == height::Edge::tile) return (i % n + n) % n;

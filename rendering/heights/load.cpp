@@ -29,7 +29,7 @@ Samples read(const Source& source) {
   if (head.starts_with(std::string("II*\0", 4)) || head.starts_with(std::string("MM\0*", 4))) return read_tiff(source);
   if (head.starts_with("Pf")) return read_pfm(source);
   if (head.starts_with("\x93NUMPY")) return read_npy(source);
-  throw Error(file, "is none of PNG, TIFF, greyscale PFM and NPY");
+  throw Error(file, "expected a PNG, TIFF, greyscale PFM or NPY file");
 }
 
 // As many digits as distinguish it from any other number.

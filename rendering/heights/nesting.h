@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How deep a TOML text nests, known before it is parsed: a parser and its tables call themselves once for each level.
+// The depth of nesting of a TOML text, known before it is parsed: a parser and its tables call themselves once for each level.
 
 #include <cstddef>
 #include <cstdint>

@@ -11,7 +11,7 @@
 namespace forceshade::heights {
 namespace {
 
-// What libpng says goes into the error's text.
+// Puts libpng's message into the error's text.
 void keep_message(png_structp png, png_const_charp message) {
   std::snprintf(static_cast<char*>(png_get_error_ptr(png)), 200, "%s", message);
   png_longjmp(png, 1);
@@ -25,7 +25,7 @@ class Reader {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, message_, &keep_message, &ignore_warning);
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     if (info_ == nullptr) return;
-    // A chunk that was changed, or left over, is an error: what it said may have mattered.
+    // A chunk that was changed, or left over, is an error: its content may have mattered.
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_benign_errors(png_, 0);
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, reinterpret_cast<png_const_bytep>("acTL"), 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the readers of the formats share.
+// Declarations shared by the readers of the formats.
 
 #include <array>
 #include <cstdint>

@@ -20,7 +20,7 @@ namespace forceshade::heights {
 namespace {
 
 struct Scope {
-  std::string_view name, expected;  // what toml++ was reading, in its words, and what may stand there
+  std::string_view name, expected;  // the part that toml++ was reading, in its words; the text allowed there
 };
 constexpr std::string_view kExpectedPair = "KEY = VALUE on a line", kExpectedText = "a text in quotes, which ends on its line";
 constexpr std::array kScopes{

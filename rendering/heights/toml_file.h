@@ -18,20 +18,20 @@
 
 namespace forceshade::heights {
 
-// What keeps a file from being parsed. The reason may hold text of the file.
+// A fault that keeps a file from being parsed. The reason may hold text of the file.
 struct TomlFault {
   std::uint32_t line;  // from 1; 0 where none is known
   std::string reason;
 };
 
-// What a file says. toml++ makes binary64 numbers of its decimals; these are read from the text, and rounded once.
+// The contents of a file. toml++ makes binary64 numbers of decimals; these are read from the text, and rounded once.
 class TomlDocument {
  public:
   TomlDocument(const std::string& text, const std::filesystem::path& file);  // throws toml::parse_error
 
   const toml::table& root() const { return root_; }
 
-  // The number as the file has it, without underscores; empty where the node is none.
+  // The number as the file has it, without underscores; empty where the node is no number.
   std::string number(const toml::node& node) const;
   // The binary32 number nearest to it.
   std::optional<float> binary32(const toml::node& node) const;

@@ -53,7 +53,7 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
       }
     digest.line("map " + identity_of("", rendering.texture.map, height::Mode::force_shaded, 1).digest);
   }
-  // What is usual is not named, so that what was certified or recorded before there was such a choice is still the same.
+  // Leaves usual choices out, so that earlier certificates and recordings, from before such a choice, are still the same.
   const bool has_sheets = rendering.checked.self_intersections() == mesh::SelfIntersections::allowed;
   if (has_sheets) digest.line("self-intersections allowed");
   const bool has_own_contact = rendering.contact != mesh::kUsualContact;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which triangles of a mesh have boxes that meet: a superset of those that have a point in common.
+// Finds the triangles of a mesh whose boxes meet: a superset of those that have a point in common.
 
 #include <array>
 #include <cstdint>

@@ -10,7 +10,7 @@
 namespace forceshade::mesh {
 namespace {
 
-// What an angle and a unit normal are computed from, in units of 2^-106 mm^2 and of their squares.
+// The numbers from which an angle and a unit normal are computed, in units of 2^-106 mm^2 and of their squares.
 struct WholeCorner {
   WholeVector normal;        // u x v, with the sides u and v
   Whole normal_square;       // > 0

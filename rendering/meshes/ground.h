@@ -13,7 +13,7 @@ namespace forceshade::mesh {
 
 // A part of the ground: its vertices and triangles follow each other in the ground's lists.
 struct GroundObject {
-  std::string name;  // which a terminal can show
+  std::string name;  // a terminal can show it
   std::uint32_t first_vertex = 0, first_triangle = 0;
   std::uint64_t triangles = 0;
   std::vector<std::uint64_t> lines;  // LoadedMesh::lines of its file

@@ -40,7 +40,7 @@ class Interval {
   friend Interval cos(const Interval& a);
 
   bool has_zero() const { return abs(centre_) <= radius_; }
-  // Whether every number of the one is below every number of the other.
+  // True if every number of the one is below every number of the other.
   friend bool is_below(const Interval& a, const Interval& b) {
     const Interval difference = b - a;
     return difference.centre_ > difference.radius_;

@@ -68,7 +68,7 @@ bool Lines::fill() {
 
 bool Lines::next() {
   ++number_;
-  std::size_t searched = 0;  // how many bytes from begin_ hold no end of a line
+  std::size_t searched = 0;  // bytes from begin_ that hold no end of a line
   while (true) {
     const char* const from = buffer_.get() + begin_;
     const std::size_t size = end_ - begin_;
@@ -77,7 +77,7 @@ bool Lines::next() {
     const char* const turn = static_cast<const char*>(std::memchr(from + searched, '\r', until - searched));
     std::size_t length = until, taken = until + 1;
     bool is_found = feed != nullptr;
-    // Whether a CR ends the line alone is known once the next byte is there.
+    // A CR may end the line alone: the next byte decides.
     if (turn != nullptr && (turn + 1 < from + size || in_.eof())) {
       length = static_cast<std::size_t>(turn - from);
       taken = length + (turn + 1 < from + size && turn[1] == '\n' ? 2 : 1);

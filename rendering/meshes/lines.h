@@ -18,10 +18,10 @@ class Words {
  public:
   explicit Words(std::string_view line) : rest_(line) {}
 
-  // Empty where there is none left.
+  // Empty where no word is left.
   std::string_view next();
 
-  // What is left, without white space around it.
+  // The rest of the line, without white space around it.
   std::string_view rest() const;
 
  private:
@@ -71,7 +71,7 @@ class Lines {
   std::uint64_t number_ = 0, position_ = 0;
 };
 
-// How a message shows a word of a file. A zero byte, which would end the message where it is printed, becomes \x00.
+// A word of a file as a message shows it. A zero byte, which would end the message where it is printed, becomes \x00.
 std::string in_quotes(std::string_view word);
 
 // The size of a regular file. Throws Error.

@@ -18,7 +18,7 @@ namespace forceshade::mesh {
 namespace {
 
 constexpr double kEpsilon = 0x1p-53;
-// What the C library's atan2 and cos may be wrong by, relative: 8 units in the last place, of which glibc documents 1.
+// The bound of the relative error of the C library's atan2 and cos: 8 units in the last place, of which glibc documents 1.
 constexpr double kLibrary = 0x1p-50;
 
 // The corner that half-edge h starts at, and the two that follow.
@@ -27,7 +27,7 @@ TrianglePoints points_from(const TriangleMesh& mesh, std::uint32_t h) {
   return {mesh.vertices[start_of(mesh, h)], mesh.vertices[start_of(mesh, next)], mesh.vertices[end_of(mesh, next)]};
 }
 
-// What a triangle adds at a corner: its unit normal and its angle, in binary64, with bounds of their errors. A bound is at
+// The part of a triangle at a corner: its unit normal and its angle, in binary64, with bounds of their errors. A bound is at
 // least twice what the roundings add up to in first order (epsilon = 2^-53 each), which covers the higher orders and the
 // roundings of the bound itself while errors are below 2^-10; else the part is of no use.
 struct Part {
@@ -68,7 +68,7 @@ Part part_of(const TrianglePoints& t) {
   return part;
 }
 
-// Whether the triangles turn by more than the angle.
+// True if the triangles turn by more than the angle.
 bool separates(const TriangleMesh& mesh, std::uint32_t h, std::uint32_t other, double degrees) {
   const TrianglePoints s = points_from(mesh, h), t = points_from(mesh, other);
   const Part a = part_of(s), b = part_of(t);
@@ -158,7 +158,7 @@ class Computation {
     } while (at != kNoEdge && at != begin);
   }
 
-  // Whether the edge between a triangle of a fan and the next one separates them.
+  // True if the edge between a triangle of a fan and the next one separates them.
   bool separates_behind(const std::vector<std::uint32_t>& fan, std::size_t i) const {
     return crease_ < 180 && separates(mesh_, fan[i], fan[(i + 1) % fan.size()], crease_);
   }

@@ -11,7 +11,7 @@
 namespace forceshade::mesh {
 namespace {
 
-// What makes no faces: names, points, lines, how it is to be drawn.
+// The keywords that make no faces: names, points, lines, drawing.
 constexpr std::array<std::string_view, 14> kWithoutFaces{
     "o", "s", "mtllib", "usemap", "maplib", "p", "l", "mg", "bevel", "lod", "vp", "c_interp", "shadow_obj", "trace_obj"};
 
@@ -39,7 +39,7 @@ class Reader {
 
   LoadedMesh read() {
     while (lines_.next_with_words()) read_line(whole_line());
-    if (!builder_.has_faces()) throw lines_.ended("a face, of which there is none");
+    if (!builder_.has_faces()) throw lines_.ended("at least one face");
     return builder_.take(file_);
   }
 

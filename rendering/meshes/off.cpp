@@ -144,7 +144,7 @@ LoadedMesh read_as(Layout layout, const std::filesystem::path& file, const FileU
     read_face(text, header, builder, corners);
   }
   text.expect_end();
-  if (!builder.has_faces()) throw text.lines().ended("a face, of which there is none");
+  if (!builder.has_faces()) throw text.lines().ended("at least one face");
   return builder.take(file);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where a mesh lies in a scene: computed exactly and rounded once (docs/scenes.md, "Definition").
+// Places a mesh in a scene: computed exactly and rounded once (docs/scenes.md, "Definition").
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace forceshade::mesh {
 
 inline constexpr float kLeastOfRotation = 0x1p-30F, kMostOfRotation = 2;  // in size, of a component that is not 0
 
-// Whether it is a component of a rotation, and of a translation.
+// True if it is a component of a rotation, or of a translation.
 bool is_of_rotation(float component);
 bool is_of_translation(float component);
 

@@ -110,7 +110,7 @@ class BinaryBody {
 };
 
 constexpr std::uint64_t kLongestList = std::uint64_t{1} << 32;
-// What begins another strip: -1, also as a type without a sign has it.
+// The index that begins another strip: -1, also in a type without a sign.
 constexpr std::int64_t kNextStrip = -1, kUnsignedNextStrip = 0xFFFFFFFF;
 
 template <class Body>

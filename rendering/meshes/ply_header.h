@@ -21,7 +21,7 @@ struct Type {
   bool is_whole;
   double (*take)(Bytes& bytes);  // exact: no number has more than 53 bits
 };
-// What a property is for.
+// The use of a property.
 enum class Role { none, x, y, z, nx, ny, nz, u, v, indices, corner_texture, material };
 
 struct Property {

@@ -43,7 +43,7 @@ int sign_in_256_bits(const Differences& of) {
   return determinant(m).sign();
 }
 
-// Where the differences are exact in binary64 and, after division by their largest common power of two, below 2^40: a product
+// For differences that are exact in binary64 and, after division by their largest common power of two, below 2^40: a product
 // of two is below 2^80, a minor below 2^81, the determinant below 3 * 2^121.
 int sign_in_128_bits(const Differences& of, const Matrix<double>& m) {
   std::array<std::array<std::int64_t, 3>, 3> whole{};
@@ -94,7 +94,7 @@ int sign_of_sides(int p, int q, int r) {
   return p > 0 && q > 0 && r > 0 ? 1 : p < 0 && q < 0 && r < 0 ? -1 : 0;
 }
 
-// Whether a segment (p, q) and a triangle in one plane meet, seen along `axis`, on which the triangle keeps an area. They are
+// True if a segment (p, q) and a triangle in one plane meet, seen along `axis`, on which the triangle keeps an area. They are
 // apart where a side of the triangle has both ends strictly outside, or the segment's line has the triangle strictly on one
 // side: the difference of the two sets is a polygon with edges in just these directions.
 bool meet_in_plane(std::size_t axis, const Vertex& p, const Vertex& q, const TrianglePoints& t) {
@@ -112,7 +112,7 @@ std::size_t axis_with_area(const TrianglePoints& t) {
   return 0;
 }
 
-// Whether a segment (p, q) and a triangle meet, given on which sides of the triangle the ends are.
+// True if a segment (p, q) and a triangle meet, given on which sides of the triangle the ends are.
 bool meets(const Vertex& p, const Vertex& q, int side_p, int side_q, const TrianglePoints& t) {
   if (side_p * side_q > 0) return false;
   if (side_p == 0 && side_q == 0) return meet_in_plane(axis_with_area(t), p, q, t);
@@ -169,7 +169,7 @@ bool meet(const TrianglePoints& s, const TrianglePoints& t) {
   return false;
 }
 
-// What they have in common is convex. A segment of it that begins in the corner goes on until it leaves one of the triangles,
+// The common part is convex. A segment of it that begins in the corner goes on until it leaves one of the triangles,
 // which is at the edge opposite to the corner.
 bool meet_beside_corner(const TrianglePoints& s, const TrianglePoints& t) {
   const int s1 = side_of(t[0], t[1], t[2], s[1]), s2 = side_of(t[0], t[1], t[2], s[2]);

@@ -19,18 +19,18 @@ int side_of(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d);
 // The sign of component `axis` of (b - a) x (c - a).
 int turn(std::size_t axis, const Vertex& a, const Vertex& b, const Vertex& c);
 
-// Whether its normal is not 0.
+// True if its normal is not 0.
 bool has_area(const TrianglePoints& triangle);
 
-// Whether two triangles with an area, borders included, have any point in common ...
+// True if two triangles with an area, borders included, have any point in common ...
 bool meet(const TrianglePoints& s, const TrianglePoints& t);
 // ... any other than the first corner, which is the same point ...
 bool meet_beside_corner(const TrianglePoints& s, const TrianglePoints& t);
 // ... any other than the edge of the first two corners, which are the same points.
 bool meet_beside_edge(const TrianglePoints& s, const TrianglePoints& t);
 
-// How many signs the calling thread's predicates had decided in binary64, and how many they left to wider integers: of 128
-// bits, of 256 bits.
+// The numbers of signs that the calling thread's predicates had decided in binary64, in integers of 128 bits, and in integers
+// of 256 bits.
 struct Stages {
   std::uint64_t binary64 = 0, bits_128 = 0, bits_256 = 0;
 };

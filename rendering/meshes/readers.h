@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the readers of the formats share.
+// Declarations shared by the readers of the formats.
 
 #include <algorithm>
 #include <cstdint>
@@ -85,7 +85,7 @@ class Builder {
   std::optional<std::uint64_t> without_normal_, without_texture_;
 };
 
-// The coordinate that a number of mm is read as; nothing where it is none.
+// The coordinate that a number of mm is read as; nothing where it is no coordinate.
 std::optional<float> coordinate(float number);
 
 // A coordinate of a vertex. Throws Error.
@@ -93,7 +93,7 @@ float coordinate_of(const Lines& lines, std::string_view word, Unit unit);
 // A component of a normal, without a unit, or of a point of the texture in units of so many mm, with the limits of a
 // coordinate. Throws Error.
 float component_of(const Lines& lines, std::string_view word, const files::Decimal& unit = 1);
-// What a message says of a number, `got`, that is no coordinate within 10000 mm, and of one that is no component.
+// The message about a number, `got`, that is no coordinate within 10000 mm, and about one that is no component.
 std::string refusal_of_coordinate(const std::string& got, Unit unit);
 std::string refusal_of_component(const std::string& got, const files::Decimal& unit);
 // Decimal digits alone. Nothing where the word is no number below 2^64.

@@ -12,7 +12,7 @@
 namespace forceshade::mesh {
 namespace {
 
-constexpr std::uint32_t kBeyond = 0xFFFFFFFF;  // in place of a vertex that is none
+constexpr std::uint32_t kBeyond = 0xFFFFFFFF;  // in place of a vertex that does not exist
 
 // "dropped 3 faces without area: 4, 9, 12", of many only the first.
 std::string sentence(const std::string& words, const std::vector<std::uint32_t>& numbers) {
@@ -30,7 +30,7 @@ class Repair {
 
   Repaired run() {
     weld();
-    drop("with a vertex that is none", [&](const Triangle& t) {
+    drop("with a vertex that does not exist", [&](const Triangle& t) {
       return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh_.vertices.size(); });
     });
     drop("with a vertex twice", [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });

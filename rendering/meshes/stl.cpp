@@ -47,7 +47,7 @@ LoadedMesh read_binary(const std::filesystem::path& file, Unit unit, std::uint64
         if (!kept) throw bytes.error(place, refusal_of_coordinate(words_of(static_cast<double>(number)), unit));
         x = *kept;
       }
-    bytes.skip(2);  // what some programs use for a colour
+    bytes.skip(2);  // some programs use them for a colour
     add_triangle(builder, welder, vertices, 0);
   }
   return taken(builder, welder, file, triangles);
@@ -82,7 +82,7 @@ class Text {
       }
       after("endsolid");
     }
-    if (triangles == 0) throw lines_.ended("a face, of which there is none");
+    if (triangles == 0) throw lines_.ended("at least one face");
     return taken(builder_, welder_, file_, triangles);
   }
 

@@ -148,7 +148,7 @@ class Gradients {
     return sum;
   }
 
-  // What the ends of the enclosures round to; false where they leave a doubt. Then, of two neighbours, it is the middle
+  // Rounds the ends of the enclosures; false where they leave a doubt. Then, of two neighbours, it is the middle
   // rounded: a tie goes to the even one.
   template <class N>
   static bool round(const std::array<N, 3>& mean, Normal& gradient) {

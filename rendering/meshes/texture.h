@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the corners of a mesh lie on a height map that is laid over it, and how fast the map goes by along the surface.
+// The places of the corners of a mesh on a height map that is laid over it, and the speed of the map along the surface.
 
 #include <vector>
 

@@ -12,7 +12,7 @@ namespace forceshade::subjects {
 // Throws BadInput with the file, the line of the number that is out of its domain, and the domain.
 void expect_valid(const std::string& file, const heights::Spec& spec);
 
-// What both sides can build. Throws heights::Error or BadInput with file, line, value and what was expected.
+// Reads a map for both sides. Throws heights::Error or BadInput with file, line, value and what was expected.
 heights::Spec read_height_map(const Options& options, float stiffness);
 
 }  // namespace forceshade::subjects

@@ -14,7 +14,7 @@
 
 namespace forceshade::subjects {
 
-// name: of the option. Throws BadInput for a word that is none of mesh::kUnitNames.
+// name: of the option. Throws BadInput for a word that is not one of mesh::kUnitNames.
 mesh::Unit unit_named(const std::string& word, const std::string& name = "--unit");
 
 // The rule of contact: the one that is named, or friction where a material has some. Throws BadInput where the options name
@@ -28,16 +28,16 @@ struct Unchecked {
   std::function<std::string(const mesh::Findings&)> words;  // one line for each finding of the check
 };
 
-// What both sides can build of a mesh or scene: looks at the numbers of the options, calls `load`, and checks what it gives.
-// The monitor follows that check. Throws BadInput with the option, or the file and the faces, and what was expected;
+// Makes a rendering of a mesh or scene for both sides: looks at the numbers of the options, calls `load`, and checks what it
+// gives. The monitor follows that check. Throws BadInput with the option, or the file and the faces, and what was expected;
 // Interrupted; and what `load` throws.
 MeshRendering rendered(const Options& options, float stiffness, const std::function<Unchecked()>& load, const Monitor& monitor);
 
-// What both sides can build. The monitor follows the check of the mesh. Throws BadInput or mesh::Error with the file, its line
-// or faces, and what was expected; and Interrupted.
+// Reads a mesh for both sides. The monitor follows the check of the mesh. Throws BadInput or mesh::Error with the file, its
+// line or faces, and what was expected; and Interrupted.
 MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& monitor = {});
 
-// What holds, as keys and values; where it was not given, what holds unless said; an empty value where that is said by leaving
+// The options in force, as keys and values: the given value, else the default; an empty value where the default is to leave
 // it out. with_folders: files are named with their folders, else without.
 std::vector<std::pair<std::string, std::string>> written_mesh(const Options& options, bool with_folders);
 

@@ -98,7 +98,7 @@ scene::Motion sampled(const std::vector<TimedPose>& rows, double rate, bool repe
   for (std::size_t tick = 0;; ++tick) {
     const double time = static_cast<double>(tick) / rate;
     while (after != rows.end() && after->time <= time) ++after;
-    // What is repeated begins again in the tick of the last row; else that row's pose stays.
+    // A repeated motion begins again in the tick of the last row; else that row's pose stays.
     if (after == rows.end() && repeats && tick > 0) return motion;
     const TimedPose& before = *(after - 1);
     const bool is_row = after == rows.end() || before.time == time;

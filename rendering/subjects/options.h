@@ -18,10 +18,10 @@ using files::BadInput;
 
 struct Option {
   std::string key, value;  // "radius", "600mil"; a flag has the value "true" or "false"
-  std::string name = {};   // what a message calls it: "bump.toml: line 3: radius"; "--radius" where it is empty
+  std::string name = {};   // its name in messages: "bump.toml: line 3: radius"; "--radius" where it is empty
 };
 
-// What a subject can be: just one of these keys is given.
+// The kinds of a subject: just one of these keys is given.
 inline constexpr std::array<std::string_view, 4> kKinds{"law", "height-map", "mesh", "scene"};
 
 struct Key {
@@ -49,10 +49,10 @@ inline constexpr std::array<Key, 16> kKeys{{{"law"},
                                             {"self-intersecting", {"mesh", "scene"}, true},
                                             {"crease", {"mesh", "scene"}}}};
 
-// Whether it is the key of a flag; false for a word that is no key.
+// True if it is the key of a flag; false for a word that is no key.
 bool is_flag(std::string_view key);
 
-// What holds unless an option says otherwise: the thesis's bump of 600 and 1000 mil.
+// The defaults: the thesis's bump of 600 and 1000 mil.
 inline constexpr const char *kUsualRadius = "15.24mm", *kUsualWidth = "25.4mm", *kUsualStiffness = "0.5N/mm";
 
 class Options {
@@ -87,7 +87,7 @@ std::string expected_law(Laws laws);
 // "vertex", "edge", "none", "texture:FILE"
 std::vector<std::string> shading_words();
 
-// Why an option cannot have this value, "expected ..., got ...": of the options that have one of several words. Empty where
+// The error of an option with this value, "expected ..., got ...": of the options that have one of several words. Empty where
 // it can, and for an option that has a number or a file.
 std::string refusal_of(std::string_view key, const std::string& value, Laws laws = Laws::several);
 

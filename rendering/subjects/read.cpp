@@ -20,7 +20,7 @@ std::string given_or(const Options& options, std::string_view key, const char* u
   return options.has(key) ? options.value(key) : usual;
 }
 
-// Said where nobody chose the width that does not fit.
+// The error, with a hint where the width that does not fit is the default.
 std::string refusal_of_bump(const ParameterError& error, const Options& options) {
   const bool is_unchosen = !options.has("width") && error.parameter == std::string_view("width");
   return words_of(error, options) +

@@ -32,8 +32,8 @@ struct Scene {
 // The ground as it is before mesh::check(). Throws BadInput or mesh::Error with file, line, value and what was expected.
 Scene load_scene(const Options& options);
 
-// What both sides can build: the ground alone where nothing moves; else a scene, whose first object is the ground where it has
-// one. The monitor follows the check of each mesh. Throws the same, and Interrupted.
+// Reads a scene for both sides: the ground alone where nothing moves; else a scene, whose first object is the ground where it
+// has one. The monitor follows the check of each mesh. Throws the same, and Interrupted.
 Description read_scene(const Options& options, float stiffness, const Monitor& monitor = {});
 
 // The options that were given beside the file; what they leave open, the file says. with_folders: as written_mesh() of mesh.h.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the readers of TOML files in this folder share: places in messages, keys that are known, options and materials. Included
+// Shared by the readers of TOML files here: places in messages, keys that are known, options and materials. Included
 // by source files alone.
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace forceshade::subjects {
 
-// What a file or text says. file: what messages call it. Throws BadInput with the file and the line.
+// The document in a file or text. file: its name in messages. Throws BadInput with the file and the line.
 heights::TomlDocument document_in(std::variant<heights::TomlDocument, heights::TomlFault> parsed, const std::string& file);
 
 // The path of a file that is named in this file: beside it, unless the name is an absolute path.
@@ -49,7 +49,7 @@ class Tables {
   // A text in quotes that is not empty. whose: what needs the key, such as "[[material]]"; expected: "a name".
   std::string text_of(const toml::table& table, std::string_view key, std::string_view whose,
                       const std::string& expected) const;
-  // What the keys friction and stiffness say.
+  // The material that the keys friction and stiffness give.
   mesh::Material material_of(const toml::table& table) const;
 
  private:

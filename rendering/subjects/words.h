@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the readers of this folder share about the words of options. Included by source files alone.
+// Words of options that the readers of this folder share. Included by source files alone.
 
 #include <string>
 #include <string_view>

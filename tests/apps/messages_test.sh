@@ -190,7 +190,7 @@ for file in ball.off ball.obj one.stl one.ply; do
 done
 same "forceshade: standard input: line 1: expected a coordinate, got the end of the line" \
   "$(echo 'v 1 2' | "$forceshade" mesh check - --unit mm 2>&1)"
-expect 2 "standard input: is empty; expected a face, of which there is none" -- "$forceshade" mesh check - --unit mm
+expect 2 "standard input: is empty; expected at least one face" -- "$forceshade" mesh check - --unit mm
 
 # What is wrong with a face names its line; a binary file has none.
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' > flat.obj

@@ -69,7 +69,7 @@ TEST(broken_mesh_files, of_off_are_refused_in_words) {
        "line 6: expected the index of a vertex, below 3, got the end of the line"},
       {"a.off", head + kThree + "3 0 1 2\n3 0 1 2\n",
        "line 7: expected the end of the file after the last face, got \"3 0 1 2\""},
-      {"a.off", "OFF\n3 0 0\n" + kThree, "line 5: the file ends here; expected a face, of which there is none"},
+      {"a.off", "OFF\n3 0 0\n" + kThree, "line 5: the file ends here; expected at least one face"},
       {"a.off", "NOFF\n3 1 0\n0 0 0 0 0\n", "line 3: expected a number within 10000, got the end of the line"},
       {"a.off", "OFF\n3 1 0\n" + std::string(10'000'000, '7') + "\n", "line 3: is longer than 1048576 bytes"},
       {"a.off", "OFF\n3 1 0\n" + std::string(1'000'000, '1') + " 0 0\n",
@@ -83,8 +83,8 @@ TEST(broken_mesh_files, of_off_are_refused_in_words) {
 TEST(broken_mesh_files, of_obj_are_refused_in_words) {
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   expect_refused({
-      {"a.obj", "", "is empty; expected a face, of which there is none"},
-      {"a.obj", three, "line 3: the file ends here; expected a face, of which there is none"},
+      {"a.obj", "", "is empty; expected at least one face"},
+      {"a.obj", three, "line 3: the file ends here; expected at least one face"},
       {"a.obj", "v 0 0\n", "line 1: expected a coordinate, got the end of the line"},
       {"a.obj", three + "f 1 2\n", "line 4: has a face of 2 corners; expected 3 or more"},
       {"a.obj", three + "f\n", "line 4: has a face of 0 corners; expected 3 or more"},
@@ -207,7 +207,7 @@ TEST(broken_mesh_files, of_stl_are_refused_in_words) {
       {"a.stl", "", "is no STL file: expected the word solid, or 84 bytes and more"},
       {"a.stl", "soli", "is no STL file: expected the word solid, or 84 bytes and more"},
       {"a.stl", "solid", "line 1: the file ends here; expected facet or endsolid"},
-      {"a.stl", "solid a\nendsolid a\n", "line 2: the file ends here; expected a face, of which there is none"},
+      {"a.stl", "solid a\nendsolid a\n", "line 2: the file ends here; expected at least one face"},
       {"a.stl", "solidity\n", "line 1: expected solid, got \"solidity\""},
       {"a.stl", "solid a\n" + facet, "line 8: the file ends here; expected facet or endsolid"},
       {"a.stl", "solid a\n" + facet + "end\n", "line 9: expected endsolid, got \"end\""},

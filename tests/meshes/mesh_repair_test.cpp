@@ -34,11 +34,11 @@ TEST(mesh_repair, lists_what_it_did) {
       {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -3, 0}, {4, 0, 0}, {std::nanf(""), 0, 0}, {1, 0, 0}, {0x1p-40F, -0.0F, 0}},
       {{0, 1, 2}, {7, 4, 3}, {0, 1, 5}, {0, 1, 1}, {0, 6, 1}, {2, 1, 0}, {0, 9, 1}, {0, 4, 1}}};
   const Repaired repaired = repair(mesh);
-  EXPECT_EQ(repaired.done,
-            (Lines{"dropped 1 vertices with a coordinate that is no number within 10000 mm",
-                   "joined 2 vertices to another with the same coordinates", "dropped 2 faces with a vertex that is none: 2, 6",
-                   "dropped 2 faces with a vertex twice: 3, 7", "dropped 1 faces without area: 4",
-                   "dropped 1 faces with the vertices of a face before them: 5", "turned 1 faces over: 1"}));
+  EXPECT_EQ(repaired.done, (Lines{"dropped 1 vertices with a coordinate that is no number within 10000 mm",
+                                  "joined 2 vertices to another with the same coordinates",
+                                  "dropped 2 faces with a vertex that does not exist: 2, 6",
+                                  "dropped 2 faces with a vertex twice: 3, 7", "dropped 1 faces without area: 4",
+                                  "dropped 1 faces with the vertices of a face before them: 5", "turned 1 faces over: 1"}));
   EXPECT_EQ(repaired.mesh.vertices, (std::vector<Vertex>{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -3, 0}, {1, 0, 0}}));
   EXPECT_EQ(repaired.mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 3, 1}}));
   EXPECT_EQ(words(repaired.mesh), "");
