@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Shared by the readers of TOML files here: places in messages, keys that are known, options and materials. Included
+// Tools of the readers of TOML files here: places in messages, keys that are known, options and materials. Included
 // by source files alone.
 
 #include <filesystem>
