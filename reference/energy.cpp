@@ -10,7 +10,7 @@
 namespace forceshade::reference {
 namespace {
 
-// Where two strips meet and their directions differ, inside the domain: nobody goes round its end.
+// A line where two strips meet and their directions differ, inside the domain: no loop goes round its end.
 struct Line {
   Enclosure x, rise;
 };

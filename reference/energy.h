@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a law's force gives the hand along a path, exactly, as guaranteed enclosures (docs/energy.md). The field is that of the
-// formulas at real positions: the position quantum, a rule for reading binary32, has no part in it.
+// The work of a law's force on the hand along a path, exactly, as guaranteed enclosures (docs/energy.md). The field is that of
+// the formulas at real positions: the position quantum, a rule for reading binary32, has no part in it.
 
 #include <optional>
 #include <string>

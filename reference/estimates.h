@@ -16,7 +16,7 @@ struct Law::Estimate {
 };
 
 // The force at a valid position to about 17 digits, and what it is made of, for properties that need a size, not a proof.
-// Where the gap is not positive there is no force, whatever x, y and z say.
+// No force acts where the gap is not positive, whatever x, y and z say.
 struct HeightMapField::Estimate {
   Ball64 gap;      // mm: the penetration
   Ball64 Ux, Uy;   // mm/mm: the gradient that the direction comes from

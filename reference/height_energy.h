@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a height map's force gives the hand along a path, as guaranteed enclosures (docs/energy.md, "Height maps"). The field is
-// that of the formulas at real positions: the position quantum, a rule for reading binary32, has no part in it.
+// The work of a height map's force on the hand along a path, as guaranteed enclosures (docs/energy.md, "Height maps"). The
+// field is that of the formulas at real positions: the position quantum, a rule for reading binary32, has no part in it.
 
 #include <optional>
 #include <string>
@@ -39,7 +39,7 @@ struct SliceBound {
 };
 SliceBound loop_bound(const HeightMapField& law, const Slice& slice, float depth, const Monitor& monitor = {});
 
-// What is wrong with a slice or a depth. The least depth is 10^-4 of the largest coordinate a loop may have: below, the
+// The error of a slice or a depth. The least depth is 10^-4 of the largest coordinate a loop may have: below, the
 // binary32 points of a witness are too coarse.
 std::optional<ParameterError> slice_error(const HeightMapField& law, const Slice& slice, float depth);
 

@@ -21,7 +21,7 @@ namespace {
 
 using height::Mode;
 
-// What the force at a position is made of.
+// The gap and the slopes that the force at a position is made of.
 template <class N>
 struct LocalHeight {
   N gap;     // mm: the penetration
@@ -98,7 +98,7 @@ Rounded round_by_enclosures(const HeightMapField& law, const Point2& at, double 
   return round_exactly(law, at, z);
 }
 
-// Whether the hand is inside the surface.
+// True if the hand is inside the surface.
 bool is_inside(const HeightMapField& law, const Point2& at, double z) {
   for (const unsigned bits : {128U, 768U}) {
     set_precision(bits);

@@ -91,7 +91,7 @@ struct Profile::Pieces {
     return changed;
   }
 
-  // Where `radians` of turning lie behind within a piece: by bisection where it is one-way; no other is wider than a hair.
+  // The place in a piece behind `radians` of turning: by bisection where it is one-way; no other is wider than a hair.
   float within(const Piece& one, const Multiprecision& radians) const {
     const double inside = 0.5 * (one.from + one.to);
     const Enclosure start = angle(parts, one.from, inside);

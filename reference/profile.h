@@ -20,7 +20,7 @@ class Profile {
   Profile(const std::vector<height::Part>& parts, float from, float to);
   ~Profile();
 
-  // How far the normal turns on the way, there and back counted alike: the total variation of arctan U_x, degrees. The two
+  // The turning of the normal on the way, there and back counted alike: the total variation of arctan U_x, degrees. The two
   // enclose it, and are less than 1e-12 apart.
   double least_turning() const;
   double most_turning() const;

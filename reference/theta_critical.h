@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How many polygons a bump needs, by the thesis's theta-critical hypothesis (5.2): shading makes a flat polygon feel round as
-// long as the part of the cylinder that it stands for subtends less than some angle.
+// Counts the polygons that a bump needs, by the thesis's theta-critical hypothesis (5.2): shading makes a flat polygon feel
+// round as long as the part of the cylinder that it stands for subtends less than some angle.
 
 #include <string>
 #include <utility>

@@ -12,7 +12,7 @@ long double positive_part(long double at_surface, long double at_depth, long dou
   return depth * positive * positive / (2 * std::fabs(at_surface - at_depth));
 }
 
-// What holds of a function's values, given those of one that has its sign everywhere.
+// The range of a function's values, given those of one that has its sign everywhere.
 Range with_sign(const Range& values, const Range& sign) {
   return {sign.low >= 0 ? std::max(0.0L, values.low) : values.low, sign.high <= 0 ? std::min(0.0L, values.high) : values.high};
 }

@@ -26,11 +26,11 @@ class Circulation {
 
   const HeightLine& line() const { return line_; }
 
-  // What the lines on which 1/n jumps generate, over K; and with them, the stretches between.
+  // The energy that the lines on which 1/n jumps generate, over K; and with them, the stretches between.
   Generated lines() const;
   Generated generated(const std::vector<Stretch>& stretches) const;
 
-  // What is generated between them, over K; certain to `relative` of all. In order of t.
+  // The energy that is generated between them, over K; certain to `relative` of all. In order of t.
   std::vector<Stretch> stretches(long double relative, const Monitor& monitor = {}) const;
 
   // The rise of 1/n where a piece begins; not for the first piece.

@@ -21,7 +21,7 @@ struct Stretch {
   Ball64 from, to;             // t
   Ball64 generated{}, cost{};  // the integral over it; of a circulation its positive part and the size of its negative part
   Enclosed enclosed = Enclosed::nothing;
-  long double change = from.mid();  // where to cut it best, if that is inside
+  long double change = from.mid();  // the best place to cut it, if that is inside
 
   long double width() const { return to.high() - from.low(); }
   long double doubt() const { return generated.rad() + cost.rad(); }
@@ -111,7 +111,7 @@ class Local {
   SectionSample<SectionSeries> at_middle_, over_;
 };
 
-// f(), with what a formula leaves open where nothing can be cut said as NotEnclosed.
+// f(). Throws NotEnclosed for what a formula leaves open where nothing can be cut.
 template <class F>
 auto decided(const F& f) {
   try {

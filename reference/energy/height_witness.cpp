@@ -186,8 +186,8 @@ class Columns {
     columns_.push_back(column);
   }
 
-  // Where a column that is open at its bottom alone cannot be entered from its neighbour, a part of it one binary32 step wide
-  // is opened up to the corridor.
+  // Opens a part one binary32 step wide of each column that is open at its bottom alone and cannot be entered from its
+  // neighbour, up to the corridor.
   void open_passages() {
     std::vector<Column> open;
     for (Column next : columns_) {

@@ -54,7 +54,7 @@ Ball64 work_across(const HeightMapField& law, const Eigen::Vector3f& a, const Ei
     const long double most = std::min(-below.low, below.high) * stretch.width() * (1 + 0x1p-60L);
     stretch.generated = total + ball(std::min(0.0L, along.low) * most, std::max(0.0L, along.high) * most);
   };
-  // What 64 bits cannot do better.
+  // The error below which 64 bits cannot go.
   const long double floor = static_cast<long double>((b - a).norm() * (1 + a.cwiseAbs().maxCoeff())) * 0x1p-50L;
   Ball64 sum;
   for (const Stretch& stretch : refine(line, judge, 1e-10L, floor, monitor)) sum = sum + stretch.generated;

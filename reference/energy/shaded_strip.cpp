@@ -6,8 +6,8 @@
 namespace forceshade::reference {
 namespace {
 
-// Where a function on [low, high] changes its sign from + to -, as far as `is_before` and `is_after` are sure of it. Encloses
-// the change if there is one, else the end that the function keeps its sign up to.
+// The place where a function on [low, high] changes its sign from + to -, as far as `is_before` and `is_after` are sure of it.
+// Encloses the change if there is one, else the end that the function keeps its sign up to.
 template <class Before, class After>
 Enclosure change_between(Multiprecision low, Multiprecision high, const Before& is_before, const After& is_after) {
   for (unsigned bit = 0; bit < kEnergyBits; ++bit) {

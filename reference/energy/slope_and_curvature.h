@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How each part of a height map slopes and curves along the line y = 0, over a whole stretch of it at once, and where it kinks.
+// The slope, the curvature and the kinks of each part of a height map along the line y = 0, over a whole stretch of it at once.
 
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace forceshade::reference {
 // ends, which belong to it whatever kinks there. Callers hold exact_arithmetic.
 SlopeAndCurvature slope_and_curvature(const std::vector<height::Part>& parts, const Enclosure& x, double inside);
 
-// What kinks strictly between the two, if anything does.
+// The kink strictly between the two, if there is one.
 Kink kink_between(const height::Part& part, double from, double to);
 
 // Adds the x of a spline's grid lines strictly between the two. Throws std::invalid_argument for more than `most` of them.

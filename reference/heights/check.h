@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether the numbers of a part lie in their domain, as docs/height-maps.md states it; each kind has an error_of() in its own
-// header.
+// Checks that the numbers of a part lie in their domain, as docs/height-maps.md states it; each kind has an error_of() in its
+// own header.
 
 #include <cmath>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the parts of a map change their formulas along a straight line over the plane. Each kind has in its own header a cut(),
-// which adds its places, and a jet_in(), its formula between two of them.
+// Finds where the parts of a map change their formulas along a straight line over the plane. Each kind has in its own header a
+// cut(), which adds its places, and a jet_in(), its formula between two of them.
 
 #include <type_traits>
 #include <vector>
@@ -17,7 +17,7 @@ struct Segment {
   float x0, y0, x1, y1;
 };
 
-// Which formula of a part holds: the cell of a grid; of what has a rim, a column of the kind's own.
+// The index of the formula of a part that holds: the cell of a grid; of what has a rim, a column of the kind's own.
 struct Cell {
   long column = 0, row = 0;
 };
@@ -56,7 +56,7 @@ class Cuts {
     cuts.push_back({t.template operator()<Exact>(), to_64_bits(t.template operator()<Enclosure>()), cells.size() - 1, step});
   }
 
-  // A rim, if the way goes into it; one that is only touched is none.
+  // Adds a rim, if the way goes into it and does not only touch it.
   template <class Radius>
   void circle(float x, float y, const Radius& radius, long on_the_way_in, long on_the_way_out) {
     const auto discriminant = [&]<class N>() -> N {

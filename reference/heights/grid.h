@@ -28,13 +28,13 @@ struct GridCell {
     return {place < Rational(static_cast<double>(index)) ? index - 1 : index, pitch, samples};
   }
 
-  // What is left of that: in [0, 1) inside the cell.
+  // The rest of that: in [0, 1) inside the cell.
   template <class N>
   N t(const N& coordinate) const {
     return coordinate / N(static_cast<double>(pitch)) + N(0.5 * (count - 1.0) - static_cast<double>(index));
   }
 
-  // Where sample index + k is kept.
+  // The place of sample index + k.
   std::size_t sample(long k, height::Edge edge) const {
     const long n = count, i = index + k;
     if (edge == height::Edge::tile) return static_cast<std::size_t>((i % n + n) % n);

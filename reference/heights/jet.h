@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a height map is at a point: its height and its gradient, in any of the reference's numbers.
+// A height map at a point: its height and its gradient, in any of the reference's numbers.
 
 #include <array>
 
@@ -44,7 +44,7 @@ N from_centre(double coordinate, float centre) {
   return quantised(centre) == 0 ? N(coordinate) : N(coordinate) - N(static_cast<double>(centre));
 }
 
-// Whether a point, relative to the centre of a disk, lies inside it; on the rim the side with larger x decides.
+// True if a point, relative to the centre of a disk, lies inside it; on the rim the side with larger x decides.
 inline bool is_inside(const Rational& x, const Rational& y, const Rational& radius) {
   const Rational outside = x * x + y * y - radius * radius;
   return sign(outside) < 0 || (sign(outside) == 0 && sign(x) < 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What each kind of height map states in its own header: formula(), jet(), error_of(), cut() and jet_in(),
+// The functions that each kind of height map states in its own header: formula(), jet(), error_of(), cut() and jet_in(),
 // slope_and_curvature_of() and kink_of(), constant_gradient(), tallest() and outline_of(). One that lacks any of them does not
 // compile.
 

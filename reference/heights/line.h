@@ -15,10 +15,10 @@ namespace forceshade::reference {
 // One order more than is integrated, for a derivative; enough for what two cubics make along a diagonal.
 using SectionSeries = Series<7>;
 
-// What the force is made of, at a t or over a stretch of it.
+// The numbers that the force is made of, at a t or over a stretch of it.
 template <class N>
 struct SectionSample {
-  N surface;  // mm: what the depth is measured from
+  N surface;  // mm: the zero of the depth
   N climb;    // mm per unit of t: U_t
   N excess;   // mm per unit of t: that of the surface, less U_t
   N squared;  // n^2 = 1 + U_x^2 + U_y^2

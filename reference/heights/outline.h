@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What docs/height-maps.md says of a part beside its height: where it has kinks, how steep it is and how fast its gradient
-// turns. Bounds and places in binary64, for properties and aim, not for decisions. Each kind has an outline_of() in its own
-// header.
+// The properties of a part beside its height, of docs/height-maps.md: its kinks, its steepness, and the speed at which its
+// gradient turns. Bounds and places in binary64, for properties and aim, not for decisions. Each kind has an outline_of() in
+// its own header.
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ struct Outline {
   std::string kind;
   double steepest = 0;  // mm/mm: bounds the gradient's length
   std::function<GradientChange(double x, double y, double reach)> gradient_change = [](auto...) { return GradientChange{}; };
-  std::vector<std::string> kinks = {};  // where the gradient jumps, in words
+  std::vector<std::string> kinks = {};  // the places where the gradient jumps, in words
   double x = 0, y = 0, reach = 20;      // mm: its middle, and how far from there to look
   std::vector<float> xs = {}, ys = {};  // mm: coordinates at which something changes
   std::optional<Rim> rim = std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace forceshade::reference {
 
-// Where knots[right] is the first knot beyond.
+// The jet at x; knots[right] is the first knot beyond.
 template <class N>
 Jet<N> stretch_jet(const height::Polygons& polygons, std::size_t right, const N& x) {
   const std::vector<height::Knot>& knots = polygons.knots;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How a part slopes and curves along the line y = 0, over a whole stretch of it at once, and where it kinks. Each kind has in
+// The slope, the curvature and the kinks of a part along the line y = 0, over a whole stretch of it at once. Each kind has in
 // its own header a slope_and_curvature_of(), for every x of a stretch that holds `inside` and has no kink or grid line in its
-// interior, and a kink_of(), what kinks strictly between two places, if anything does.
+// interior, and a kink_of(), the kink strictly between two places, if there is one.
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a law answers: first the facet (which formula holds at a position: decisions), then the force on it (values).
+// Evaluates a law: first the facet (which formula holds at a position: decisions), then the force on it (values).
 
 #include "reference/laws/bump_geometry.h"
 

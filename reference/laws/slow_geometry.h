@@ -7,7 +7,7 @@
 
 namespace forceshade::reference {
 
-// Whether w′ and h′ are computed, which takes the longest, or left at 0 for a law whose surface has no flat top.
+// The choice to compute w′ and h′, which takes the longest, or to leave them at 0 for a law whose surface has no flat top.
 enum class FlatTop { needed, not_needed };
 
 // The geometry from the printed formulas, θ = (2/3) arcsin(w/2R), at the precision last set by set_precision().

@@ -67,7 +67,7 @@ std::string correctly_rounded(unsigned digits, const std::function<Enclosure()>&
     if (low == high) return positional(low);
     if (bits < 8 * first) continue;
     if (compare(0) == 0) return "0";
-    // What cancels may need more bits: only a tie of two neighbours is left where both ends are between them.
+    // Cancellation may need more bits: only a tie of two neighbours is left where both ends are between them.
     if (rounded(lower(value), digits, MPFR_RNDZ) == rounded(upper(value), digits, MPFR_RNDZ)) break;
   }
   // Between two neighbouring decimals, the smaller in size by truncation: which is nearer?

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the two ends of an interval of MPFI give in fewer bits. N: such an interval, an Enclosure or one of a fixed precision.
+// The two ends of an interval of MPFI in fewer bits. N: such an interval, an Enclosure or one of a fixed precision.
 
 #include <boost/multiprecision/mpfi.hpp>
 #include <cmath>
@@ -32,7 +32,7 @@ struct RoundedEnds {
         high(mpfr_get_flt(&interval.backend().data()->right, MPFR_RNDN) + 0.0F) {}
   bool agree() const { return low == high; }
   bool are_neighbours() const { return std::nextafter(low, high) == high; }
-  // What the enclosed number rounds to where the two are no farther apart than neighbours. sign_of_excess(tie): the sign of the
+  // The binary32 nearest to the enclosed number, if the two are neighbours at most. sign_of_excess(tie): the sign of the
   // number less the tie between them.
   template <class SignOfExcess>
   float decided(const SignOfExcess& sign_of_excess) const {

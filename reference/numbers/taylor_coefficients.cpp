@@ -37,7 +37,7 @@ Ball64 exp_of(long double x) {
   return value.around();
 }
 
-// What `spread` around the value leaves of [-1, 1].
+// The part of [-1, 1] within `spread` of the value.
 Ball64 of_a_wave(const Ball64& value, long double spread) {
   const Ball64 all = value + Ball64(0, spread);
   if (spread < 0x1p-8L) return all;

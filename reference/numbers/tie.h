@@ -16,7 +16,7 @@ inline float rounded_between(float below, float above, int sign) {
   return (sign < 0 || (sign == 0 && below_is_even) ? below : above) + 0.0F;
 }
 
-// How far `value` is from the tie nearest to it, in units in the last place of `rounded`, the binary32 nearest to it.
+// The distance of `value` from the tie nearest to it, in units in the last place of `rounded`, the binary32 nearest to it.
 inline float ulps_from_tie(const Ball64& value, float rounded) {
   if (rounded == 0) return 0.5F;
   const float size = std::fabs(rounded);
