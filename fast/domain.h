@@ -17,7 +17,7 @@ FORCESHADE_INLINE bool in_domain(float coordinate) {
   return __builtin_fabsf(coordinate) <= kLargestCoordinate;
 }
 
-// Whether the coordinate is in the domain and as quantised already. Integers decide, which leave the floating-point units
+// True if the coordinate is in the domain and as quantised already. Integers decide, which leave the floating-point units
 // free.
 FORCESHADE_INLINE bool is_plain(float coordinate) {
   constexpr auto kLeast = __builtin_bit_cast(std::uint32_t, kPositionQuantum);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How one position is answered: binary64 first, double-double where that is in doubt, wide numbers where even those are.
+// Answers one position: binary64 first, double-double where that is in doubt, wide numbers where even those are.
 
 #include <Eigen/Core>
 

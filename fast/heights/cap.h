@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What cylinder cap and sphere cap share: U = √(R² - ρ²) - √(R² - (w/2)²) for 2ρ < w, else 0.
+// The formula of cylinder cap and sphere cap: U = √(R² - ρ²) - √(R² - (w/2)²) for 2ρ < w, else 0.
 
 #include "fast/heights/check.h"
 #include "fast/heights/exact_terms.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether the numbers of a part lie in their domain (docs/height-maps.md); each kind has an error_of() in its own header.
+// Checks that the numbers of a part lie in their domain (docs/height-maps.md); each kind has an error_of() in its own header.
 
 #include <cmath>
 #include <initializer_list>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a height map is at one position, exactly, and the questions about its force that no enclosure can answer: whether there
-// is contact, and on which side of a tie a component lies.
+// A height map at one position, exactly, and the questions about its force that no enclosure can answer: whether there is
+// contact, and on which side of a tie a component lies.
 //
 // The gap U - z and the slopes U_x and U_y are sums of a part with square roots, of multiples of e^(-q) from Gaussians, and of
 // multiples of cosines and sines from gratings. Like terms are collected in exact arithmetic, so that what cancels is gone. A

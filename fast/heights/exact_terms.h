@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the exact stage takes a part for: the terms of its height and slopes, which each kind's add_terms() gives in the kind's
+// A part as the exact stage sees it: the terms of its height and slopes, which each kind's add_terms() gives in the kind's
 // own header, and the room that their numbers take, which its denominator_bits() bounds.
 
 #include <bit>
@@ -17,7 +17,7 @@ class ExactPlace;
 // Collects the terms of one part.
 class ExactTerms {
  public:
-  // Which of a part is used, and times what: the gap, the slopes, or both.
+  // The numbers of a part that are used, and their factor: the gap, the slopes, or both.
   struct Use {
     bool gap, slopes;
     double factor;  // 1 or -1

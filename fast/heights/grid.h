@@ -34,13 +34,13 @@ class HeightGrid {
   FORCESHADE_INLINE double pitch() const noexcept { return pitch_; }  // mm
   FORCESHADE_INLINE Pair64 pitches() const noexcept { return Pair64{pitch_, pitch_}; }
   FORCESHADE_INLINE Pair64 per_pitch() const noexcept { return Pair64{per_pitch_, per_pitch_}; }  // 1/mm, relative error 2^-53
-  // What turns p U_x and 2 p U_y into slopes: 1/p and 1/2p. 0 instead of 1/p where no step goes along x: then U_x is 0, not
-  // what rounding leaves of it.
+  // The factors that turn p U_x and 2 p U_y into slopes: 1/p and 1/2p. 0 instead of 1/p where no step goes along x: then U_x is
+  // 0, not what rounding leaves of it.
   FORCESHADE_INLINE Pair64 per_slope() const noexcept { return per_slope_; }
   // The largest differences between values side by side, tiled or not; mm.
   double largest_step_along() const noexcept { return largest_step_along_; }
   double largest_step_across() const noexcept { return largest_step_across_; }
-  // Whether the four by four values around a cell are all inside the grid.
+  // True if the four by four values around a cell are all inside the grid.
   FORCESHADE_INLINE bool has_window_around(std::int32_t column, std::int32_t row) const noexcept {
     return static_cast<std::uint32_t>(column) - 1 < inner_columns_ && static_cast<std::uint32_t>(row) - 1 < inner_rows_;
   }
@@ -97,7 +97,7 @@ class HeightGrid {
   Pair64 per_slope_;
 };
 
-// Where a position lies in its cell, 0 to 1 (t in x, s in y).
+// The place of a position in its cell, 0 to 1 (t in x, s in y).
 template <class N>
 struct InCell {
   N t, s;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a height map is at a point: its height and its gradient, in Ball arithmetic (fast/numbers/ball.h).
+// A height map at a point: its height and its gradient, in Ball arithmetic (fast/numbers/ball.h).
 
 #include "fast/domain.h"
 #include "fast/numbers/big_float_ball.h"
@@ -47,7 +47,7 @@ N difference(double a, float b) noexcept {
   return N::exactly(a) - N::exactly(static_cast<double>(b));
 }
 
-// Where a point is, X beside the centre of a disk; on the rim the side with larger x decides.
+// The side of a rim on which a point lies, X beside the centre of a disk; on the rim the side with larger x decides.
 enum class Side { inside, outside, unknown };
 template <class N>
 Side side_of_rim(const N& radius_squared_less_rho_squared, bool is_left_of_centre) noexcept {

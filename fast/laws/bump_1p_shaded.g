@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # bump-1p-shaded: the relative error of the first stage (fast/laws/bump_1p_shaded.h), over the whole bump and the plane beside it.
-# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+# The form and use of the scripts, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
 K = float<ieee_32, ne>(K_);

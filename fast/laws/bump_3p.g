@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # bump-3p: the relative error of the first stage (fast/laws/bump_3p.h), over side faces, flat top and plane.
-# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+# The form and use of the scripts, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
 K = float<ieee_32, ne>(K_);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # bump-cylinder: the relative error of the first stage (fast/laws/bump_cylinder.h). F_x is the cylinder's own.
-# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+# The form and use of the scripts, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
 from_cylinder = rnd(from_cylinder_);

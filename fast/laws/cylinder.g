@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cylinder: the relative error of the first stage (fast/laws/cylinder.h), and that its `contact` is exact where not in doubt.
-# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+# The form and use of the scripts, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
 x = float<ieee_32, ne>(x_);
@@ -57,7 +57,7 @@ l rnd= l1 + d_tail;
 L = z + D;
 Q = l1 + d_tail;
 
-# What follows l and v, from their bounds alone.
+# The numbers that follow l and v, from their bounds alone.
 near_v = rnd(near_v_);
 near_l = rnd(near_l_);
 XX = x * x;

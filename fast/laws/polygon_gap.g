@@ -2,7 +2,7 @@
 # The relative error of height - slope·|x| - z (fast/laws/polygon_gap.h), where it is at least 2^-27 of the height in size; so its
 # sign is right too. All that is used of an operation is that it is within 2^-53 of its result, relative (rel=:
 # tests/fast/gappa_pieces.sh), so lengths may be scaled by any number: nothing here comes near 2^-1022.
-# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+# The form and use of the scripts, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
 z any= float<ieee_32, ne>(z_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the flat top of a three-polygon bump ends, decided exactly.
+// The edge of the flat top of a three-polygon bump, decided exactly.
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # wall: the first stage has no error; the binary64 product of two binary32 numbers is their product.
-# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+# The form and use of the scripts, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
 K = float<ieee_32, ne>(K_);

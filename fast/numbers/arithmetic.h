@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether arithmetic rounds as the proofs assume. No macro shows contraction or clang's reordering, and the mode belongs
+// Tests that arithmetic rounds as the proofs assume. No macro shows contraction or clang's reordering, and the mode belongs
 // to the thread: so the processor is tested. Each file that evaluates a law does it, because each file has flags of its own.
 
 #include <cmath>
@@ -16,8 +16,8 @@ FORCESHADE_INLINE double hidden(double value) {
   return copy;
 }
 
-// What this file's code, on this thread, does otherwise than IEEE 754 rounding to nearest; null if nothing was found. What it
-// computes raises exceptions, which must not trap.
+// The first deviation of this file's code, on this thread, from IEEE 754 rounding to nearest; null if none was found. The
+// tests raise exceptions, which must not trap.
 FORCESHADE_INLINE const char* arithmetic_fault_without_traps() {
   const double one = hidden(1), small = hidden(0x1p-54), larger = hidden(0x1.8p-53);
   if (one + small != 1 || -one - small != -1 || one + larger != 1 + 0x1p-52) return "rounding other than to nearest";

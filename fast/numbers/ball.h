@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the exact stages require of their numbers: a value with a proven error bound, and comparisons that may say "unknown".
+// The concept of the numbers in the exact stages: a value with a proven error bound, and comparisons that may say "unknown".
 //
 // A Ball type N (DoubleDouble, BigFloatBall<>) offers N::exactly(double), + - * /, square_root(N), sign(N), midpoint(N) (the
 // same value with the error dropped), truncated(N, bits) (as midpoint, but good to `bits` bits is enough), widened(N, k) (the

@@ -29,7 +29,7 @@ struct SeriesSize<BigFloatBall<kLimbs>> {
 // 0 give or take 2^-exponent.
 template <class N>
 N within(int exponent) noexcept {
-  constexpr int kStep = 512;  // what binary64 holds
+  constexpr int kStep = 512;  // binary64 holds 2^-kStep
   N size = N::exactly(1);
   for (; exponent > kStep; exponent -= kStep) size = size * N::exactly(std::ldexp(1.0, -kStep));
   size = size * N::exactly(std::ldexp(1.0, -exponent));
@@ -50,7 +50,7 @@ N factorial_series(const N& w, int first, int step) noexcept {
   return numerator / denominator + within<N>(Size::kBits * Size::kTerms);
 }
 
-// How often to halve a number below `size`; 0 < size. Once more than its exponent takes: a number may be rounded up to `size`.
+// The halvings for a number below `size`; 0 < size. Once more than its exponent takes: a number may be rounded up to `size`.
 template <class N>
 int halvings(double size) noexcept {
   const int k = std::ilogb(size) + 2 + SeriesSize<N>::kBits;

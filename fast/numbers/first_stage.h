@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the binary64 stage of every law is made of: exact products, split constants and the rounding test.
+// The parts of the binary64 stage of every law: exact products, split constants and the rounding test.
 //
 // A law's first stage is a template over Real: double, and in tests numbers that write down what is done with them or track its
 // error. A Real offers Real(double), + - * /, comparisons that give a MaskOf<Real> with & | !, and absolute, square_root,
@@ -68,7 +68,7 @@ constexpr int doubt_window(double error_bound) {
   return static_cast<int>(error_bound * 0x1p53) + (error_bound > 0 ? 1 : 0);
 }
 
-// Whether the true number is fewer than kWindow units of the last place away from the computed one: a relative error e of the
+// True if the true number is fewer than kWindow units of the last place away from the computed one: a relative error e of the
 // true number is at most e(1 + 2e) of the computed one, which is less than 2^53 units.
 constexpr bool window_covers(int window, double error_bound) {
   return 0x1p53 * error_bound * (1 + 2 * error_bound) <= window;
@@ -80,7 +80,7 @@ inline constexpr int kTieOffset = kDroppedMask / 2 - kWindow;
 template <int kWindow>
 inline constexpr int kTieThreshold = kDroppedMask - 2 * kWindow;
 
-// Whether some number within kErrorBound (relative) of `value` rounds to another binary32 than `value`, or is a tie.
+// True if some number within kErrorBound (relative) of `value` rounds to another binary32 than `value`, or is a tie.
 template <int kWindow>
 FORCESHADE_INLINE bool rounding_is_in_doubt(double value) {
   if constexpr (kWindow == 0) return false;

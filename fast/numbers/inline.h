@@ -7,7 +7,7 @@
 // The same of a lambda, after its parameters: what it refers to need not be in memory then.
 #define FORCESHADE_INLINE_BODY __attribute__((always_inline))
 
-// What the preprocessor can see; fast/numbers/arithmetic.h finds the rest.
+// Refuses the flags that the preprocessor can see; fast/numbers/arithmetic.h finds the rest.
 #if defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     defined(__NO_SIGNED_ZEROS__)
 #error "forceshade proves its results for IEEE arithmetic: compile without -ffast-math, -Ofast and their parts"

@@ -16,7 +16,7 @@ class RootField {
  public:
   static constexpr std::size_t kMostRoots = 3, kProducts = 1U << kMostRoots;  // a subset is a number, bit i for D_i
 
-  // √radicand as a factor and a subset. Adds the radicand if it is none of the products' relatives; empty where there is no
+  // √radicand as a factor and a subset. Adds the radicand if none of the products is its relative; empty where there is no
   // room for it, or where the radicand has more than 256 bits. The radicand: positive.
   struct Root {
     Fraction factor;

@@ -53,7 +53,7 @@ struct Rotation {
   }
 };
 
-// Where an object sees a position of the world: each coordinate of Rᵀ(p - translation) rounded to binary32, and 0 where it is
+// A position of the world as an object sees it: each coordinate of Rᵀ(p - translation) rounded to binary32, and 0 where it is
 // below 2^-31 in size. Both in the domain and quantised. Empty where these numbers do not decide.
 template <class N>
 std::optional<std::array<float, 3>> seen_from(const scene::Pose& pose, const std::array<float, 3>& p,

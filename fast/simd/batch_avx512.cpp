@@ -4,7 +4,7 @@
 #include "fast/simd/batch.h"
 #include "fast/simd/pack_avx512.h"
 
-// What is made of packs:
+// The code made of packs:
 #include "fast/simd/form_of.inl"
 #include "fast/simd/position_rows_avx2.h"
 

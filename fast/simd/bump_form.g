@@ -3,7 +3,7 @@
 # that its sign is right too; and of the shaded force with R² - x² by one. The products with the constants are those of the laws' own
 # scripts, which take any gap good to 0x1.bp-52. All that is used of an operation is that it is within 2^-53 of its result, relative
 # (rel=: tests/fast/gappa_pieces.sh), so lengths may be scaled by any number: nothing here comes near 2^-1022.
-# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+# The form and use of the scripts, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
 z any= float<ieee_32, ne>(z_);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cylinder_form.inl: the relative error of the components, and the sign of v = R² - ρ².
-# How the scripts are written and run, and the hypotheses they share: docs/proofs.md.
+# The form and use of the scripts, and the hypotheses they share: docs/proofs.md.
 
 @rnd = float<ieee_64, ne>;
 # v. The factors (w/2 - |x|) and (w/2 + |x|) are exact, and so is z + 2·d_head where |z| is neither tiny nor far beyond the cylinder.
@@ -47,7 +47,7 @@ FX = TRUE_SCALE * x;
 FZ = TRUE_SCALE * TRUE_L;
 BOTH = TRUE_SCALE * TRUE_L + plane;
 
-# Where the force acts, scaled to R = 1: |z| <= R + d <= 2.
+# The region where the force acts, scaled to R = 1: |z| <= R + d <= 2.
 #! piece v_inside
 { |z_factor| <= 0x8.01p0 /\ |zt| <= 0x1.01p-27 /\ |zD| <= 0x1.01p-80 /\ v in [1b-24, 0x1.01p0] -> (v - V) / V in ? }
 (W - V) / W -> ((q - Q) / q) * (1 + t / W) + ((z_factor - p - e) + (T - t) + zD) / W { W <> 0, q <> 0 };

@@ -19,9 +19,9 @@
 namespace forceshade::fast {
 namespace {
 
-// What the first pass keeps of as many positions as a vector of binary32 has lanes. They lie side by side: the arrays that each
-// would have otherwise are as long as a page, and a processor takes a load for one of what it has just stored at that place of
-// another page.
+// The first pass keeps these of as many positions as a vector of binary32 has lanes. They lie side by side: the arrays that
+// each would have otherwise are as long as a page, and a processor takes a load for one of what it has just stored at that
+// place of another page.
 struct alignas(64) KeptPositions {
   double x[Floats::kLanes], z[Floats::kLanes], v[Floats::kLanes];
   float t[Floats::kLanes];

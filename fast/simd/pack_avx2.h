@@ -98,7 +98,7 @@ struct Floats {
   FORCESHADE_INLINE friend Floats operator&(Floats a, Mask b) { return _mm256_and_ps(a.lanes, b.bits); }
 };
 
-// What keeps a block from being answered by packs, gathered over the block and tested once, all in integers: they leave
+// Reasons not to answer a block by packs, gathered over the block and tested once, all in integers: they leave
 // the floating-point units free, and cost no masks.
 struct Watch {
   __m256i largest = _mm256_setzero_si256();  // of the coordinates' sizes, as bits: NaN above infinity above every number
@@ -119,7 +119,7 @@ struct Watch {
     smallest = _mm256_min_epu32(smallest, _mm256_min_epu32(less_one(a), less_one(b)));
   }
 
-  // What vanishes on the surface, and is known too roughly where it is small. The upper halves of two packs make one vector.
+  // Takes a number that is 0 on the surface, and too rough where it is small. The upper halves of two packs make one vector.
   FORCESHADE_INLINE void distance(Pack first, Pack second) {
     const __m256i high = _mm256_castps_si256(
         _mm256_shuffle_ps(_mm256_castpd_ps(first.lanes), _mm256_castpd_ps(second.lanes), _MM_SHUFFLE(3, 1, 3, 1)));

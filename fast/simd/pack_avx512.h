@@ -103,7 +103,7 @@ struct Floats {
   FORCESHADE_INLINE friend Floats operator&(Floats a, Mask condition) { return _mm512_maskz_mov_ps(condition.bits, a.lanes); }
 };
 
-// What keeps a block from being answered by packs, gathered over the block and tested once.
+// Reasons not to answer a block by packs, gathered over the block and tested once.
 struct Watch {
   __m512i largest = _mm512_setzero_si512();  // of the coordinates' sizes, as bits: NaN above infinity above every number
   __m512i smallest = _mm512_set1_epi32(-1);  // of the same less one, which puts 0 last
@@ -123,7 +123,7 @@ struct Watch {
     smallest = _mm512_min_epu32(smallest, _mm512_min_epu32(less_one(a), less_one(b)));
   }
 
-  // What vanishes on the surface, and is known too roughly where it is small. The upper halves of two packs make one vector.
+  // Takes a number that is 0 on the surface, and too rough where it is small. The upper halves of two packs make one vector.
   FORCESHADE_INLINE void distance(Pack first, Pack second) {
     const __m512i high = _mm512_castps_si512(
         _mm512_shuffle_ps(_mm512_castpd_ps(first.lanes), _mm512_castpd_ps(second.lanes), _MM_SHUFFLE(3, 1, 3, 1)));
