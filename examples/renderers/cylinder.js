@@ -8,7 +8,7 @@ const hex = (value) => (bytes.setFloat32(0, value), bytes.getUint32(0).toString(
 
 let force;  // of the scene
 
-// Of the radius R, whose axis lies d below the plane, from which it cuts the width w.
+// A cylinder of radius R, whose axis lies d below the plane, from which it cuts the width w.
 function cylinder({radius_mm: R, width_mm: w, stiffness_N_per_mm: K}) {
   const d = Math.sqrt(R * R - w * w / 4);
   return (x, y, z) => {

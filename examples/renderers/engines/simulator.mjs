@@ -4,7 +4,7 @@
 import {createInterface} from 'node:readline';
 import {readFileSync} from 'node:fs';
 
-console.log = console.error;  // what an engine prints is no line of the protocol
+console.log = console.error;  // an engine's output is no line of the protocol
 
 export const option = (name) => process.argv.includes(name);
 export const version = (name) => JSON.parse(readFileSync(new URL(`node_modules/${name}/package.json`, import.meta.url))).version;
