@@ -12,7 +12,7 @@ namespace forceshade::device {
 template <class Sample>
 class FrameSamples {
  public:
-  // Called by whoever makes frames.
+  // Called by the maker of frames.
   void publish(const Sample& sample) noexcept {
     samples_.publish(sample);
     system::step();

@@ -25,7 +25,7 @@ struct Kind {
   // The checks of such a device before it is opened, for `device check`; null: none.
   std::vector<Check> (*checks)(const std::string& rest) = nullptr;
 
-  bool is_simulated = false;  // a model of an arm, of which somebody may believe that it was there
+  bool is_simulated = false;  // a model of an arm that could be taken for a real one
 
   std::string form() const { return std::string(name) + std::string(rest); }
 };

@@ -10,7 +10,8 @@ namespace forceshade::device {
 
 // Words for people where a spring of this stiffness (N/mm) cannot be passive in a loop of this rate (Hz): where KT/2 is more
 // than the damping of the device, as far as it is known, and of a hand's flesh together. Empty where it may be passive, and for
-// a device without forces. A sample of latency takes three times the damping; the arm behind the hand has some, too.
+// devices without a finite peak force. A sample of latency takes three times the damping; the arm behind the hand has some,
+// too.
 std::string words_if_active(double stiffness, const Capabilities& capabilities, double rate);
 
 }  // namespace forceshade::device

@@ -16,7 +16,7 @@ class SentForces {
   // one along the force.
   void arrived(const Eigen::Vector3d& position) noexcept;
 
-  // The frame is to send this force, in N. What it may send, shortened as the allowance says; that force then acts.
+  // The frame is to send this force, in N. Returns what it may send, shortened as the allowance says; that then acts.
   Eigen::Vector3d send(const Eigen::Vector3d& force) noexcept;
 
   // As send(), for a frame that sends its force before its position is known: the step there is taken for the worst one, the

@@ -12,8 +12,8 @@
 
 namespace forceshade::recorder {
 
-// Each tick is in exactly one part. Every part counts its ticks from 0, so that each is a whole recording for whoever has no
-// other; `part` in its metadata (from 1) says its place in the run. A Recorder writes each, with all that it promises.
+// Each tick is in exactly one part. Every part counts its ticks from 0, so that each is a whole recording by
+// itself; `part` in its metadata (from 1) says its place in the run. A Recorder writes each, with all that it promises.
 class Parts final : public device::SampleSink {
  public:
   explicit Parts(const Recorder::Options& options);

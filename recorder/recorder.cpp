@@ -137,8 +137,8 @@ class Recorder::Writer {
       return result;
     }
     try {
-      // Without a journal on the disk: one that a death leaves there must be rolled back by whoever reads next, and a reader
-      // only reads. Nothing but the first 100 bytes of the file changes, in one sector.
+      // Without a journal on the disk: one that a death leaves there must be rolled back by the next reader, which only
+      // reads. Nothing but the first 100 bytes of the file changes, in one sector.
       database_.execute("PRAGMA journal_mode = MEMORY");
     } catch (const RecordingError&) {
       // Someone is reading, or there is no room for a copy: all is there, in two files instead of one.

@@ -25,7 +25,7 @@ class Packets {
   // The other end is closed, or the process that has it is gone. Waits until then for that.
   bool is_alone(std::int64_t deadline = 0) noexcept;
 
-  // For whoever makes, moves and closes it.
+  // For the code that makes, moves and closes it.
   int end() const noexcept { return end_; }
 
  private:

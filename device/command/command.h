@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A device that a program of somebody's drives: it answers each force with a position, in lines of JSON. The protocol is
+// A device that a third-party program drives: it answers each force with a position, in lines of JSON. The protocol is
 // docs/command-device.md.
 
 #include <memory>

@@ -31,7 +31,7 @@ Answer Conversation::ask(std::string_view text, Time timeout) {
   const std::int64_t until = system::now() + system::in_ns(timeout);
   for (int i = 0; i < kMostUnasked && next(0).kind == Answer::Kind::message; ++i) ++unasked_;
   if (is_closed()) return {Answer::Kind::closed, {}};
-  if (is_sending_) return {Answer::Kind::late, {}};  // nobody takes what was sent before
+  if (is_sending_) return {Answer::Kind::late, {}};  // an earlier message is still unsent
   is_sending_ = true;
   send(text);
   while (is_sending_ && system::now() < until) wait(until);

@@ -36,7 +36,7 @@ class Conversation {
   std::size_t unasked() const noexcept { return unasked_; }
 
  protected:
-  // Events, told by whoever moves messages. The text stays until no message is kept any more.
+  // Events, reported by the class that moves messages. The text stays until no message is kept any more.
   void came(std::string_view message) noexcept { message_ = message; }
   bool keeps_message() const noexcept { return message_.has_value(); }
   void was_sent() noexcept { is_sending_ = false; }

@@ -28,7 +28,7 @@ void set(Done& done, const error_code& error) {
   done = error;
 }
 
-// Runs what was begun until it is done or the time is up. Whether it is done.
+// Runs what was begun until it is done or the time is up. True if it is done.
 bool run_until(asio::io_context& io, const Done& done, Clock::time_point deadline) {
   io.restart();
   while (!done && Clock::now() < deadline) {

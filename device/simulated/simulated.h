@@ -25,7 +25,7 @@ struct Operator {
 
 // Its clock is the number of readings: each one moves the arm on by one period under the force last commanded, or, as on a
 // real device, under the one before (`latency`). Nothing depends on the time of day, so a run can be repeated to the bit, but
-// for when somebody presses a button.
+// for the time at which a button is pressed.
 // Each reading is a frame: it reports the force that has acted and, with latency, sends the one that acts from there on.
 class Simulated final : public Device {
  public:

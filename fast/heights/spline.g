@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The absolute errors of the B-spline's first stage (SplineValues in fast/heights/spline.h): of U - c in steps, of U_x and U_y in
-# steps per pitch; a step is the largest difference of coefficients side by side. How the scripts are written and run:
+# steps per pitch; a step is the largest difference of coefficients side by side. The form and use of the scripts:
 # docs/proofs.md.
 #
 # All that is used of an operation is that it is within 2^-53 of its result, relative (rel=: tests/fast/gappa_pieces.sh):

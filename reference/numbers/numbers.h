@@ -18,7 +18,7 @@ using Multiprecision =
     boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
 // Sets the precision of every Enclosure made from here on, in bits. Boost keeps it in one global, and CORE shares nodes
-// without atomics: whoever uses either type, CORE's rationals included, holds exact_arithmetic.
+// without atomics: code that uses either type, CORE's rationals included, must hold exact_arithmetic.
 void set_precision(unsigned bits);
 inline std::mutex exact_arithmetic;
 

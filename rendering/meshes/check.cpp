@@ -149,7 +149,7 @@ void check_fans(const TriangleMesh& mesh, const std::vector<std::uint32_t>& oppo
   }
 }
 
-// Puts the corners that two triangles share first, in the same order. How many these are.
+// Puts the corners that two triangles share first, in the same order. Returns their number.
 std::size_t shared_first(Triangle& s, Triangle& t) {
   std::size_t shared = 0;
   for (std::size_t i = 0; i < 3; ++i)

@@ -16,7 +16,7 @@ struct Shared {
   fast::Evaluation evaluate(const Eigen::Vector3f& position) const noexcept { return field->evaluate(position); }
 };
 
-// step() must not throw, so what the function throws is kept until somebody looks.
+// step() must not throw, so what the function throws is kept for exception().
 class AnsweringSession final : public fast::Session {
  public:
   explicit AnsweringSession(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate)

@@ -15,7 +15,7 @@ namespace forceshade::subjects {
 // expected. Whether the values can be used is for read() to say.
 Options options_of_file(const std::filesystem::path& file);
 
-// The same of a text. file: what messages call it; its folder is that of the files that the text names.
+// The same of a text. file: its name in messages; the files that the text names lie in its folder.
 Options options_of_text(const std::string& text, const std::filesystem::path& file);
 
 // The texts of subject files, one for each law or one: every option that holds, given or not; a file is named without its

@@ -140,9 +140,9 @@ static void write_sessions(FILE* out) {
   fprintf(out, "%s],\n", state->session_count > 0 ? "\n  " : "");
 }
 
-// For whoever started the client, once it has ended: reads its state, writes the verdict as JSON, and prints each fault. How
-// many kinds of fault there were; -1 where no client has loaded the library, -2 where one did and called nothing, and -3 where
-// the report cannot be written.
+// Called by the client's starter, once the client has ended: reads its state, writes the verdict as JSON, and prints each
+// fault. Returns the number of kinds of fault; -1 where no client has loaded the library, -2 where one did and called nothing,
+// and -3 where the report cannot be written.
 PUBLISHED int forceshade_stand_in_verdict(const char* path, const char* report) {
   char beside[1024];
   snprintf(beside, sizeof beside, "%s.state", path);

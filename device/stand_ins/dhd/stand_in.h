@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A stand-in for the shared library of Force Dimension's DHD, with one device in a simulated hand. It judges the client that
-// loads it. What outlives the client is in the state, which may be a file that is mapped: whoever started the client reads it.
+// loads it. What outlives the client is in the state, which may be a mapped file that the client's starter reads.
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -160,7 +160,7 @@ extern const struct event_entry kEventTable[kEvents];
 const char* chosen(enum choice choice);
 bool is_chosen(enum choice choice, const char* value);
 double number_chosen(enum choice choice);
-// NAME=VALUE and EVENT@READING or EVENT@contact, separated by commas. What was wrong, or null.
+// NAME=VALUE and EVENT@READING or EVENT@contact, separated by commas. The first error, or null.
 const char* read_settings(const char* text);
 // Calls for each event of this reading; 0 stands for contact.
 void events_at(uint64_t reading, void (*happen)(enum event));
