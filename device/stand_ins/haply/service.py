@@ -265,7 +265,8 @@ def options_of(words):
                                      "\nexit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, a port that is taken, or a "
                                      "file that cannot be written")
     add = parser.add_argument
-    add("--port", type=number_of(int, 0, 65535), default=10001, help="the port of the WebSocket at 127.0.0.1; 0: a free one, which is printed; default 10001")
+    add("--port", type=number_of(int, 0, 65535), default=10001,
+        help="the port of the WebSocket at 127.0.0.1; 0: a free one, which is printed; default 10001")
     add("--version", type=numbers_of_version, default="3.5.1", help="the version of the service; default 3.5.1")
     add("--type", default="inverse3", choices=["inverse3", "inverse3x", "minverse"], help="the type of the device")
     add("--device-id", default="049D", help="default 049D")
