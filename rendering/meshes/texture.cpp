@@ -148,8 +148,8 @@ class Gradients {
     return sum;
   }
 
-  // Rounds the ends of the enclosures; false where they leave a doubt. Then, of two neighbours, it is the middle
-  // rounded: a tie goes to the even one.
+  // Rounds the ends of the enclosures; false where they leave a doubt. Then, of two neighbours, the gradient is the
+  // middle rounded: a tie goes to the even one.
   template <class N>
   static bool round(const std::array<N, 3>& mean, Normal& gradient) {
     bool is_decided = true;
