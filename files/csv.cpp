@@ -90,7 +90,7 @@ std::optional<T> parse(const std::string& text) {
   return value;
 }
 
-// What stands between the columns of a header that commas do not divide; empty where nothing known does.
+// The name of the character that divides the columns of a header without commas; empty where no known one does.
 std::string separator_of(const std::vector<std::string>& header) {
   if (header.size() != 1) return "";
   for (const auto& [separator, name] : {std::pair{';', "semicolons"}, {'\t', "tabs"}, {'|', "bars"}})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Reads named columns of a CSV stream row by row; whatever is wrong is said with file, line and column.
+// Reads named columns of a CSV stream row by row; errors name file, line and column.
 
 #include <cstddef>
 #include <istream>
@@ -32,7 +32,7 @@ class Reader {
   Reader(std::istream& in, std::string file, std::vector<std::string> columns, const std::vector<std::string>& optional = {},
          Layout layout = Layout::csv);
 
-  // Whether the file has this column; only then may the functions below be called with it.
+  // True if the file has this column; only then may the functions below be called with it.
   bool has(std::size_t i) const { return place_[i] != kNowhere; }
 
   // Throws Error for a column beside those that were named, in a file that may have no others.
@@ -41,7 +41,7 @@ class Reader {
   // Goes to the next row; false after the last one. Throws Error, after which the reader is of no further use.
   bool next();
 
-  // Where in the file the current row begins, from 1.
+  // The line of the file in which the current row begins, from 1.
   std::size_t line() const noexcept { return row_line_; }
 
   const std::string& text(std::size_t i) const;

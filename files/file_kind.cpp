@@ -45,7 +45,7 @@ std::string_view from_first_line(std::string_view text) {
   }
 }
 
-// A list of JSON ends as it begins, and its first element is none that a [table] or [[table]] of TOML could be named by.
+// A list of JSON ends as it begins, and no [table] or [[table]] of TOML could have its first element as a name.
 bool begins_as_json(std::string_view text) {
   if (text.starts_with('{')) return true;
   const std::size_t element = text.find_first_not_of(std::string(kBlank) + '[');

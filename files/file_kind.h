@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a file is that was given where another one is expected.
+// Names the kind of a file that was given where another kind is expected.
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@ namespace forceshade::files {
 // for what may be a text.
 std::string binary_kind(std::string_view bytes);
 
-// What a file of this kind is called in messages.
+// The names of these kinds in messages.
 inline constexpr std::string_view kCsvFile = "a CSV file", kJsonFile = "a JSON file", kTomlFile = "a TOML file";
 
 // One of these three, "an XML or HTML file" or "an empty file" by how the text begins, whatever is wrong further on; empty for

@@ -6,7 +6,7 @@
 
 namespace forceshade::files {
 
-// What such a text begins with, and what it is called in messages.
+// The beginning of such a text, and its name in messages.
 inline constexpr std::string_view kLfsBeginning = "version https://git-lfs.github.com/spec/",
                                   kLfsPointer = "a pointer of Git LFS in the place of a file, which 'git lfs pull' fetches";
 

@@ -20,7 +20,7 @@ constexpr std::size_t kReason = 500;        // characters of one
 constexpr std::size_t kMostValues = 1'000'000;
 constexpr int kDeepest = 100;
 
-// What the text means, discarded where it is no JSON or too much of it; and a key that one of its objects has twice, of which a
+// The value of the text, discarded if it is no JSON or too large; and a key that one of its objects has twice, of which a
 // reader would have to guess one.
 std::pair<Json, std::optional<std::string>> parsed(const std::string& text) {
   struct TooMuch {};

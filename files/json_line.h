@@ -31,7 +31,7 @@ class KeyReader {
   const Json& value(const std::string& key, const std::string& expected) const;
   // As a terminal may show it. A long text is refused.
   std::string text(const std::string& key) const;
-  // Which of these words it is.
+  // The index of its word among these.
   std::size_t word(const std::string& key, const std::vector<std::string>& words) const;
   double number(const std::string& key, double least, double most, const std::string& expected) const;
   std::optional<double> number_or_null(const std::string& key, double least, double most, const std::string& expected) const;

@@ -114,7 +114,7 @@ std::string LineProgram::result() {
   }
 }
 
-// What is there already was not asked for.
+// A line that was there before the request is no answer to it.
 std::string LineProgram::ask(std::string_view line) {
   move(0);
   lines_.ask(line, system::now());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is said to a program of somebody else that answers lines with lines, and what it says, as bytes and times. Whoever moves
-// the bytes (child_process.h; in tests, a script) is a few lines; all that is decided is here, without a process.
+// A dialogue with a third-party program that answers lines with lines, as bytes and times. The bytes are moved by a few lines
+// elsewhere (child_process.h; in tests, a script); all decisions are here, without a process.
 
 #include <chrono>
 #include <cstddef>
@@ -31,7 +31,7 @@ struct ProcessLimits {
 // In place of the status of a program: it was ended for having more threads than that.
 inline constexpr int kTooMany = -1;
 
-// What is to be done with the program's streams, and what is true of its answers. Times are system::now().
+// Decides the use of the program's streams, and judges its answers. Times are system::now().
 class Lines {
  public:
   // whose: what messages call the program; it has to outlive this.
@@ -40,21 +40,21 @@ class Lines {
   // From now on it has so long for an answer.
   void set_answer_time(std::chrono::milliseconds answer) { limits_.answer = answer; }
 
-  // What is wanted of it, one after another, each until result() has one.
+  // Requests, one after another, each until result() has one.
   void ask(std::string_view line, std::int64_t now);
   void hear(std::int64_t now);
   void say_goodbye(std::string_view line, std::int64_t now);
   void dismiss(std::string_view lines, std::int64_t now);
 
-  // What the program is to be sent; whether its input is at its end once nothing is; and until when that, or anything that it
-  // does, is waited for.
+  // The bytes to send; true if the input is closed once nothing is left to send; and the time until which the program, or
+  // anything that it does, is waited for.
   std::string_view to_send() const noexcept { return std::string_view(sent_).substr(taken_); }
   bool closes_input() const noexcept { return wish_ != Wish::line && to_send().empty(); }
   bool ends_it() const noexcept { return wish_ == Wish::dismissal && closes_input(); }
   bool has_ended_output() const noexcept { return has_ended_output_; }
   std::int64_t until() const noexcept { return until_; }
 
-  // What has happened to it. ended(): by the status that the system gives; none: nobody can know it.
+  // Reports of its events. ended(): its status from the system; nothing if that is unknown.
   void took(std::size_t bytes) noexcept { taken_ += bytes; }
   void takes_no_more() noexcept { taken_ = sent_.size(); }
   void said(std::string_view bytes) { said_ += bytes; }

@@ -24,7 +24,7 @@ struct NpyHead {
   std::vector<std::uint64_t> shape;
 };
 
-// What is wrong with the head of a file, in words that go on after its name: "has no NPY header".
+// A fault in the head of a file, in words that go on after its name: "has no NPY header".
 struct NpyFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -32,7 +32,7 @@ struct NpyFault : std::runtime_error {
 // Reads the head of a file of version 1 to 3, so that its numbers follow. Throws NpyFault.
 NpyHead read_npy_head(std::istream& in);
 
-// Whether a file is meant to be an array, by how its name ends: .npy, in small or in capital letters.
+// True if the file's name ends as that of an array: .npy, in small or in capital letters.
 inline bool is_named_npy(std::string_view path) {
   constexpr std::string_view kEnding = ".npy";
   return path.size() >= kEnding.size() && std::ranges::equal(path.substr(path.size() - kEnding.size()), kEnding,

@@ -42,10 +42,10 @@ class OutputFile {
 // Writes the file whole or not at all; "-" is standard output. Throws OutputError.
 void write_file(const std::string& path, const std::string& text);
 
-// Whether this names standard output (not in order with std::cout): "-", /dev/stdout, /dev/fd/1.
+// True if this names standard output (not in order with std::cout): "-", /dev/stdout, /dev/fd/1.
 bool is_standard_output(const std::string& path);
 
-// Whether a file of this name cannot be replaced, but only be written to: standard output, another open descriptor such as
+// True if a file of this name cannot be replaced, but only be written to: standard output, another open descriptor such as
 // /dev/fd/3 or what a shell puts in the place of >(COMMAND), a named pipe, a device such as /dev/null. Not a folder.
 bool is_written_directly(const std::string& path);
 
@@ -62,7 +62,7 @@ std::string final_name(const std::string& path);
 // The names of the files in this folder reach the disk, where its file system can do that. Throws OutputError.
 void sync_folder(const std::string& folder);
 
-// What is thrown: `path: cannot DO: reason`. `reason` is an errno.
+// The error to throw: `path: cannot DO: reason`. `reason` is an errno.
 OutputError output_failure(const std::string& path, const std::string& what, int reason);
 
 // The name with small letters of ASCII for capital ones: where two have the same, some file systems have one file.

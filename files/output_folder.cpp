@@ -97,7 +97,7 @@ bool OutputFolder::has_claimed(const fs::path& partial) {
   return true;
 }
 
-// Removed before it is unlocked: nobody else can have a folder of this name in between and lose it.
+// Removed before it is unlocked: no other process can have a folder of this name in between and lose it.
 void OutputFolder::give_up() {
   std::error_code ignored;
   if (!partial_.empty()) fs::remove_all(std::exchange(partial_, {}), ignored);

@@ -16,10 +16,10 @@ std::size_t character_size(std::string_view text);
 // it is.
 std::string printable(std::string_view text);
 
-// Whether a terminal may show it as it is: what printable() does not change, but for line feeds where there may be some.
+// True if a terminal may show it as it is: printable() changes nothing but line feeds, where there may be some.
 bool is_printable(std::string_view text, bool may_have_lines = false);
 
-// What somebody else wrote, for a message: the beginning, printable and in quotes.
+// A third party's text for a message: the beginning, printable and in quotes.
 std::string shown(std::string_view text, std::size_t length = 80);
 
 }  // namespace forceshade::files

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a misspelt word was meant to be.
+// Suggests a word for a misspelt one.
 
 #include <string>
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace forceshade::files {
 
-// The one of the words that is most like this one, which is none of them (Levenshtein's distance, but near is also what begins
-// with the word, and x_mm for center_x_mm); empty where none is like it.
+// The one of the words that is most like `word`, which equals none of them (Levenshtein's distance, but near is also what
+// begins with the word, and x_mm for center_x_mm); empty where none is like it.
 std::string nearest(std::string_view word, const std::vector<std::string>& words);
 
 // "; the nearest is WORD", to stand behind what was got; empty where none is like it, or where the word is one of them, in a

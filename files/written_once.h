@@ -17,7 +17,7 @@ enum class Written {
 // replaces nothing and is atomic on NFS too, and needs no lock. Throws OutputError.
 Written write_once(const std::filesystem::path& path, const std::string& text);
 
-// Whether both names are names of one file.
+// True if both are names of one file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace forceshade::files
