@@ -45,7 +45,7 @@ extern "C" {
 #define FORCESHADE_API
 #endif
 
-/* Of this header; forceshade_version() is that of the library. */
+/* The version of this header; forceshade_version() is that of the library. */
 #define FORCESHADE_VERSION_MAJOR 0
 #define FORCESHADE_VERSION_MINOR 1
 #define FORCESHADE_VERSION_PATCH 0
@@ -67,7 +67,7 @@ enum {
   FORCESHADE_LEFT_OUT = 12       /* what this build of the library does not have: forceshade_has() */
 };
 
-/* What a position is. */
+/* The status of a position. */
 typedef uint8_t forceshade_status;
 enum {
   FORCESHADE_FREE = 0,      /* outside: no force */
@@ -102,13 +102,13 @@ FORCESHADE_API int32_t forceshade_has(const char* feature);
 /* The sentence of this thread's last error; "" before the first. Never NULL. It stays until this thread's next error. */
 FORCESHADE_API const char* forceshade_message(void);
 
-/* The name of a result without its prefix, "BAD_HANDLE"; "" for a number that is none. Never NULL; lives as long as the process. */
+/* The name of a result without its prefix, "BAD_HANDLE"; "" for an unknown number. Never NULL; lives as long as the process. */
 FORCESHADE_API const char* forceshade_name_of_result(forceshade_result result);
 
 /* SHA-256, in 64 hexadecimal digits, of the compiled objects that answer here: what a certificate is bound to. */
 FORCESHADE_API const char* forceshade_library_digest(void);
 
-/* What the arithmetic of the calling thread does otherwise than IEEE 754 rounding to nearest, as a noun; NULL if nothing was
+/* The fault of the calling thread's arithmetic against IEEE 754 rounding to nearest, as a noun; NULL if nothing was
  * found. Every force that is given under a fault is unproved. */
 FORCESHADE_API const char* forceshade_arithmetic_fault(void);
 
@@ -142,7 +142,7 @@ typedef struct forceshade_height_map {
 
 FORCESHADE_API forceshade_result forceshade_height_map_new(const forceshade_height_map* map, forceshade_subject* made);
 
-/* What the surface of a triangle is like to a hand (docs/meshes.md, "Materials and friction"). */
+/* The properties of a triangle's surface that a hand feels (docs/meshes.md, "Materials and friction"). */
 typedef struct forceshade_material {
   size_t size;            /* sizeof(forceshade_material) */
   float stiffness;        /* K, N/mm, in [10^-3, 10^3]; 0 is that of the mesh */
@@ -184,7 +184,7 @@ FORCESHADE_API forceshade_result forceshade_subject_parse(const char* text, size
 /* Its sessions stay. No thread may be in a call with the subject. */
 FORCESHADE_API forceshade_result forceshade_subject_free(forceshade_subject subject);
 
-/* What a subject is, as a certificate has it. */
+/* The parts of a subject's identity, as certificates have it. */
 enum {
   FORCESHADE_KIND = 0,       /* "law", "height map" or "mesh" */
   FORCESHADE_NAME = 1,       /* of the law, or of the file; "samples" or "triangles" where there was no file */
@@ -197,10 +197,10 @@ enum {
 FORCESHADE_API forceshade_result forceshade_subject_text(forceshade_subject subject, int32_t what, char* text, size_t size,
                                                          size_t* length);
 
-/* Whether a device may be driven with the subject: FORCESHADE_OK where the certificate, a file that `forceshade certify` wrote, is
- * of this very library, covers the subject, and has enough evidence; FORCESHADE_NOT_COVERED with the reason where it does not;
- * FORCESHADE_BAD_INPUT for a file that is no certificate. A library that was exchanged after certification has another digest,
- * and is not covered (docs/certificate.md, "What drive refuses"). */
+/* Checks whether a device may be driven with the subject: FORCESHADE_OK where the certificate, a file that `forceshade certify`
+ * wrote, is of this very library, covers the subject, and has enough evidence; FORCESHADE_NOT_COVERED with the reason where it
+ * does not; FORCESHADE_BAD_INPUT for a file that is no certificate. A library that was exchanged after certification has
+ * another digest, and is not covered (docs/certificate.md, "What drive refuses"). */
 FORCESHADE_API forceshade_result forceshade_certificate_covers(const char* file, forceshade_subject subject);
 
 /* ---- Forces ---- */
@@ -271,20 +271,19 @@ typedef struct forceshade_state {
 /* After the last step. state->size has to be set. */
 FORCESHADE_API forceshade_result forceshade_session_state(forceshade_session session, forceshade_state* state);
 
-/* Goes on from a state of the same subject. A state that is none of this mesh counts as FORCESHADE_NOWHERE. */
+/* Goes on from a state of the same subject. A state that is invalid for this mesh counts as FORCESHADE_NOWHERE. */
 FORCESHADE_API forceshade_result forceshade_session_resume(forceshade_session session, const forceshade_state* state);
 
 /* One tick of each of many paths, as of the hands in a learning loop: path i is at states[i], its next position is that of the
- * batch, and states[i] is then what the tick left. A state that is 0 begins a path, and one that is none of this mesh counts as
- * such. Bit for bit what a session of its own gives for each path, on however many threads. Of a law or a height map, which
- * remember nothing, the states stay as they are. states: batch->count of them; states[0].size has to be set, and is that of
- * each. */
+ * batch, and states[i] is then what the tick left. A state that is 0, or invalid for this mesh, begins a path. Bit for bit what
+ * a session of its own gives for each path, on however many threads. Of a law or a height map, which remember nothing, the
+ * states stay as they are. states: batch->count of them; states[0].size has to be set, and is that of each. */
 FORCESHADE_API forceshade_result forceshade_advance(forceshade_subject subject, forceshade_state* states,
                                                     const forceshade_batch* batch, size_t* invalid);
 
 /* ---- Scenes: one path of the hand through objects that move ---- */
 
-/* Where an object is: its point a is at R a + translation in the world, R the exact rotation of the quaternion (docs/scenes.md). */
+/* The pose of an object: its point a is at R a + translation in the world, R the quaternion's exact rotation (docs/scenes.md). */
 typedef struct forceshade_pose {
   float translation[3]; /* mm, within +-10^4; 0 below 2^-30 */
   float rotation[4];    /* w, x, y, z, of any length: each 0 or of a size from 2^-30 to 2, and not all 0 */
@@ -307,9 +306,9 @@ FORCESHADE_API forceshade_result forceshade_scene_object(forceshade_scene scene,
 
 /* ---- A renderer of one's own, which `forceshade conform --object FILE.so` holds against the exact forces ---- */
 
-/* What a shared object exports for it; a program that only calls forceshade has no use for this part, and the object links
- * nothing of it (examples/renderers/wall.c). The object is loaded in a process of its own, and its functions are called by one
- * thread, each after the one before has returned. No member may be NULL. */
+/* The functions of a shared object that is a renderer (examples/renderers/wall.c); it links nothing of forceshade, and a program
+ * that only calls forceshade does not need them. The object is loaded in a process of its own, and its functions are called by
+ * one thread, each after the one before has returned. No member may be NULL. */
 typedef struct forceshade_renderer {
   size_t size; /* sizeof(forceshade_renderer) */
 
@@ -319,7 +318,7 @@ typedef struct forceshade_renderer {
    * has to stay until close() returns; both are NULL before. */
   int32_t (*open)(const char* scene, void** state, const char** hello);
 
-  /* What it gives for the next `count` positions of the path (1 to 1024 of them, any bits), three floats for each position and
+  /* The answers for the next `count` positions of the path (1 to 1024 of them, any bits), three floats for each position and
    * each answer: in the units and frame of its hello. is_reset: 1 where a new path begins with them, from no contact, and else 0.
    * Returns 0; anything else fails. Answers that it does not write are NaN. */
   int32_t (*answer)(void* state, const float* positions, float* answers, size_t count, int32_t is_reset);

@@ -119,14 +119,14 @@ typedef int32_t (*forceshade_reference_property)(void* user, const char* name, i
 FORCESHADE_API forceshade_result forceshade_reference_properties(forceshade_reference reference, uint64_t cases, uint64_t seed,
                                                                  forceshade_reference_property callback, void* user);
 
-/* What a certificate is good for. */
+/* The standing of a certificate. */
 enum {
   FORCESHADE_REFERENCE_SUFFICIENT = 0,   /* every check held, and a device may be driven */
   FORCESHADE_REFERENCE_INSUFFICIENT = 1, /* every check held, but there is too little evidence to drive */
   FORCESHADE_REFERENCE_REFUTED = 2       /* a check failed; the certificate has the counterexample */
 };
 
-/* How much to check. What is 0 is what a device is driven with. */
+/* The amount to check. A member that is 0 stands for the amount that driving a device requires. */
 typedef struct forceshade_reference_plan {
   size_t size;      /* sizeof(forceshade_reference_plan) */
   uint64_t points;  /* to compare, 1 to 10^12, and a quarter as many with other parameters; 0: 10^6 for a law, else 2 10^5 */

@@ -18,7 +18,7 @@
 // keeps whole through a crash (docs/experiments.md).
 //
 // Errors: run_session() throws std::runtime_error, and leaves no folder behind where it throws before the session is there.
-// What the supervisor or the device ended is no exception: Outcome says it.
+// A run that the supervisor or the device ended is no exception: Outcome says it.
 //
 // Threads: the front is called in the thread that called run_session(), the device in one that it starts. `stop` may be set by
 // any thread or a signal handler.
@@ -40,7 +40,7 @@
 
 namespace forceshade::apparatus {
 
-// What the participant looks at and types into.
+// The participant's screen and keys.
 class Front {
  public:
   virtual ~Front() = default;
@@ -53,7 +53,7 @@ class Front {
   // Since the last call, in their order.
   virtual std::vector<experiments::Press> presses() = 0;
 
-  // Whether the last screen stays until a key is pressed.
+  // True if the last screen stays until a key is pressed.
   virtual bool waits_at_the_end() const { return true; }
 };
 

@@ -97,7 +97,7 @@ struct Build {
   friend bool operator==(const Build&, const Build&) = default;
 };
 
-// What this program was built from and with.
+// The sources and tools that this program was built from.
 Build current_build();
 
 // The point whose exact force came closest to a rounding tie without being one.
@@ -121,7 +121,7 @@ struct Comparison {
   Counts points_by_status;                   // free, contact, invalid
   std::vector<std::string> counterexamples;  // the first mismatches
 
-  // Whether this set's code was compared at every point.
+  // True if this set's code was compared at every point.
   bool covers(const std::string& instruction_set) const;
 };
 
@@ -131,7 +131,7 @@ struct Spread : Comparison {
   std::uint64_t parameter_sets = 0;
 };
 
-// What was found out about a subject.
+// The results for one subject.
 struct Findings : Comparison {
   std::vector<std::string> jumps = {};  // where the force jumps, in words
   bool conservative = false;
@@ -150,8 +150,8 @@ struct SubjectResult : Findings {
   std::vector<std::string> parts = {};    // of a height map, in words
   bool unit_directions = false;           // whether its directions are unit vectors, as far as "unit normals" held
   std::vector<std::uint64_t> seeds = {};  // of its points and cases, ascending: several where certificates were merged
-  // What was certified in the words of the command, as a subject file that means the same again (docs/subjects.md); empty where
-  // a program certified a subject of its own. No claim hangs on it.
+  // The certified subject in the words of the command, as a subject file that means the same again (docs/subjects.md); empty
+  // for a subject of a program's own. For the reader only; not part of the certified identity.
   std::string subject_file = {};
   // The options of forceshade certify that name it, as a shell reads them; empty for a law, and where it was read from a file,
   // which does not keep where a mesh or height map lies.
@@ -183,8 +183,8 @@ struct CertificateError : std::runtime_error {
 // Throws CertificateError, naming the key, where a number is not finite: JSON has none such.
 std::string to_json(const Certificate& certificate);
 
-// What was found without what the run knows of itself (date, processor, seconds): the same bytes whoever found it, with however
-// many processes. missing: in words the work that is not done; empty where all of it is. Throws as to_json() does.
+// The results without date, processor and duration: identical for identical input, with however many processes.
+// missing: the work that is not done, in words; empty where all of it is. Throws as to_json() does.
 std::string evidence_of(const Certificate& certificate, const std::string& missing = "");
 
 // Strict: what is missing, unknown, twice there, of another type, out of its range, or contradicts the rest is refused with a
@@ -199,7 +199,7 @@ std::string read_certificate(const std::string& file);
 // drive refuses".
 std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const Identity& subject);
 
-// How much must have been checked before a device is driven; certify checks as much by default.
+// The least that must have been checked before a device is driven; certify checks as much by default.
 
 inline constexpr std::uint64_t kCases = 2000;  // per property
 
@@ -213,7 +213,7 @@ constexpr std::uint64_t spread_points(std::uint64_t points) {
   return (points + 3) / 4;
 }
 
-// What a certificate, or its entry for one subject, is good for.
+// The standing of a certificate, or of its entry for one subject.
 enum class Standing {
   sufficient,    // every check held, and drive accepts it for this build
   insufficient,  // every check held, but there is too little evidence to drive
@@ -237,9 +237,9 @@ Assessment assessed(const SubjectResult& subject);
 // their units alone, are insufficient.
 Assessment assessed(const Certificate& certificate);
 
-// What is too little for driving, in words: "the certificate has 1 point for wall; driving needs at least 1000000". Each aim
-// must be reached, with the given parameters and in the spread, and each stage that a law can reach in one of them. Which
-// stages another subject can reach depends on what it is made of: binary64 is all that is expected of it.
+// The reasons why it does not permit driving: "the certificate has 1 point for wall; driving needs at least 1000000". Each aim
+// must be reached, with the given parameters and in the spread, and each stage that a law can reach in one of them. The stages
+// that another subject can reach depend on what it is made of: only binary64 is expected of it.
 std::optional<std::string> lacking(const SubjectResult& subject);
 
 }  // namespace forceshade::properties

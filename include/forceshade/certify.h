@@ -9,7 +9,7 @@
 //   if (certificate) std::puts(properties::to_json(*certificate).c_str());
 //
 // Errors: a failed check is a result, Certificate::held(); under a fast::arithmetic_fault() certify() throws
-// std::runtime_error. A certificate that is too little for driving is said to be by assessed() of certificate.h.
+// std::runtime_error. assessed() of certificate.h tells if a certificate is too little for driving.
 //
 // Threads: certify() uses as many threads as its options say. `stop` may be set by any thread or a signal handler.
 //
@@ -57,7 +57,7 @@ struct SweepTotal {
 };
 std::vector<SweepTotal> totals(const Sweeps& sweeps);
 
-// Which kinds to sweep; line and column go together.
+// The kinds to sweep; line and column go together.
 struct SweepPlan {
   std::vector<LawId> laws;
   Parameters parameters;     // width and stiffness of all, radius of lines and columns

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a long check reports while it runs, how it is stopped, and what came of it.
+// Progress, interruption and results of a long check.
 //
 //   std::atomic<bool> stop = false;  // set by a signal handler, or by another thread
 //   const Monitor monitor([](double done) { std::printf("%.0f %%\n", 100 * done); }, stop);
@@ -24,7 +24,7 @@
 
 namespace forceshade {
 
-// The work was interrupted by a signal before it was done. what() says what was not done, where whoever throws it knows.
+// The work was interrupted by a signal before it was done. what() names the unfinished work, if known.
 struct Interrupted : std::runtime_error {
   explicit Interrupted(const std::string& undone = "interrupted") : std::runtime_error(undone) {}
 };
@@ -61,7 +61,7 @@ class Monitor {
 
 namespace forceshade::properties {
 
-// What came of checking one property of a renderer.
+// The result of checking one property of a renderer.
 struct PropertyResult {
   std::string name;  // "equivalence", "continuity", "unit normals", "passivity", or that of a further property
   std::uint64_t cases = 0;
@@ -69,7 +69,7 @@ struct PropertyResult {
   std::string counterexample;  // the shrunk one, empty if held
 };
 
-// How much energy simple loops of one depth can give to the hand, and how much one of them gives (docs/energy.md).
+// The most energy that simple loops of one depth can give to the hand, and the energy of one of them (docs/energy.md).
 struct LoopEnergy {
   double depth_mm = 0;
   std::array<double, 2> bound_mJ{};  // an interval around the supremum

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is to be rendered: a law, a height map, a mesh, or a scene of such objects that move, with every number that determines
-// its force.
+// Describes what is to be rendered: a law, a height map, a mesh, or a scene of such objects that move, with every number that
+// determines its force.
 //
 //   const Description bump{"bump-2p", DescribedLaw{LawId::bump_2p, {15.24F, 25.4F, 0.5F}}};  // mm, mm, N/mm
 //   const auto built = rendering_of(bump);  // of renderer.h

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a force-feedback device is to the servo loop: it gives positions and takes forces. Neither depends on the other.
+// A force-feedback device for the servo loop: it gives positions and takes forces. Neither depends on the other.
 //
 //   const auto hand = device::open_device("simulated");  // or "phantom", "replay:strokes.csv", "null"
 //   if (const auto fault = hand->start(1000)) throw std::runtime_error(fault->words);
@@ -41,8 +41,8 @@
 
 namespace forceshade::device {
 
-// What became of the commands: the forces that the device's frames really sent, which are what a hand feels. A frame measures
-// a position x(j) and sends a force F(j), which acts until the next one.
+// The forces that the device's frames actually sent, which a hand feels. A frame measures a position x(j) and sends a force
+// F(j), which acts until the next one.
 struct Sent {
   Eigen::Vector3f acted{0, 0, 0};   // N: up to the position of this reading
   Eigen::Vector3f acting{0, 0, 0};  // N: from there on; zero where it will be the command that answers this reading
@@ -53,7 +53,7 @@ struct Sent {
   double faded = 0;
 };
 
-// How much the hand may be given: a frame sends no force that could bring Sent::work above `work` within a step of this length.
+// The most energy for the hand: a frame sends no force that could bring Sent::work above `work` within a step of this length.
 struct Allowance {
   double work = std::numeric_limits<double>::infinity();  // mJ
   double longest_step = 0;                                // mm
@@ -78,17 +78,17 @@ struct Fault {
 
 using ReadResult = std::variant<Reading, EndOfData, Fault>;
 
-// What a device can do, fixed while it is open. The default has no limits.
+// The abilities and limits of a device, fixed while it is open. The default has no limits.
 struct Capabilities {
   static constexpr float kNone = std::numeric_limits<float>::infinity();
 
   std::string_view model = "unknown";  // as long as the device lives, like the next four
   std::string_view serial = {}, driver = {}, firmware = {};
-  // What becomes of a commanded force, of a device whose driver alters it; empty where it is what the hand is given.
+  // The driver's change of a commanded force, in words; empty where the hand is given the command.
   std::string_view forces = {};
   Eigen::Vector3f workspace_low = Eigen::Vector3f::Constant(-kNone), workspace_high = Eigen::Vector3f::Constant(kNone);  // mm
   float resolution = 0;  // mm, as a data sheet has it
-  // N, as a data sheet has them. Without a peak it gives no force that a hand could feel: nobody needs to be kept from it.
+  // N, as a data sheet has them. Without a peak it gives no force that a hand could feel, and needs no guard.
   float peak_force = kNone, continuous_force = kNone;
   // False for a device whose hand is computed, too: its arm moves only in a simulation, and its time is the number of readings,
   // so that a late tick holds no force for longer than it should be held.
@@ -97,14 +97,14 @@ struct Capabilities {
   float friction = 0;    // N: the least at its tip, as a data sheet has it
   float damping = 0;     // N·s/m: the least at its tip; 0: not known
   double highest_rate = std::numeric_limits<double>::infinity();  // Hz
-  // What the device's own driver ends a run for: mm/s, N/s.
+  // The limits beyond which the device's own driver ends a run: mm/s, N/s.
   double highest_speed = std::numeric_limits<double>::infinity(), highest_slew = std::numeric_limits<double>::infinity();
   bool paces = false;  // it has frames of its own, which the servo loop can follow
   int buttons = 0;
   bool gimbal = false;
 };
 
-// What a device reports about itself, as of the last reading.
+// The device's report about itself, as of the last reading.
 struct State {
   bool calibrated = true;       // else its positions mean nothing
   bool forces_on = true;        // else commands are accepted and not carried out: a dead-man switch, amplifiers off
@@ -139,27 +139,27 @@ class Device {
 
   virtual State state() const noexcept { return {}; }
 
-  // How many readings are still to come, from a device whose readings end.
+  // The number of readings still to come, from a device whose readings end.
   virtual std::optional<std::size_t> readings_left() const noexcept { return std::nullopt; }
 };
 
 class Steering;  // device/simulated/steering.h
 
 // The person who prepares a device: what a device has to say to them, and what it needs them to do.
-// This one is nobody: hears nothing and does nothing.
+// This one hears nothing and does nothing.
 class Attendant {
  public:
   virtual ~Attendant() = default;
 
   virtual void report(const std::string& words) noexcept { static_cast<void>(words); }
 
-  // Shows what is to be done and waits. False if nobody did it.
+  // Shows what is to be done and waits. False if it was not done.
   virtual bool did(const std::string& words) noexcept {
     static_cast<void>(words);
     return false;
   }
 
-  // Whether they have given up waiting.
+  // True if they have given up waiting.
   virtual bool has_left() const noexcept { return false; }
 
   // Buttons for a device that has none of its own: bit k is set while they hold button k down. As long as they live; null if
@@ -167,7 +167,7 @@ class Attendant {
   static constexpr int kButtons = 2;  // as many as the stylus of a Touch has
   virtual const std::atomic<std::uint16_t>* buttons() noexcept { return nullptr; }
 
-  // Where they mean a simulated hand to be, with a mouse for instance. As long as they live; null if they steer nothing.
+  // The place where they want a simulated hand, with a mouse for instance. As long as they live; null if they steer nothing.
   virtual Steering* steering() noexcept { return nullptr; }
 };
 
@@ -181,11 +181,11 @@ struct DeviceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Whether a device may ever give a force. Where it is `never`, a real device's force output is never switched on.
+// Permits or forbids forces. With `never`, a real device's force output is never switched on.
 enum class Forces { as_commanded, never };
 
 // `name` is KIND or KIND:REST, for instance "replay:strokes.csv". No device moves by being opened. The attendant, who lives as
-// long as the device, prepares one that cannot prepare itself; without one it is nobody. Throws UnknownDevice, or what the
+// long as the device, prepares one that cannot prepare itself; the default one does nothing. Throws UnknownDevice, or what the
 // kind's own opener throws.
 std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces = Forces::as_commanded);
 std::unique_ptr<Device> open_device(const std::string& name);
@@ -244,7 +244,7 @@ class Limited final : public Device {
   std::int64_t wait_for_frame(std::int64_t deadline) noexcept override { return device_->wait_for_frame(deadline); }
   void allow(const Allowance& allowance) noexcept override { device_->allow(allowance); }
 
-  // What is not finite is passed on, for the device to refuse.
+  // A force that is not finite is passed on, for the device to refuse.
   std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override;
   State state() const noexcept override { return device_->state(); }
   std::optional<std::size_t> readings_left() const noexcept override { return device_->readings_left(); }

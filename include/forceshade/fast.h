@@ -16,8 +16,8 @@
 //
 // Threads: a renderer is immutable and may be shared; a session belongs to one thread at a time. Every evaluation is without
 // allocation, lock or exception. The calling thread must round to nearest and keep subnormals. build() looks at its own
-// thread; a mode that is set later, or on another thread (fesetround, flush to zero, a library that does either), makes
-// answers wrong, and nothing in them shows it. Who runs beside code that is not his own calls arithmetic_fault() on the
+// thread. Changing the floating-point mode later or on another thread (fesetround, flush to zero, a library that does either)
+// makes answers wrong, and nothing in them shows it. A caller beside third-party code calls arithmetic_fault() on the
 // calling thread first, as run_servo_loop() does.
 //
 // Not promised: the layout of the classes, the time of a call, and which stage decides (both are measured in docs/speed.md).
@@ -43,7 +43,7 @@
 
 namespace forceshade::fast {
 
-// Which vector instructions a batch call uses: all give the same bits, they differ in speed alone.
+// The vector instructions of a batch call: all give the same bits, they differ in speed alone.
 enum class InstructionSet { scalar, avx2, avx512 };
 
 inline constexpr std::array kInstructionSets{InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512};
@@ -51,13 +51,13 @@ inline constexpr std::array kInstructionSets{InstructionSet::scalar, Instruction
 std::string_view name_of(InstructionSet set) noexcept;
 std::optional<InstructionSet> instruction_set_named(std::string_view name) noexcept;
 
-// Whether this processor and operating system run it.
+// True if this processor and operating system run it.
 bool is_available(InstructionSet set) noexcept;
 
 // The widest available one, found once at the first call.
 InstructionSet best_instruction_set() noexcept;
 
-// What the arithmetic of this library, or of this thread's floating-point mode, does otherwise than IEEE 754 rounding to
+// The fault of the arithmetic of this library, or of this thread's floating-point mode, against IEEE 754 rounding to
 // nearest, as a noun; null if nothing was found. Every answer given under it would be unproved.
 const char* arithmetic_fault() noexcept;
 
@@ -156,7 +156,7 @@ class HeightMapField {
   Sign (*first_stage_)(const SplineMap& map, const float* position, float* force) noexcept;  // the best of this machine
 };
 
-// What a tick is to who steps a session. An unfinished tick is a contact, and is marked.
+// Converts a tick to the Evaluation that the session's caller sees. An unfinished tick is a contact, and is marked.
 inline Evaluation evaluation_of(const mesh::Tick& tick, Stage stage) noexcept {
   switch (tick.status) {
     case mesh::TickStatus::free: return {{0, 0, 0}, Status::free, stage};
@@ -172,7 +172,7 @@ class TickSession : public Session {
  public:
   // position: mm, the next one of the path. Without allocation, lock or exception.
   virtual mesh::Tick tick(const std::array<float, 3>& position) noexcept = 0;
-  // Which arithmetic decided the last tick: the last stage of all its decisions.
+  // The arithmetic that decided the last tick: the last stage of all its decisions.
   virtual Stage stage() const noexcept = 0;
   // Goes on from a state of this mesh, as a tick gave it. A state that is not one of this mesh counts as none.
   virtual void resume(const mesh::GodObject& state) noexcept = 0;
@@ -200,9 +200,9 @@ class GodObject {
   // At the beginning of a path. Allocates.
   std::unique_ptr<TickSession> open() const;
 
-  // One tick from a state, as a session that goes on from it gives it, for who keeps the states of many paths. position: mm. Where
-  // the god-object is free it takes longer than a session, which keeps how far it is from the mesh. Without allocation, lock or
-  // exception, and from several threads at once.
+  // One tick from a state, as a session that goes on from it gives it, for callers that keep many states themselves. position:
+  // mm. Where the god-object is free it takes longer than a session, which keeps its distance from the mesh. Without
+  // allocation, lock or exception, and from several threads at once.
   mesh::Tick tick(const mesh::GodObject& state, const std::array<float, 3>& position) const noexcept;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a height map U(x, y) is made of: numbers only. What each number means, its unit and its domain: docs/height-maps.md.
+// The numbers of a height map U(x, y). Their meanings, units and domains: docs/height-maps.md.
 //
 //   HeightMap bump;
 //   bump.parts.push_back({height::Gaussian{.height = 3, .sigma = 5}});                     // mm
@@ -30,7 +30,7 @@
 
 namespace forceshade::height {
 
-// What a number of a map is, for who draws maps at random. A chord is shorter than twice the radius.
+// The meaning of a number of a map, for drawing maps at random. A chord is shorter than twice the radius.
 enum class Meaning { centre, height, slope, wave, reach, radius, chord };
 
 // A number of a kind under its key in a file, whose ending is the unit. One that is not required may be left out, and is 0.
@@ -148,7 +148,7 @@ concept HasNumbers = requires {
   Kind::numbers();
 };
 
-// What a shape of the variant is a map of: a grid is held by a pointer.
+// The kind of a shape of the variant: a grid is held by a pointer.
 template <class T>
 struct KindOf {
   using type = T;
@@ -204,7 +204,7 @@ struct Part {
   bool negated = false;  // a dent for a bump
 };
 
-// What turns a map into a force field (docs/height-maps.md).
+// The way in which a map becomes a force field (docs/height-maps.md).
 enum class Mode { true_height, force_shaded, conservative };
 
 struct ModeName {

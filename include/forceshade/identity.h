@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What was rendered: what a certificate, a recording and a summary say of it, and what two renderers must have in common to be
-// the same. The library is forceshade::identity, of the component run; it needs OpenSSL.
+// The identity of what was rendered: for certificates, recordings and summaries, and to tell if two renderers are the same.
+// The library is forceshade::identity, of the component run; it needs OpenSSL.
 //
 //   const Identity bump = identity_of(LawId::bump_2p, {.radius = 15.24F, .width = 25.4F, .stiffness = 0.5F});
 //   const std::string words = parameters_in_words(bump);  // "radius 15.24 mm, width 25.4 mm, stiffness 0.5 N/mm"
@@ -41,11 +41,11 @@ struct Identity {
   bool is_alike(const Identity& other) const {
     return kind == other.kind && digest == other.digest && (!digest.empty() || name == other.name);
   }
-  // Whether both have the same parameters, in whatever order they stand.
+  // True if both have the same parameters, in whatever order they stand.
   bool has_parameters_of(const Identity& other) const;
   bool is_same(const Identity& other) const { return is_alike(other) && has_parameters_of(other); }
 
-  // Null where there is none of that key.
+  // Null where no parameter has that key.
   const IdentityValue* parameter(std::string_view key) const;
 };
 
@@ -75,7 +75,7 @@ std::optional<LawAndParameters> law_of(const Identity& identity);
 // "radius 15.24 mm, width 25.4 mm, stiffness 0.5 N/mm".
 std::string parameters_in_words(const Identity& identity);
 
-// Whether this is a height map whose direction is no unit vector, but longer where the map is steeper.
+// True for a height map whose direction is no unit vector, but longer where the map is steeper.
 bool is_conservative_map(const Identity& identity);
 
 // A parameter's value as text that reads back as the same.

@@ -69,7 +69,7 @@ constexpr std::optional<LawId> law_named(std::string_view name) {
   return std::nullopt;
 }
 
-// What a law is built from; each binary32 number is the rational it represents. The wall has no use for radius and width.
+// The parameters of a law; each binary32 number is the rational it represents. The wall has no use for radius and width.
 struct Parameters {
   float radius = 0;     // R, mm
   float width = 0;      // w, mm: chord of the bump on the plane

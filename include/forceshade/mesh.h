@@ -59,16 +59,16 @@ struct Texture {
   HeightMap map;  // `surface` is not used: the depth is that of the mesh
 };
 
-// What the surface of a triangle is like to a hand: Coulomb friction and stiffness (docs/friction.md).
+// The surface of a triangle as a hand feels it: Coulomb friction and stiffness (docs/friction.md).
 struct Material {
-  std::optional<float> stiffness = {};  // N/mm, in [10^-3, 10^3]; the rendering's own where it is none
+  std::optional<float> stiffness = {};  // N/mm, in [10^-3, 10^3]; nothing: that of the rendering
   float static_friction = 0;            // 0, infinity, or 2^-10 to 2^10; at least the dynamic one
   float dynamic_friction = 0;           // the same
 
   bool operator==(const Material&) const = default;
 };
 
-// Which material each triangle has. Without a list, all have the rendering's stiffness and no friction.
+// The material of each triangle. Without a list, all have the rendering's stiffness and no friction.
 struct Materials {
   std::vector<Material> list;
   std::vector<std::uint32_t> of_triangle;  // indices into the list; empty: all triangles have the first of it
@@ -79,10 +79,10 @@ struct Materials {
 // The directions in which a triangle blocks motion: against its normal, or against and along it.
 enum class Sides { front, both };
 
-// Whether triangles that have no vertex in common may meet or cross, if not in one plane.
+// Permission for triangles that have no vertex in common to meet or cross, if not in one plane.
 enum class SelfIntersections { refused, allowed };
 
-// What a check finds, instead of the mesh: include/forceshade/meshes.h.
+// The result of a check, instead of the mesh: include/forceshade/meshes.h.
 struct Findings;
 
 // A mesh whose triangles are joined as docs/meshes.md demands. Whether they meet beside their common vertices is not known.
@@ -146,7 +146,7 @@ constexpr bool has_corner_normals(Contact contact) {
   return contact == Contact::sub_goal;
 }
 
-// Where the god-object is. `nowhere`: no valid position has come yet.
+// The place of the god-object. `nowhere`: no valid position has come yet.
 enum class Place : std::uint8_t { nowhere, free, vertex, edge, triangle };
 enum class Side : std::uint8_t { front, back };
 
@@ -171,7 +171,7 @@ enum class TickStatus : std::uint8_t { free, touching, unfinished, invalid };
 
 inline constexpr std::array<std::string_view, 4> kTickStatusNames{"free", "touching", "unfinished", "invalid"};
 
-// What one position does.
+// The result of one position.
 struct Tick {
   TickStatus status = TickStatus::invalid;
   std::uint16_t moves = 0;       // flights and slides; a refused one is not counted
@@ -183,7 +183,7 @@ struct Tick {
 
 namespace forceshade {
 
-// What a god-object on a mesh is built from.
+// The parts that a god-object on a mesh is built from.
 struct MeshRendering {
   mesh::CheckedMesh checked;
   mesh::CornerNormals normals = {};  // one for each corner where the shading or the contact rule uses them

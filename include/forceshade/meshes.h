@@ -13,8 +13,8 @@
 //
 // Coordinates are in mm, within 10 000 mm. What a mesh must be: docs/meshes.md, "What is checked".
 //
-// Errors: what a file is not is a thrown mesh::Error; what a mesh is not is a value, Findings, in words with the numbers of
-// faces and vertices, from 0 as in the file.
+// Errors: unreadable files throw mesh::Error; defects of a readable mesh are returned as Findings, in words with the numbers
+// of faces and vertices, from 0 as in the file.
 //
 // Threads: the functions keep no state, and may run at once; check() uses threads of its own.
 //
@@ -156,7 +156,7 @@ LargestFan largest_fan(const TriangleMesh& mesh);
 // triangles").
 inline constexpr std::uint64_t kLargestQuickFan = 1000;
 
-// How many components binary64 decided, and how many it left to intervals of more bits.
+// The number of components that binary64 decided, and of those that it left to intervals of more bits.
 struct NormalStages {
   std::uint64_t binary64 = 0, intervals = 0;
 };

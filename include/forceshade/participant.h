@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a participant of an experiment sees, feels and presses: what a session shows, and what a window, a terminal or a program
-// answers with. The library is forceshade::experiments, of the component study.
+// The screens, stimuli and key presses of an experiment's participant: a session shows, and a window, a terminal or a program
+// answers. The library is forceshade::experiments, of the component study.
 //
 //   const experiments::Screen screen{.kind = experiments::ScreenKind::satisfaction, .title = "How content are you?"};
 //   const experiments::Press press{experiments::Action::type, "8"};
@@ -60,7 +60,7 @@ struct Bump {
   friend bool operator==(const Bump&, const Bump&) = default;
 };
 
-// What the servo loop renders now: nothing, one bump, or reference and matching bump.
+// The bumps that the servo loop renders now: none, one, or reference and matching bump.
 struct Scene {
   std::optional<Bump> left, right;  // a single bump, at position 0, is `left`
   friend bool operator==(const Scene&, const Scene&) = default;

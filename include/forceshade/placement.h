@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where what is rendered lies in a device's workspace.
+// The placement of what is rendered in a device's workspace.
 //
 //   const auto placement = device::Placement({10, 0, -25.4F}).turned(2, 1);  // mm; by a quarter turn about the device's z
 //   const Eigen::Vector3f at = placement.to_subject({10, 0, 0});             // mm, in the subject's frame
@@ -18,7 +18,7 @@
 
 namespace forceshade::device {
 
-// Where a law or a height map lies in a device's workspace: shifted by any vector, turned by quarter turns.
+// The placement of a law or a height map in a device's workspace: shifted by any vector, turned by quarter turns.
 //
 // Axis i of the subject points along axis `axes[i]` of the device, or against it. Quarter turns only exchange coordinates and
 // change signs, so turning a force or a position rounds nothing. Any other angle would round every component, and a force that
@@ -46,8 +46,8 @@ class Placement {
     return placement;
   }
 
-  // Where the device's position is in the subject's frame: the difference is rounded to binary32 once for each coordinate, and
-  // is exact where the origin is 0. What is rendered is the force at this very position.
+  // The device's position in the subject's frame: the difference is rounded to binary32 once for each coordinate, and is exact
+  // where the origin is 0. The rendered force is that at this very position.
   Eigen::Vector3f to_subject(const Eigen::Vector3f& position) const noexcept { return turned_to_subject(position - origin_); }
 
   // Exact.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The properties that a haptic renderer must have, run on generated cases of this program's renderers or of anybody's. A case
+// The properties that a haptic renderer must have, run on generated cases of this program's or a third-party renderer. A case
 // that fails is made as simple as it can be. The library is forceshade::properties, of the component properties, with the exact
 // side.
 //
@@ -13,7 +13,7 @@
 //   for (const properties::PropertyResult& result : properties::run_properties(*subject, 1000, 1))
 //     std::printf("%s: %s\n", result.name.c_str(), result.held ? "holds" : result.counterexample.c_str());
 //
-// What is checked and certified is a subject: one notion for laws, height maps and whatever else renders a force. It is a
+// A check and a certificate are of a subject: one notion for laws, height maps and whatever else renders a force. It is a
 // rendering, which is all that a device is driven with, the exact definition of its force along a path, and what may be
 // expected of both. A kind of one's own derives from Subject (tests/subjects/sticky_wall.h is an example with memory). Lengths
 // are in mm, forces in N, energies in mJ.
@@ -53,7 +53,7 @@
 
 namespace forceshade::properties {
 
-// What a renderer answers.
+// A renderer's answer.
 struct Rendered {
   Eigen::Vector3f force{0, 0, 0};  // N
   Status status = Status::free;
@@ -62,10 +62,10 @@ struct Rendered {
 // position (mm) -> force, the same for the same position. What it throws fails the property that called it.
 using ForceAt = std::function<Rendered(const Eigen::Vector3f& position)>;
 
-// What went wrong, in words with numbers in hexfloat and decimal; empty where the property holds.
+// The violation of a property, in words with numbers in hexfloat and decimal; empty where the property holds.
 using Violation = std::optional<std::string>;
 
-// How a position was chosen; every count of a run is broken down by it.
+// The way in which a position was chosen; every count of a run is broken down by it.
 enum class Aim { any_bits, volume, surface, facet_line, quantum, domain_end, tie, axis, few_bits };
 
 std::string_view name_of(Aim aim);
@@ -96,7 +96,7 @@ class ReferenceSession {
   virtual std::optional<std::array<std::string, 3>> decimal(unsigned) const { return std::nullopt; }
 };
 
-// Where the cases of a property come from. draw: any case, the same for the same seed. simpler: cases that are simpler than
+// The source of a property's cases. draw: any case, the same for the same seed. simpler: cases that are simpler than
 // this one, the simplest first, and never one that leads back to it; it is called after the property has ended, and none is
 // simpler where it is empty.
 template <class Case>
@@ -105,8 +105,8 @@ struct Generator {
   std::function<std::vector<Case>(const Case&)> simpler = nullptr;
 };
 
-// What a property draws its case from, all at once or bit by bit: const int i = choose(integers(0, 2)). While a failure is made
-// simpler, the property gets simpler values here. What it draws may depend on what it has drawn before.
+// The source from which a property draws its case, all at once or bit by bit: const int i = choose(integers(0, 2)). While a
+// failure is made simpler, the property gets simpler values here. What it draws may depend on what it has drawn before.
 class Chooser {
  public:
   virtual ~Chooser() = default;
@@ -128,11 +128,11 @@ class Chooser {
   virtual std::any next(const Generator<std::any>& generator) = 0;
 };
 
-// From low to high, both included. The simplest is 0, or the one that is nearest to it. Throws std::invalid_argument where
-// there is none.
+// From low to high, both included. The simplest is 0, or the one that is nearest to it. Throws std::invalid_argument for an
+// empty range.
 Generator<int> integers(int low, int high);
 
-// What is left of a list without some of its elements, at least so many: a path or a polygon that is simpler.
+// The list without some of its elements, at least so many: a path or a polygon that is simpler.
 template <class T>
 std::vector<std::vector<T>> shorter(const std::vector<T>& list, std::size_t least) {
   std::vector<std::vector<T>> lists;
@@ -157,7 +157,7 @@ struct FurtherProperty {
   Property check;
 };
 
-// What may be expected of the force: where it jumps, in words; whether its direction is a unit vector; whether no loop gives
+// The expected features of the force: its jumps, in words; true if its direction is a unit vector; true if no loop gives
 // energy.
 struct Expected {
   std::vector<std::string> jumps;
@@ -178,18 +178,18 @@ class Subject {
  public:
   virtual ~Subject() = default;
 
-  // The renderer that is checked, and what it is said to render.
+  // The renderer that is checked, and the identity of what it renders.
   virtual const Rendering& rendering() const = 0;
   const Identity& identity() const { return rendering().identity; }
   const Renderer& renderer() const { return rendering().renderer; }
 
-  // What it is made of, in words, a line each: the parts of a height map. Empty where the identity says all.
+  // Its parts in words, a line each, as of a height map. Empty where the identity says all.
   virtual std::vector<std::string> parts() const { return {}; }
 
   // A path through the exact definition.
   virtual std::unique_ptr<ReferenceSession> open_reference() const = 0;
 
-  // Where to look: an endless stream, the same for the same seed. This must outlive it.
+  // The positions to check: an endless stream, the same for the same seed. This must outlive it.
   virtual std::unique_ptr<Positions> positions(std::uint64_t seed) const = 0;
 
   // A path to compare along, for equivalence; two positions where the force depends on nothing but the position.
@@ -209,17 +209,17 @@ class Subject {
 
   // The subject with parameters from all of the domain.
   virtual DrawnSubject with_drawn_parameters(std::uint64_t seed) const = 0;
-  // How many of `points` to compare with one set of them.
+  // The number of `points` to compare with one set of them.
   virtual std::uint64_t points_of_a_set(std::uint64_t points) const = 0;
 };
 
-// What renders a law with these parameters, which are in its domain.
+// Makes the renderer of a law with these parameters, which are in its domain.
 using RenderLaw = std::function<Renderer(LawId law, const Parameters& parameters)>;
 
-// What renders a height map, which is in the domain with this stiffness (N/mm).
+// Makes the renderer of a height map, which is in the domain with this stiffness (N/mm).
 using RenderHeightMap = std::function<Renderer(const HeightMap& map, height::Mode mode, float stiffness)>;
 
-// Opens a session of what is said to be a god-object with this stiffness (N/mm).
+// Opens a session that should be of a god-object with this stiffness (N/mm).
 using OpenTicks = std::function<std::unique_ptr<fast::TickSession>(float stiffness)>;
 
 // A law as a subject: rendered by the fast path; by one's own function, and with drawn parameters by the fast path; or by one's

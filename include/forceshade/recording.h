@@ -17,7 +17,7 @@
 //
 // Threads: an object belongs to one thread at a time; Recorder has a thread of its own that writes.
 //
-// Not promised: that nobody changed a recording on purpose: its checksums protect against mistakes, not against forgery.
+// Not promised: that a recording was not changed on purpose: its checksums protect against mistakes, not against forgery.
 
 #include <chrono>
 #include <cstddef>
@@ -69,7 +69,7 @@ class Recorder final : public device::SampleSink {
 
   void push(const device::Sample& sample) noexcept override;
 
-  // Whether the disk refused at the last try. The recorder tries on, and nothing is lost if it succeeds before the ring is
+  // True if the disk refused at the last try. The recorder tries on, and nothing is lost if it succeeds before the ring is
   // full.
   bool failing() const noexcept;
 
@@ -98,17 +98,17 @@ class Recording {
   const std::string& path() const noexcept;
   const Metadata& metadata() const noexcept { return metadata_; }
 
-  // Whether the run came to its end and all its samples were pushed into the file or counted as lost.
+  // True if the run came to its end and all its samples were pushed into the file or counted as lost.
   bool ended() const { return metadata_.contains("ended"); }
 
-  // Whether there is a digest that covers the metadata. Recordings of format 2 have none: a change of their law or stiffness
+  // True if a digest covers the metadata. Recordings of format 2 have none: a change of their law or stiffness
   // would not be seen.
   bool has_digest() const;
 
   // Why the metadata are not those that were written; empty if they are, or if there is no digest.
   const std::string& metadata_problem() const noexcept { return metadata_problem_; }
 
-  // The extent by the table of chunks, without reading them; all zero if there is none. `missing` ticks were left out on the
+  // The extent by the table of chunks, without reading them; all zero without a table. `missing` ticks were left out on the
   // way to the last; `repeated` samples are of ticks not after those of an earlier chunk. Throws RecordingError for a chunk
   // that cannot be: more samples than ticks, or a first tick after its last.
   struct Extent {
@@ -116,7 +116,7 @@ class Recording {
   };
   Extent extent();
 
-  // Whether it has the columns from `shown` on; without them (before format 4) they are zero.
+  // True if it has the columns from `shown` on; without them (before format 4) they are zero.
   bool has_all_columns() const noexcept;
 
   // Takes the samples in order, chunk by chunk. Throws RecordingError at the first chunk that is not as it was written.

@@ -38,7 +38,7 @@
 
 namespace forceshade::reference {
 
-// What it took to be sure of a rounding: the 64-bit filter, MPFI intervals, or CGAL's exact comparison with the tie.
+// The method that made sure of a rounding: the 64-bit filter, MPFI intervals, or CGAL's exact comparison with the tie.
 enum class Method { filter, enclosure, exact };
 
 struct Rounded {
@@ -148,7 +148,7 @@ class GodObject {
   // map that HeightMapField does.
   static std::variant<GodObject, ParameterError> build(const MeshRendering& rendering);
 
-  // What a position in mm does to a state of this mesh. A position that is invalid gives no force and leaves the state as it
+  // The effect of a position in mm on a state of this mesh. An invalid position gives no force and leaves the state as it
   // is. 1 <= most_moves; with fewer than kMostMoves, more ticks are unfinished.
   mesh::Tick step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves = kMostMoves) const;
 
@@ -185,7 +185,7 @@ class GodObjectSession {
   std::pair<mesh::GodObject, std::array<float, 3>> last_;  // the state before the last step, and its position
 };
 
-// Where an object sees a position of the world, mm: each coordinate of Rᵀ(p - translation) rounded once to binary32, ties to
+// The position of the world as an object sees it, mm: each coordinate of Rᵀ(p - translation) rounded once to binary32, ties to
 // even; 0 below 2^-30 mm in size. Nothing where the pose or the position is invalid.
 std::optional<Eigen::Vector3f> seen_from(const scene::Pose& pose, const Eigen::Vector3f& position);
 
@@ -193,7 +193,7 @@ std::optional<Eigen::Vector3f> seen_from(const scene::Pose& pose, const Eigen::V
 // and is rounded once.
 class SceneSession {
  public:
-  // What answers an object's next position, in its axes: Law::round_to_binary32() or a GodObjectSession, for instance.
+  // Answers an object's next position, in its axes: Law::round_to_binary32() or a GodObjectSession, for instance.
   using Object = std::function<Rounded(const Eigen::Vector3f& position)>;
 
   // objects: 1 to scene::kMostObjects. Throws std::invalid_argument for another number.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A renderer: every way in which it can be called; and a rendering, which is a renderer with the identity of what it renders,
-// and all that a device is driven with. Renderers of this program and of anybody's are held against the exact definition,
+// and all that a device is driven with. This program's and third-party renderers are held against the exact definition,
 // certified and driven through it. The library is forceshade::renderer, of the component run; it links nothing of the exact
 // side.
 //
@@ -42,7 +42,7 @@ struct Renderer {
                                   fast::InstructionSet set)>
       batch = {};
 
-  // Whether a call for one position, too, has code of its own in each instruction set: a batch of one then stands for the
+  // True if a call for one position, too, has code of its own in each instruction set: a batch of one then stands for the
   // single call on a machine whose widest set is that one.
   bool single_depends_on_set = false;
 };
@@ -64,8 +64,8 @@ std::variant<Renderer, ParameterError> renderer_of(std::vector<MovingRenderer> o
 // A session that answers with a function. Where that throws, the answer is a NaN, invalid, and exception_of() says what.
 std::unique_ptr<fast::Session> answering(std::function<fast::Evaluation(const Eigen::Vector3f& position)> evaluate);
 
-// What the function of answering() threw at the last step, in words; empty where it threw nothing, and of any other session,
-// whose step() cannot throw.
+// The exception that the function of answering() threw at the last step, in words; empty where it threw nothing, and of any
+// other session, whose step() cannot throw.
 std::optional<std::string> exception_of(const fast::Session& session);
 
 // The words of the exception that is being handled.

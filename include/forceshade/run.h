@@ -33,7 +33,7 @@
 
 namespace forceshade::run {
 
-// Whether a certificate covers what is to be driven.
+// The verdict on a certificate for what is to be driven.
 struct Certified {
   std::optional<std::string> digest;  // SHA-256 of the certificate's file, in hex; none where it does not cover the rendering
   std::string why_not;                // then the reason
@@ -44,23 +44,23 @@ struct Certified {
 // certificate.
 Certified certified(const std::string& file, const Identity& rendering);
 
-// Where a rendering is driven, by what right, and what is kept of it.
+// The place where a rendering is driven, its certificate, and what is kept of the run.
 struct Plan {
   std::string device;                 // its name, for the record and the summary
   std::optional<std::string> digest;  // of the certificate: certified(). None is an uncertified run, which its record then says
-  std::string record = {};            // FILE.fsr, FILE.npy or else CSV; - is CSV on standard output; empty is none
+  std::string record = {};            // FILE.fsr, FILE.npy or else CSV; - is CSV on standard output; empty: no recording
   bool overwrite = false;             // a recording that is there already
   device::ServoOptions servo = {};
 };
 
-// What came of a run.
+// The outcome of a run.
 struct Outcome {
   device::ServoResult result;
   std::vector<device::Sample> last_ticks;  // those of its last 0.2 s, where the supervisor or a fault of the device ended it
   std::vector<std::string> record_faults;  // why the record lacks ticks; empty where it has all
 };
 
-// Whether the supervisor or a fault of the device ended it.
+// True if the supervisor or a fault of the device ended it.
 bool has_failed(const device::ServoResult& result);
 
 // Blocks until the run is over; stop ends it in order, with zero force, from any thread or signal. Throws
@@ -69,7 +69,7 @@ bool has_failed(const device::ServoResult& result);
 Outcome run(device::Device& device, const Rendering& what, const Plan& plan, const std::atomic<bool>& stop);
 
 // The summary of a run for programs, as a text in JSON: what was rendered, where, and what came of it (device/run/summary.md).
-// signal: the one that ended the run; empty is none.
+// signal: the one that ended the run; empty: no signal.
 std::string summary_text(const Outcome& outcome, const Rendering& what, const Plan& plan,
                          const device::Capabilities& capabilities, const std::string& signal = "");
 

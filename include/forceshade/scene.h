@@ -24,7 +24,7 @@ namespace forceshade::scene {
 // The most objects of a scene: the exact sum of so many turned forces has room in the numbers of the real-time path.
 inline constexpr std::size_t kMostObjects = 32;
 
-// Where an object is: its point a is at R a + translation in the world, with the exact rotation R = A/(w² + x² + y² + z²) of
+// The pose of an object: its point a is at R a + translation in the world, with the exact rotation R = A/(w² + x² + y² + z²) of
 // the quaternion, A₁₁ = w² + x² - y² - z², A₁₂ = 2(xy - wz), ..., which need not have length 1.
 struct Pose {
   std::array<float, 3> translation{};         // mm, each within 10^4; one below 2^-30 in size is read as 0
@@ -33,7 +33,7 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-// Where an object is in each tick of a path, the first of which is tick 0.
+// The pose of an object in each tick of a path, the first of which is tick 0.
 struct Motion {
   std::vector<Pose> poses{Pose()};  // of tick 0, 1, ...; one at least
   bool repeats = false;             // after the last pose comes the first again; else the last one stays

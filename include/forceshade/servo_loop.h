@@ -154,7 +154,7 @@ class Rules {
   std::uint16_t bits_ = 0;
 };
 
-// How fast a hand moves, mm/s: what distinguishes it from a device that runs away or an encoder that fails.
+// The highest speed of a hand, mm/s: it tells a hand from a device that runs away or an encoder that fails.
 // Under force. The hand feels for something, at some 100 mm/s; a stylus that slipped out of it and is thrown is faster.
 inline constexpr double kFastestUnderForce = 1000;
 
@@ -192,7 +192,7 @@ struct Trip {
   std::size_t tick;  // of those supervised, from 0
 };
 
-// What keeps a hand from getting more energy out of the force than it put in.
+// The means against a hand's getting more energy out of the force than it put in.
 enum class Passivity {
   observer,  // keeps the account and alters nothing
   tank,      // shortens the force and keeps its direction
@@ -228,12 +228,12 @@ struct PassivityAccount {
   double net() const noexcept { return dissipated + forgiven - balance; }  // given to the hand, less taken from it
   double taken() const noexcept { return given - net(); }
 
-  // What the hand was given beyond what it put in, but for what the arm's friction took: of a device that nobody keeps passive,
-  // too.
+  // The energy that the hand was given beyond what it put in, less what the arm's friction took; also without passivity
+  // control.
   double owed() const noexcept { return forgiven + (balance < 0 ? -balance : 0); }
 };
 
-// What was requested and granted; all of it for the calling thread, but for the memory.
+// The privileges that were requested and granted; all for the calling thread, but for the memory.
 struct Privileges {
   bool scheduling = false;  // SCHED_FIFO
   bool memory_locked = false;
@@ -264,7 +264,7 @@ struct ServoOptions {
   // False: each tick follows the last at once, and there are no deadlines to miss.
   bool paced = true;
 
-  // When paced: a tick follows each frame of a device that has frames of its own (Capabilities::paces), so that no position is
+  // True: a tick of a paced loop follows each frame of a device that has frames (Capabilities::paces), so that no position is
   // seen twice and none is missed where two clocks drift. False: this machine's clock, as for any other device.
   bool follows_device = true;
 
@@ -282,7 +282,7 @@ struct ServoOptions {
   // To be held down, else there is no force.
   std::optional<int> dead_man_button = std::nullopt;
 
-  // Where the law or map lies. The device, the supervisor and the passivity controller keep to the device's frame; the law is
+  // The place of the law or map. The device, the supervisor and the passivity controller keep to the device's frame; the law is
   // given the position in its own frame, rounded, and the samples hold that position, and forces, in the law's frame.
   Placement placement = {};
 
@@ -290,8 +290,8 @@ struct ServoOptions {
   std::vector<SampleSink*> sinks = {};
 };
 
-// What the supervisor and the passivity controller go by, fixed before a run: with these and its samples, every command of the
-// run can be computed again (device/retrace.h).
+// The settings of the supervisor and the passivity controller, fixed before a run: with these and its samples, every command
+// of the run can be computed again (device/retrace.h).
 struct SafetySettings {
   double rate_hz = 1000;
   bool supervised = false;    // the device can push

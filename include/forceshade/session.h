@@ -29,14 +29,14 @@
 
 namespace forceshade::fast {
 
-// Which arithmetic decided an answer, the cheapest first.
+// The arithmetic that decided an answer, the cheapest first.
 enum class Stage { binary64, double_double, wide };
 
 struct Evaluation {
   Eigen::Vector3f force{0, 0, 0};  // N; zero unless status is contact
   Status status = Status::free;
   Stage stage = Stage::binary64;
-  // Whether a god-object used up the moves of one tick; the force is then that of the point which it has come to.
+  // True if a god-object used up the moves of one tick; the force is then that of the point which it has come to.
   bool is_unfinished = false;
 };
 
@@ -52,8 +52,8 @@ class Session {
   // no later answer. Without allocation, lock or exception; takes no longer than a step.
   virtual void look_ahead() noexcept {}
 
-  // Where renderers can be exchanged while the loop runs: in the lower 32 bits the number of the one that answered the last
-  // step, in the upper ones of the one that waits to take its place and followed the same step. Else 0. Recorded with every
+  // Marks an exchange of renderers while the loop runs: the lower 32 bits hold the number of the one that answered the last
+  // step, the upper ones that of the one that waits to take its place and followed the same step. Else 0. Recorded with every
   // tick.
   virtual std::uint64_t shown() const noexcept { return 0; }
 };
