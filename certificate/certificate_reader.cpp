@@ -202,7 +202,7 @@ Identity identity_from(Fields& fields) {
   return identity;
 }
 
-// How much is enough is up to the version that wrote it; whether something failed is up to the rest of the certificate.
+// The version that wrote it decides how much is enough; a failure is decided by the rest of the certificate.
 void expect_assessment(Fields& fields, Standing computed) {
   const std::string word = fields.text("standing"), lacks = fields.text("lacks");
   fields.expect("standing", std::find(kStandingNames.begin(), kStandingNames.end(), word) != kStandingNames.end(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What every certificate says in the same words: written, and expected when read.
+// The sentences that all certificates share: written, and expected when read.
 
 namespace forceshade::properties {
 

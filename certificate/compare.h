@@ -74,7 +74,7 @@ class Chunk {
     }
   }
 
-  // Where the reference does not decide, that is a fault, and the answer stands for what is not known.
+  // A position that the reference does not decide is a fault, and the answer stands for the unknown force.
   reference::Rounded rounded(ReferenceSession& reference, const fast::Evaluation& answer, std::uint64_t i) {
     try {
       return reference.step(positions_[i]);
@@ -91,7 +91,7 @@ class Chunk {
     const std::string who = call + std::string(name_of(set)) + ")";
     std::vector<Eigen::Vector3f> forces(size);
     for (std::size_t begin = 0; begin < positions_.size(); begin += size) {
-      // What a call leaves unwritten is not the answer of the call before.
+      // A force that a call leaves unwritten must not pass for that of the call before.
       std::fill(forces.begin(), forces.end(), Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
       fast::BatchResult result;
       try {

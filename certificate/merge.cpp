@@ -104,7 +104,7 @@ std::string contradiction(const SubjectResult& a, const SubjectResult& b) {
   std::set_intersection(a.seeds.begin(), a.seeds.end(), b.seeds.begin(), b.seeds.end(), std::back_inserter(common));
   if (!common.empty()) return "another seed than " + std::to_string(common.front()) + ", which gives the same points again";
   if (a.parts != b.parts || a.jumps != b.jumps || a.conservative != b.conservative) return "the same parts and jumps";
-  // Where an energy is not enclosed there is none.
+  // An energy that is not enclosed has no entry.
   const auto same = [](const LoopEnergy& x, const LoopEnergy& y) {
     return x.depth_mm == y.depth_mm && x.bound_mJ == y.bound_mJ && x.witness_mJ == y.witness_mJ &&
            x.measured_mJ == y.measured_mJ;

@@ -35,7 +35,7 @@ std::string identity_line(const Identity& identity);
 // Why this build may not work on the plan; empty if it may.
 std::string refusal_of_build(const Plan& plan, const Build& build);
 
-// How many parts a unit has so that there are about so many units.
+// The number of parts of a unit that makes about so many units.
 std::uint64_t parts_for_units(const std::vector<Item>& items, std::uint64_t units);
 
 }  // namespace forceshade::properties

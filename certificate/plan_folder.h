@@ -37,7 +37,7 @@ class PlanFolder {
   std::uint64_t units() const { return units_; }
   std::uint64_t folders() const { return (units_ + kUnitsOfAFolder - 1) / kUnitsOfAFolder; }
 
-  // Which of the units from kUnitsOfAFolder * folder on have a result: one listing, not a question for each.
+  // True for each unit from kUnitsOfAFolder * folder on that has a result: one listing, not a question for each.
   std::vector<bool> done(std::uint64_t folder) const;
   bool is_done(std::uint64_t unit) const;
 
@@ -62,7 +62,7 @@ class PlanFolder {
   std::uint64_t units_;
 };
 
-// What one process takes. Its lease holds as long as it is alive: a thread touches its file.
+// The units that one process claims. Its lease holds as long as it is alive: a thread touches its file.
 class Claims {
  public:
   // lease: s. about: what the file says for people. Throws files::OutputError.

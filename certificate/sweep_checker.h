@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How a unit of a sweep is checked, of fast::Law or of a renderer that a test made wrong.
+// Checks a unit of a sweep, of fast::Law or of a renderer that a test made wrong.
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which sweeps there are, and what they add up to.
+// Lists the sweeps, and adds up their results.
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What was seen of one law or height map, in one thread or in all.
+// The counts and worst cases of one law or height map, in one thread or in all.
 
 #include <array>
 #include <cstdint>

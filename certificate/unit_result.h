@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a unit of work found, as text: the same bytes whoever found it. It has no time, no host and no processor.
+// The result of a unit of work, as text: identical for identical work. It has no time, no host and no processor.
 
 #include <cstdint>
 #include <string>

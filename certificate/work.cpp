@@ -126,8 +126,8 @@ SubjectResult result_of(const Subject& subject, std::uint64_t seed, const std::a
   result.conservative = expected.is_conservative;
   result.unit_directions = expected.has_unit_directions && result.has_held("unit normals");
   result.energy = energies.energies.loops;
-  // Where the energies are not enclosed, or the renderer throws, no number is: passivity has failed, and its counterexample
-  // says why.
+  // No number is certified if the energies are not enclosed, or the renderer throws: passivity has failed, and its
+  // counterexample says why.
   for (PropertyResult& property : result.properties) {
     if (property.name != "passivity" || energies.energies.fault.empty()) continue;
     property.held = false;

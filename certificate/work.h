@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What certify does, divided into units of work that any thread, process or machine may do: what a unit finds depends on
-// nothing but the work and the build.
+// The work of certify, divided into units that any thread, process or machine may do: what a unit finds depends on nothing but
+// the work and the build.
 
 #include <array>
 #include <atomic>
@@ -20,7 +20,7 @@ namespace forceshade::properties {
 enum class ItemKind { points, spread, properties, energies, sweep };
 inline constexpr std::array<std::string_view, 5> kItemKinds{"points", "spread", "properties", "energies", "sweep"};
 
-// What one method finds out about one subject or sweep.
+// One method, applied to one subject or sweep.
 struct Item {
   ItemKind kind = ItemKind::points;
   std::size_t of = 0;  // the number of the subject or of the sweep
@@ -52,13 +52,13 @@ class Units {
   std::vector<std::uint64_t> begins_;  // of the units of each item, and the end
 };
 
-// The energies of loops, or why there are none.
+// The energies of loops, or the reason for their absence.
 struct Energies {
   std::vector<LoopEnergy> loops = {};
   std::string fault = {};
 };
 
-// What one unit found, or several of one item.
+// The results of one unit, or of several of one item.
 struct Found {
   Tally tally = {};                             // of points, spread and sweep
   std::vector<PropertyResult> properties = {};  // the four of a certificate
@@ -78,7 +78,7 @@ class Work {
 
   // One part of an item whose findings are counted.
   void count(const Item& item, std::uint64_t part, Tally& tally) const;
-  // What is not counted, for one subject. What they return says nothing where `stop` is set in the meantime.
+  // The results that are not counted, of one subject. They are void where `stop` is set in the meantime.
   std::vector<PropertyResult> properties(std::size_t of, const OnCase& on_case, const std::atomic<bool>& stop) const;
   Energies energies(std::size_t of, const Monitor& monitor) const;
 
@@ -94,7 +94,7 @@ class Work {
   const Sweeps& sweeps_;
 };
 
-// What certificates say of a subject: from what each of its items found, in the order of Work::items().
+// The part of a certificate for one subject, from the results of its items in the order of Work::items().
 SubjectResult result_of(const Subject& subject, std::uint64_t seed, const std::array<Found, 4>& found,
                         std::uint64_t parameter_sets);
 

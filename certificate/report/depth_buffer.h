@@ -36,8 +36,8 @@ class DepthBuffer {
   // The same with a number of at least 0 in the place of the brightness, on both sides and without lines.
   void draw(const std::array<Eigen::Vector3d, 3>& corners, float value);
 
-  // Whether a triangle lies between the point, which has been turned, and the viewer. What is within a sample of the surface in
-  // front is on it and is not hidden; nor is anything outside the rectangle.
+  // True if a triangle lies between the point, which has been turned, and the viewer. A point within a sample in front of the
+  // surface is on it and is not hidden; nor is one outside the rectangle.
   bool hides(const Eigen::Vector3d& point) const;
 
   // At a sample, counted from the lower left: from 0, dark, to 1, where nothing was drawn. Negative where the triangle in front

@@ -73,7 +73,7 @@ class FileActions {
   posix_spawn_file_actions_t actions_;
 };
 
-// What gnuplot prints when given `commands` on standard input. It is opened by name, because gnuplot reads its own standard
+// The output of gnuplot when given `commands` on standard input. It is opened by name, because gnuplot reads its own standard
 // input byte by byte, and a picture has megabytes.
 std::string run_gnuplot(std::string_view commands) {
   Scratch input, output, errors;

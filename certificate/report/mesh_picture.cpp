@@ -54,7 +54,7 @@ class Box {
 // Lines of points, turned; empty where a line is interrupted.
 using Line = std::vector<std::optional<Eigen::Vector3d>>;
 
-// What is seen of a line and what is hidden, as two blocks for gnuplot. A line is divided into pieces of half a px.
+// The visible and the hidden parts of lines, as two blocks for gnuplot. A line is divided into pieces of half a px.
 class Drawing {
  public:
   Drawing(const DepthBuffer& buffer, double pixel) : buffer_(buffer), piece_(pixel / 2) {}
@@ -172,7 +172,7 @@ std::vector<Arrow> forces_of(const mesh::TriangleMesh& mesh, std::span<const Tic
   return arrows;
 }
 
-// What came of the path's ticks, in words; nothing without a path.
+// The counts of the path's ticks by status, in words; nothing without a path.
 std::string counts_of(std::span<const Ticked> path) {
   std::array<std::size_t, mesh::kTickStatusNames.size()> count{};
   for (const Ticked& ticked : path) ++count[static_cast<std::size_t>(ticked.tick.status)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How the pages of all reports look, and the document around them.
+// The style of the pages of all reports, and the document around them.
 
 #include <string>
 

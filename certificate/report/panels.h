@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the figures of a certificate share: a law with all that a picture of it needs, and where to sample it.
+// The parts that the figures of a certificate share: a law with all that a picture of it needs, and where to sample it.
 
 #include <initializer_list>
 #include <string>
@@ -43,7 +43,7 @@ struct Heights {
   double low, high;  // mm
 };
 
-// What a map over x and z shows of the law: the surface and some way into it.
+// The heights that a map over x and z shows of the law: the surface and some way into it.
 Heights heights(const Drawn& drawn);
 
 struct Sample {

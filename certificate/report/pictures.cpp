@@ -182,7 +182,7 @@ Picture energy_map(const SideView& view) {
       }
       matrix += plotted(density) + (column + 1 < kColumns ? ' ' : '\n');
     }
-  // Where w = 2R the density has no bound at the rim: nearly all of it sets the scale.
+  // If w = 2R, the density has no bound at the rim: nearly all of it sets the scale.
   const auto nearly_all = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 98 / 100);
   std::nth_element(sizes.begin(), nearly_all, sizes.end());
   const double scale = *nearly_all > 0 ? *nearly_all : 1;

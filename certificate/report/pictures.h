@@ -38,7 +38,7 @@ Picture force_profile(const SideView& view, const ForceProfile& profile, double 
 // The surface on which the force begins, as long up as across, with the shape it stands for.
 Picture cross_section(const SideView& view);
 
-// Where the force points, and how hard it pushes, over x and z.
+// The direction and size of the force over x and z.
 Picture direction_field(const SideView& view);
 
 // The circulation density κ over x and z: what a small counter-clockwise loop of the exact law gives for its area; and the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the figures of all reports share: commands of gnuplot for axes, and the <figure> around the panels.
+// The parts that the figures of all reports share: commands of gnuplot for axes, and the <figure> around the panels.
 
 #include <string>
 #include <vector>

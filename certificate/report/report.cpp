@@ -97,7 +97,7 @@ std::string heading_of(Standing standing) {
   return "Failed";
 }
 
-// What a device may be driven with, under the verdict.
+// States under the verdict whether a device may be driven.
 std::string drive_statement(const Certificate& certificate, const Assessment& assessment) {
   switch (assessment.standing) {
     case Standing::sufficient: return "<p class=\"statement\">This is enough evidence to drive a device with this build.</p>\n";
@@ -220,7 +220,7 @@ std::string summary(const Certificate& certificate) {
          "</p>\n</section>\n";
 }
 
-// What the subjects are that a name and parameters do not describe: in words, and by their digest.
+// Describes, in words and by their digest, the subjects that a name and parameters do not describe.
 std::string digests_table(const Certificate& certificate) {
   std::string rows;
   std::set<std::string> kinds;
@@ -237,7 +237,7 @@ std::string digests_table(const Certificate& certificate) {
          rows + "</table>\n</section>\n";
 }
 
-// What the subjects are in the words of the command.
+// The subjects in the words of the command.
 std::string subject_files(const Certificate& certificate) {
   std::string files;
   for (const SubjectResult& subject : certificate.subjects)

@@ -41,7 +41,7 @@ struct Section {
   }
 };
 
-// Where the direction jumps between a and b, where there may be a kink: halved until nothing lies between.
+// The place of a jump of the direction between a and b, if there is one: halved until nothing lies between.
 std::optional<double> jump_between(const Section& section, double a, double b) {
   constexpr double kVisible = 1e-3;
   const auto turn = [&](double p, double q) { return (section.direction(p) - section.direction(q)).norm(); };

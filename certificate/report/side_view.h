@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a picture of a law or a height map needs: the plane in which y is constant, x to the right and z up.
+// A picture's view of a law or a height map: the plane in which y is constant, x to the right and z up.
 
 #include <array>
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace forceshade::properties {
 
-// What stands above a picture in a file of its own; a page says it beside the picture. Empty: nothing.
+// The text above a picture in a file of its own; a page prints it beside the picture. Empty: nothing.
 struct Heading {
   std::string title, parameters;
 };
@@ -35,7 +35,7 @@ struct SideView {
 
 SideView side_view(const Drawn& law);
 
-// Where a height map is looked at, mm.
+// The part of a height map that is drawn, mm.
 struct Range {
   float y, from, to;
 };

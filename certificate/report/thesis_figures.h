@@ -15,7 +15,7 @@ struct ThesisFigure {
   std::string csv;  // its numbers, with a header that has units
 };
 
-// 2-3, 4-2, 5-1, 5-4 and 5-5. What the thesis does not print (the function of 2-3, the middle bump of 5-1) is said in the
+// 2-3, 4-2, 5-1, 5-4 and 5-5. What the thesis does not print (the function of 2-3, the middle bump of 5-1) is stated in the
 // picture's description.
 std::vector<ThesisFigure> thesis_figures();
 
