@@ -1,6 +1,6 @@
-# What a build has besides laws, height maps, meshes and the C interface for them. A full build has every feature, and requires the
-# packages that they need. For a machine that lacks some of them, FORCESHADE_FEATURES names those to build, and forceshade_has() of
-# the C interface answers 0 for the others.
+# The features of a build beside laws, height maps, meshes and the C interface for them. A full build has every feature, and
+# requires the packages that they need. For a machine that lacks some of them, FORCESHADE_FEATURES names those to build, and
+# forceshade_has() of the C interface answers 0 for the others.
 #
 #   device-loop    devices and the servo loop: Linux, libcsv
 #   subject-files  subject files with meshes, and height maps from NPY and PFM files: toml++, of which the headers are enough
@@ -13,7 +13,7 @@ set(usual ${known})
 if(NOT PROJECT_IS_TOP_LEVEL)
   set(usual device-loop)  # forceshade::fast and forceshade::device, as find_package(forceshade) without components has them
 endif()
-set(FORCESHADE_FEATURES ${usual} CACHE STRING "Which of ${known} to build; empty for none")
+set(FORCESHADE_FEATURES ${usual} CACHE STRING "The features of ${known} to build; empty for none")
 if("exact-side" IN_LIST FORCESHADE_FEATURES)
   set(FORCESHADE_FEATURES ${known})
 endif()
@@ -41,7 +41,7 @@ endforeach()
 forceshade_has(FORCESHADE_READS_CSV device-loop csv-files certificates)
 forceshade_has(FORCESHADE_WRITES_FILES device-loop certificates)
 
-# What every machine must have: binary64 whose every operation is rounded to binary64. FLT_EVAL_METHOD is 2 where g++ computes with
+# Required of every machine: binary64 whose every operation is rounded to binary64. FLT_EVAL_METHOD is 2 where g++ computes with
 # the registers of the x87, as it does for i386, whose significands of 64 bits would round each result twice.
 include(CheckCXXSourceCompiles)
 check_cxx_source_compiles("static_assert(__FLT_EVAL_METHOD__ == 0);

@@ -44,8 +44,8 @@ if(FORCESHADE_EXACT_SIDE)
   # The site itself is built in the package's folder (cmake/debian/finish.cmake).
   install(FILES cmake/debian/forceshade-doc.doc-base DESTINATION ${CMAKE_INSTALL_DATADIR}/doc-base RENAME forceshade-doc.forceshade
           COMPONENT forceshade-doc EXCLUDE_FROM_ALL)
-  # What needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c reference-c heights meshes
-  # subjects run properties study).
+  # A library that needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c reference-c heights
+  # meshes subjects run properties study).
   # Each component's libraries, and the components that it links.
   set(libraries_of_heights heights)
   set(libraries_of_meshes meshes)

@@ -60,7 +60,7 @@ foreach(library IN ITEMS libforceshade libforceshade-reference)
   file(CONFIGURE OUTPUT ${shlibs} CONTENT "${library} 0 ${library}0 (>= ${PROJECT_VERSION})\n")
   set(CPACK_DEBIAN_${key}0_PACKAGE_CONTROL_EXTRA ${debian}/triggers ${shlibs})
 endforeach()
-# Where dpkg-shlibdeps finds libforceshade.so.0 while the packages are made.
+# The folder in which dpkg-shlibdeps finds libforceshade.so.0 while the packages are made.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/bindings/c)
 set(CPACK_DEBIAN_FORCESHADE_PACKAGE_RECOMMENDS gnuplot-nox)
 foreach(package IN ITEMS FORCESHADE LIBFORCESHADE-DEV PYTHON3-FORCESHADE)

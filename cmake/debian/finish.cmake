@@ -23,7 +23,7 @@ foreach(staged IN LISTS packages)
   if(EXISTS ${staged}/usr/share/zsh)
     file(RENAME ${staged}/usr/share/zsh/site-functions ${staged}/usr/share/zsh/vendor-completions)
   endif()
-  # Where Debian's interpreter looks, whatever its minor version.
+  # The folder in which Debian's interpreter looks, whatever its minor version.
   file(GLOB site ${staged}/usr/lib/python3.*)
   if(site)
     file(RENAME ${site} ${staged}/usr/lib/python3)

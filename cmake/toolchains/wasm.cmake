@@ -2,7 +2,7 @@
 # relaxed SIMD, whose results may differ from one processor to another.
 include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
-# Where Debian has what emscripten's linker needs of node.
+# The folder of Debian with the modules of node that emscripten's linker needs.
 set(CMAKE_C_LINKER_LAUNCHER env NODE_PATH=/usr/share/nodejs)
 set(CMAKE_CXX_LINKER_LAUNCHER env NODE_PATH=/usr/share/nodejs)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE NEVER)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the standard library of emscripten 3.1.6, that of LLVM 13, lacks of C++20 and this project uses. Each source file of the preset
+// The parts of C++20 that this project uses and the library of emscripten 3.1.6 (LLVM 13) lacks. Each source file of the preset
 // wasm includes it first.
 #pragma once
 #ifdef __cplusplus
