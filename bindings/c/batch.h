@@ -14,7 +14,7 @@
 
 namespace forceshade::c {
 
-// OK, or what is wrong with the batch, which has been said.
+// Returns OK, or an error code after setting the error text.
 forceshade_result check(const forceshade_batch* batch) noexcept;
 
 inline forceshade_status status_of(const fast::Evaluation& answer) noexcept {
@@ -32,7 +32,7 @@ inline forceshade_result give(const fast::Evaluation& answer, float* force, forc
   return FORCESHADE_OK;
 }
 
-// Whether it can be answered where it lies. Statuses need the positions after the forces are written.
+// True if it can be answered where it lies. Statuses need the positions after the forces are written.
 inline bool is_without_gaps(const forceshade_batch& batch) noexcept {
   return batch.position_stride == 12 && batch.position_component == 4 && batch.force_stride == 12 &&
          batch.force_component == 4 &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a certificate covers a subject of the C interface.
+// Checks whether a certificate covers a subject of the C interface.
 
 #include "bindings/c/errors.h"
 #include "bindings/c/subject.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What every binding makes of the arrays that it has read, and of a description: no array is read here.
+// Makes descriptions from the arrays that a binding has read, and subjects from descriptions: no array is read here.
 
 #include <array>
 #include <cstdint>
@@ -33,11 +33,11 @@ std::vector<std::string_view> shading_names();
 // values: heights in mm, within kLargestHeight, from the smallest y and x.
 Description described(height::Grid samples, height::Mode mode, float stiffness);
 
-// sides: front for a closed mesh and both for another, where they are not said. crease: degrees, 0 to 180.
+// sides: default: front for a closed mesh and both for another. crease: degrees, 0 to 180.
 Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Sides> sides, mesh::Shading shading,
                       mesh::Contact contact, double crease, float stiffness, mesh::Materials materials = {});
 
-// What renders. field answers one position without a detour; renderer has the batch call and opens sessions.
+// A subject with its renderer. field answers one position without a detour; renderer has the batch call and opens sessions.
 struct Subject {
   Identity identity;
   std::variant<fast::Law, fast::HeightMapField, fast::GodObject> field;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is opened, is for one thread at a time, and is closed: sessions and scenes. T says what it is in kBusy and kNone, the
-// sentences for a call while another thread is in it, and for a handle that is none, and in kTooMany.
+// Objects that are opened, are for one thread at a time, and are closed: sessions and scenes. T has the error texts: kBusy
+// while another thread is in it, kNone for an invalid handle, and kTooMany.
 
 #include <string>
 
@@ -11,14 +11,14 @@
 
 namespace forceshade::c {
 
-// OK, or what is wrong with the arithmetic of this thread, which has been said.
+// Returns OK, or an error code after setting the error text, if this thread's arithmetic is at fault.
 inline forceshade_result check_arithmetic() {
   const char* const fault = fast::arithmetic_fault();
   if (fault == nullptr) return FORCESHADE_OK;
   return fail(FORCESHADE_BAD_ARITHMETIC, std::string("found ") + fault + "; expected rounding to nearest, with subnormals");
 }
 
-// OK, with the handle of what make() gives, or what is wrong, which has been said.
+// Returns OK and the handle of what make() gives, or an error code after setting the error text.
 template <class T, class Make>
 forceshade_result open(Table<T>& table, const Make& make, std::uint64_t& handle) {
   if (const forceshade_result wrong = check_arithmetic(); wrong != FORCESHADE_OK) return wrong;
@@ -28,8 +28,8 @@ forceshade_result open(Table<T>& table, const Make& make, std::uint64_t& handle)
   return FORCESHADE_OK;
 }
 
-// What this thread alone is in, as long as this lives. Null where it is none or another thread is in it; then `result` and the
-// message say which.
+// Exclusive use of the object by this thread, until destruction; null if it is busy or the handle is invalid: then `result` and
+// the error text say which.
 template <class T>
 class Entered {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What every function of the C interface does with an error: a result, and a sentence in the thread's message.
+// The errors of the C interface: a result, and a sentence in the thread's message.
 
 #include <cstddef>
 #include <string_view>

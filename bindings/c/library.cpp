@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the C interface says of the library itself.
+// The functions of the C interface about the library itself.
 
 #include <algorithm>
 #include <array>

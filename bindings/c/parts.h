@@ -14,13 +14,13 @@
 
 namespace forceshade::c {
 
-// Where a program was built before a batch had threads, its struct ends here.
+// The end of the struct in programs that were built before a batch had threads.
 inline constexpr std::size_t kWithoutThreads = offsetof(forceshade_batch, threads);
 
 // The most threads of a batch, and the fewest positions for which one is started: it takes some 20 us to start.
 inline constexpr std::size_t kMostThreads = 256, kLeastOfThread = 1024;
 
-// How many parts a batch is done in; at least one.
+// The number of parts in which a batch is done; at least one.
 inline std::size_t parts_of(const forceshade_batch& batch) noexcept {
   if (batch.size == kWithoutThreads) return 1;
   return std::clamp<std::size_t>(batch.count / kLeastOfThread, 1, std::clamp<std::size_t>(batch.threads, 1, kMostThreads));

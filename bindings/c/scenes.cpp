@@ -13,7 +13,7 @@ namespace {
 
 struct Scene : fast::SceneSession {
   static constexpr const char* kBusy = "another thread is in this scene, which is for one at a time";
-  static constexpr const char* kNone = "the scene is none: it was never opened, or has been closed";
+  static constexpr const char* kNone = "invalid scene handle: it was never opened, or has been closed";
   static constexpr const char* kTooMany = "there are too many scenes; expected some to be closed";
 
   explicit Scene(fast::SceneSession session) : fast::SceneSession(std::move(session)) {}

@@ -17,7 +17,7 @@ namespace forceshade::c {
 class Session {
  public:
   static constexpr const char* kBusy = "another thread is in this session, which is for one at a time";
-  static constexpr const char* kNone = "the session is none: it was never opened, or has been closed";
+  static constexpr const char* kNone = "invalid session handle: it was never opened, or has been closed";
   static constexpr const char* kTooMany = "there are too many sessions; expected some to be closed";
 
   explicit Session(const Subject& subject)

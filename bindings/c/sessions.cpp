@@ -15,7 +15,7 @@ namespace {
 
 constinit Lasting<Session> sessions;
 
-// OK, or what is wrong with the struct, which has been said.
+// Returns OK, or an error code after setting the error text.
 forceshade_result check(const forceshade_state* state) noexcept {
   if (state == nullptr) return fail(FORCESHADE_NULL_POINTER, "state is NULL");
   if (state->size < sizeof(forceshade_state))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a session remembers, as a struct of numbers: that of the C interface, and others with members of the same names.
+// The memory of a session, as a struct of numbers: that of the C interface, and others with members of the same names.
 
 #include <algorithm>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace forceshade::c {
 
-// Whether a state can be one of any mesh; the session looks whether it is one of its own.
+// True if the state can be one of any mesh; the session checks whether it is one of its own.
 template <class State>
 bool is_state(const State& state) noexcept {
   return state.place < mesh::kPlaceNames.size() && state.side <= 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which descriptions a binding for another language makes a subject of.
+// Rejects descriptions with moving objects, of which a binding makes no subject.
 
 #include "forceshade/bad_input.h"
 #include "forceshade/description.h"

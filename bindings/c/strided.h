@@ -7,7 +7,7 @@
 
 namespace forceshade::c {
 
-// Whether floats may lie at this distance.
+// True if floats may lie at this distance.
 constexpr bool is_stride(std::ptrdiff_t bytes) noexcept {
   return bytes % static_cast<std::ptrdiff_t>(alignof(float)) == 0;
 }

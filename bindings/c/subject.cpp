@@ -10,7 +10,7 @@ namespace forceshade::c {
 constinit Lasting<Subject> subjects;
 
 forceshade_result bad_subject() noexcept {
-  return fail(FORCESHADE_BAD_HANDLE, "the subject is none: it was never made, or has been freed");
+  return fail(FORCESHADE_BAD_HANDLE, "invalid subject handle: it was never made, or has been freed");
 }
 
 forceshade_result fail_with(const ParameterError& error) {

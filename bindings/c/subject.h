@@ -10,13 +10,13 @@ namespace forceshade::c {
 
 extern constinit Lasting<Subject> subjects;
 
-// Null for a handle that is none, for which bad_subject() is the result.
+// Null for an invalid handle, for which bad_subject() is the result.
 inline const Subject* subject_of(forceshade_subject handle) noexcept {
   return subjects.table.find(handle.handle);
 }
 forceshade_result bad_subject() noexcept;
 
-// What was not built, and why.
+// The result for a subject that could not be built, after setting the error text.
 forceshade_result fail_with(const ParameterError& error);
 
 // The handle of what is described, or the error.

@@ -23,7 +23,7 @@
 namespace forceshade::c {
 namespace {
 
-// The index of the word among the names; of `usual` where it is null. Nothing for another word, which is then said.
+// The index of the word among the names; of `usual` where it is null. Nothing for another word, after setting the error text.
 template <class Names>
 std::optional<std::size_t> choice(const char* what, const char* word, const Names& names, std::size_t usual) {
   if (word == nullptr) return usual;
@@ -80,7 +80,7 @@ forceshade_result new_height_map(const forceshade_height_map& map, forceshade_su
   return add_subject(described(std::move(grid), height::kModes[*mode].mode, map.stiffness), made);
 }
 
-// Where a program was built before a mesh had materials, its struct ends here.
+// The end of the struct in programs that were built before a mesh had materials.
 constexpr std::size_t kWithoutMaterials = offsetof(forceshade_mesh, materials);
 
 // The struct of the program, as far as it goes; what it does not have is 0.

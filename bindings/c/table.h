@@ -45,7 +45,7 @@ class Table {
     return handle;
   }
 
-  // Null for a handle that is none.
+  // Returns null for an invalid handle.
   T* find(std::uint64_t handle) const noexcept {
     const Slot& its = slots_[handle % kSlots];
     if (its.handle.load(std::memory_order_acquire) != handle) [[unlikely]]
@@ -55,7 +55,7 @@ class Table {
   // The slot in which the handle is, if it is one.
   Slot& slot_of(std::uint64_t handle) noexcept { return slots_[handle % kSlots]; }
 
-  // The handle is none from then on. Null where it was none.
+  // Invalidates the handle. Returns null for an invalid one.
   std::unique_ptr<T> take(std::uint64_t handle) {
     const std::lock_guard lock(mutex_);
     if (find(handle) == nullptr) return nullptr;

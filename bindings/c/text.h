@@ -10,7 +10,7 @@
 
 namespace forceshade::c {
 
-// OK, or what is wrong with the room for a text, which has been said.
+// Returns OK, or an error code after setting the error text, if there is no room for a text.
 inline forceshade_result check_room(const char* text, std::size_t size) noexcept {
   return text == nullptr && size > 0 ? fail(FORCESHADE_NULL_POINTER, "text is NULL, and size is not 0") : FORCESHADE_OK;
 }

@@ -20,7 +20,7 @@ namespace {
 using conformance::RendererFailed;
 using Json = nlohmann::ordered_json;
 
-// What Python raises in it becomes words, while the GIL is held.
+// Turns an error that Python raises in the call into words, while the GIL is held.
 template <class Call>
 auto words_for_errors(const Call& call) {
   const py::gil_scoped_acquire held;
@@ -79,7 +79,7 @@ class PythonRenderer final : public conformance::RendererUnderTest {
   Function answers_;
 };
 
-// Whether all held, the words, and the JSON.
+// True if all held; the words; and the JSON.
 py::tuple conformance_of(const Subject& subject, const py::object& open_it, std::uint64_t points, std::uint64_t seed,
                          const std::string& tolerance_text) {
   expect_arithmetic();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What one thread at a time may be in: sessions and scenes.
+// Objects that one thread may be in at a time: sessions and scenes.
 
 #include <atomic>
 

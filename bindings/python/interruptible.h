@@ -14,7 +14,7 @@ namespace forceshade::python {
 
 namespace py = pybind11;
 
-// What work(stop) gives, which a thread of its own does, while this one looks for signals: Python's own handlers run in
+// The result of work(stop), which a thread of its own does, while this one looks for signals: Python's own handlers run in
 // no other. Called with the GIL; work() runs without it.
 template <class Work>
 auto interruptible(const Work& work) {

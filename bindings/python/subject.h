@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is rendered, as Python has it: its description, from which the exact side is built too, and what renders it.
+// A subject, as Python has it: its description, from which the exact side is built too, and its renderer.
 
 #include <pybind11/pybind11.h>
 
@@ -22,14 +22,14 @@ struct Subject : c::Subject {
 // as some that are compiled with -ffast-math do when they are imported, is the usual cause.
 void expect_arithmetic();
 
-// A number that binary32 holds, or is to be rounded to. name: "x"; unit: "mm". Null and a Python error where it is none.
+// A number that binary32 holds, or is to be rounded to. name: "x"; unit: "mm". False and a Python error for anything else.
 bool read_float(PyObject* number, const char* name, const char* unit, bool is_rounded, float& read) noexcept;
 
 // Adds a method `name` to the type, for calls that take less time than pybind11 needs to look at the arguments.
 void add_method(pybind11::handle type, PyMethodDef& method);
 
-// What an instance of the type holds; null where its __init__ has not run, which pybind11's own cast would answer with memory
-// that nothing has been made in.
+// The object that an instance of the type holds; null where its __init__ has not run, which pybind11's own cast would answer
+// with memory that nothing has been made in.
 template <class T>
 T* object_of(PyObject* self) noexcept {
   const pybind11::detail::value_and_holder held = reinterpret_cast<pybind11::detail::instance*>(self)->get_value_and_holder();
@@ -37,7 +37,7 @@ T* object_of(PyObject* self) noexcept {
 }
 
 // Three coordinates and whether they may be rounded, of a call (x, y, z, *, rounding=None), each by its place or its name.
-// False and a Python error where they are none.
+// False and a Python error for anything else.
 bool read_position(PyObject* const* arguments, Py_ssize_t count, PyObject* names, float (&position)[3]) noexcept;
 
 // (x, y, z) of floats.
@@ -46,7 +46,7 @@ PyObject* tuple_of(const float* force) noexcept;
 // The positions that are answered between two looks for Ctrl-C: some ms of work.
 inline constexpr std::size_t kPart = std::size_t{1} << 18U;
 
-// What each file adds to the module.
+// Adds the part of each file to the module.
 void add_subjects(pybind11::module_& module);
 void add_forces(pybind11::module_& module, pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);
 void add_paths(pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);

@@ -157,7 +157,7 @@ auto parsed(const Parse& parse, const std::string& name, const std::string& text
   }
 }
 
-// What of an identity is a number is a float, what is a word a string.
+// The parameters of an identity: numbers as floats, words as strings.
 py::dict parameters_of(const Identity& identity) {
   py::dict all;
   for (const auto& [key, value] : identity.parameters) {

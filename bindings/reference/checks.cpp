@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::uint64_t kMostPoints = 1'000'000'000'000, kMostCases = 1'000'000'000, kMostThreads = 1024;
 
-// What this library checks is its own copy of the renderer. It is that of the library that programs call where both were
-// compiled of the same objects; else it has been said that it is not.
+// Checks that this library's own copy of the renderer, which it certifies, and that of the library that programs call were
+// compiled of the same objects.
 forceshade_result check_library() {
   const std::string own = fast::library_digest(), loaded = forceshade_library_digest();
   if (own == loaded) return FORCESHADE_OK;
@@ -70,7 +70,7 @@ properties::CertifyOptions options_of(const Defined& its, const forceshade_refer
   return options;
 }
 
-// What failed first, in words.
+// The first failure, in words.
 std::string first_failure(const properties::SubjectResult& found) {
   for (const properties::Comparison* part :
        {static_cast<const properties::Comparison*>(&found), static_cast<const properties::Comparison*>(&found.spread)})
@@ -117,7 +117,7 @@ forceshade_result forceshade_reference_certify(forceshade_reference reference, c
     if (wrong = check(*plan); wrong != FORCESHADE_OK) return wrong;
     if (files::is_standard_output(file))
       return c::fail(FORCESHADE_BAD_VALUE, "file: expected the name of a file, got " + std::string(file).substr(0, 64));
-    files::OutputFile out(file);  // so that a folder that is not there is said before the work
+    files::OutputFile out(file);  // so that a missing folder is reported before the work
     std::atomic<bool> stop = false;
     const auto tell = [&](std::string_view, double done) {
       if (progress != nullptr && !stop) stop = progress(user, done) != 0;

@@ -21,7 +21,7 @@ forceshade_result null(const char* words) noexcept {
 }
 
 // The definition where the handle is one, its force depends on the position alone, and this thread's arithmetic is in order;
-// else null, and `wrong` is what has been said.
+// else null with the result in `wrong`, after setting the error text.
 const Definition* of_a_position(forceshade_reference handle, forceshade_result& wrong) {
   const Defined* const its = defined(handle);
   wrong = its == nullptr ? FORCESHADE_BAD_HANDLE : check_arithmetic();
@@ -48,7 +48,7 @@ forceshade_result check_digits(std::uint32_t digits) {
                  "digits is " + std::to_string(digits) + "; expected 1 to " + std::to_string(kMostDigits));
 }
 
-// Whether the caller's answer with this index is the exact one.
+// True if the caller's answer with this index is the exact one.
 bool is_same(const forceshade_batch& batch, std::size_t index, const Answer& exact) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float given = *c::at(batch.forces, index, batch.force_stride, axis, batch.force_component);

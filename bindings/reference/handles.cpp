@@ -25,7 +25,7 @@ forceshade_result add(Description description, forceshade_reference* made) {
 }
 
 void no_definition() noexcept {
-  c::fail(FORCESHADE_BAD_HANDLE, "the definition is none: it was never made, or has been freed");
+  c::fail(FORCESHADE_BAD_HANDLE, "invalid definition handle: it was never made, or has been freed");
 }
 
 }  // namespace

@@ -16,13 +16,13 @@ struct Defined {
 
 extern constinit c::Lasting<Defined> definitions;
 
-// Null for a handle that is none; then BAD_HANDLE has been said.
+// Null for an invalid handle, after setting the error text for BAD_HANDLE.
 const Defined* defined(forceshade_reference handle) noexcept;
 
-// OK, or the fault of the calling thread's arithmetic, which has been said.
+// Returns OK, or an error code after setting the error text, if the calling thread's arithmetic is at fault.
 forceshade_result check_arithmetic() noexcept;
 
-// What a parameter outside its domain is, with its sentence.
+// The result for a parameter outside its domain, with its sentence.
 forceshade_result refuse(const ParameterError& error);
 
 }  // namespace forceshade::exact

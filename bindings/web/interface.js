@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a program in JavaScript sees of the module: package/forceshade.d.ts describes it. It stands behind the module's own code in
+// The module's interface for programs in JavaScript: package/forceshade.d.ts describes it. It stands behind the module's own code in
 // one file, a classic script, which works in node, in a page from a server and in one from `file:`.
 (function (root) {
   "use strict";
@@ -32,7 +32,7 @@
   const badValue = (what, expected, words) => new ForceshadeError("BAD_VALUE", `${what}: expected ${expected}, got ${words}`);
   const isList = (value) => typeof value === "object" && value !== null && Number.isInteger(value.length) && value.length >= 0;
 
-  // Options of which none is misspelt. expected: in words, for where there are none.
+  // Options without a misspelt one. expected: in words, for a value that is no object.
   function known(what, options, names, expected) {
     if (typeof options !== "object" || options === null || isList(options)) throw badValue(what, expected, got(options));
     for (const name of Object.keys(options))
@@ -311,7 +311,7 @@
       return [packed >>> 16, (packed >>> 8) & 255, packed & 255].join(".");
     }
 
-    // Of this package, in which no function reads a file, although the library has those that do.
+    // True for the features of this package, in which no function reads a file, although the library has some that do.
     has(feature) {
       if (text("feature", feature) === "subject-files") return false;
       const { module } = this._memory;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The C interface with arguments that JavaScript can give: numbers and addresses, and handles by the address of one. What each
- * function does, and what it returns, is said in include/forceshade.h; bindings/web/interface.js is its only caller. */
+/* The C interface with arguments that JavaScript can give: numbers and addresses, and handles by the address of one.
+ * include/forceshade.h describes each function and its result; bindings/web/interface.js is its only caller. */
 #include <emscripten.h>
 #include <stdlib.h>
 

@@ -289,7 +289,7 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
   const auto add_handles = [&](const std::string& name, const auto& handles) {
     for (const auto handle : handles)
       for (const auto& use : every_use_of(handle))
-        misuses.push_back({name + " " + std::to_string(handle.handle), use, FORCESHADE_BAD_HANDLE, "is none"});
+        misuses.push_back({name + " " + std::to_string(handle.handle), use, FORCESHADE_BAD_HANDLE, "handle: it was never"});
   };
   add_handles("subject",
               std::vector<forceshade_subject>{

@@ -75,7 +75,7 @@ TEST(c_scenes, refuse_what_is_wrong_with_the_reason) {
   EXPECT_EQ(forceshade_scene_close(scene), FORCESHADE_OK);
   EXPECT_EQ(forceshade_scene_close(scene), FORCESHADE_BAD_HANDLE);
   EXPECT_EQ(forceshade_scene_object(scene, 0, force.data(), nullptr), FORCESHADE_BAD_HANDLE);
-  EXPECT_EQ(std::string(forceshade_message()), "the scene is none: it was never opened, or has been closed");
+  EXPECT_EQ(std::string(forceshade_message()), "invalid scene handle: it was never opened, or has been closed");
   EXPECT_EQ(forceshade_subject_free(wall), FORCESHADE_OK);
 }
 

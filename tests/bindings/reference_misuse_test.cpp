@@ -218,7 +218,7 @@ TEST_F(ReferenceMisuse, of_every_kind_has_its_result_and_its_sentence) {
   for (const forceshade_reference none :
        {forceshade_reference{0}, {7}, {UINT64_MAX}, {bump.handle ^ (std::uint64_t{1} << 40U)}, freed})
     for (const auto& use : every_use_of(none))
-      misuses.push_back({"handle " + std::to_string(none.handle), use, FORCESHADE_BAD_HANDLE, "is none"});
+      misuses.push_back({"handle " + std::to_string(none.handle), use, FORCESHADE_BAD_HANDLE, "handle: it was never"});
 
   const std::ptrdiff_t files = folder.entries();
   for (const Misuse& misuse : misuses) {

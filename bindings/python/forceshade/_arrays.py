@@ -15,7 +15,7 @@ Rounding = Optional[Literal["nearest"]]
 
 
 def expect_rounding(rounding: Rounding) -> bool:
-    """Whether numbers may be rounded."""
+    """True if numbers may be rounded."""
     if rounding is None:
         return False
     if not isinstance(rounding, str):
@@ -121,7 +121,7 @@ def count_of_threads(threads: object) -> int:
 
 
 def output(out: object, positions: Floats) -> Floats:
-    """Where the forces go: `out`, which has been looked at, or a new array."""
+    """The array for the forces: `out`, which has been looked at, or a new one."""
     if out is None:
         return np.empty(positions.shape, np.float32)
     _expect_writable(out, "out", np.float32, positions.shape)
@@ -143,7 +143,7 @@ def states(its: object, dtype: np.dtype[np.void], positions: Floats, *written: n
 
 
 def statuses(status: object, positions: Floats, forces: Floats) -> Bytes | None:
-    """Where the statuses go."""
+    """The array for the statuses."""
     if status is None:
         return None
     _expect_writable(status, "status", np.uint8, positions.shape[:-1])

@@ -14,7 +14,7 @@ from ._subject import File, Subject, path_of
 
 
 class PropertyResult(NamedTuple):
-    """What came of checking one property."""
+    """The result of checking one property."""
 
     name: str
     """"equivalence", "continuity", "unit normals", "passivity", or that of a further property."""
@@ -25,18 +25,18 @@ class PropertyResult(NamedTuple):
 
 
 class Certificate(NamedTuple):
-    """What certify() found."""
+    """The result of certify()."""
 
     held: bool
-    """Whether every check held."""
+    """True if every check held."""
     standing: str
     """"sufficient", "insufficient" (every check held, but forceshade drive needs more evidence), or "failed"."""
     lacks: str
-    """Where it is insufficient: what is missing, in words."""
+    """The missing evidence, in words, where it is insufficient."""
     remedy: str
-    """What gathers it: a command."""
+    """The command that gathers it."""
     contents: dict[str, Any]
-    """What its file holds: certificate/schema.md."""
+    """The contents of its file: certificate/schema.md."""
 
     @classmethod
     def read(cls, file: File) -> Certificate:
@@ -109,8 +109,8 @@ def certify(
 ) -> Certificate:
     """Checks renderers against the exact definition at many points, and their properties, as forceshade certify does.
 
-    points: of each subject, and a quarter as many with other parameters; as many as forceshade drive requires, unless said.
-    threads: as many as this process may use processors, unless said. out: a file, into which the certificate goes as JSON; one
+    points: of each subject, and a quarter as many with other parameters; default: as many as forceshade drive requires.
+    threads: default: as many as this process may use processors. out: a file, into which the certificate goes as JSON; one
     that is there already is replaced only with overwrite=True.
 
     The certificate is bound to this package's compiled code: library_digest(). Ctrl-C ends it. Raises OSError before any work

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A renderer of anybody's, held against the exact definition."""
+"""A third-party renderer, held against the exact definition."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class OpenedRenderer(Protocol):
     """A renderer on one scene."""
 
     def answers(self, positions: Floats, reset: bool, /) -> Floats:
-        """What it gives for the next positions of the path, (n, 3), in its own units; reset: a new path begins with them."""
+        """The answers to the next positions of the path, (n, 3), in its own units; reset: a new path begins with them."""
 
 
 class RendererOfScenes(Protocol):
@@ -34,12 +34,12 @@ class RendererOfScenes(Protocol):
 
 @dataclass(frozen=True, repr=False)
 class Conformance:
-    """What conform() found. It is true where all that is applicable held. As a text, it says all that did and did not hold. A
+    """The result of conform(). It is true where all that is applicable held. As a text, it says all that did and did not hold. A
     test is `conform(...).check()`."""
 
     held: bool
     applicable: bool
-    """Whether the renderer renders this scene. Where it does not, nothing held."""
+    """True if the renderer renders this scene. If not, nothing held."""
     words: str
     contents: dict[str, Any] = field(compare=False)
     """As `forceshade conform --json` writes it: docs/conformance.md."""

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 Exact = Union[Fraction, str]
 
-# Of denominators up to the first, no two rational numbers agree in as many digits as the second.
+# Two rational numbers with denominators up to the first never agree in as many digits as the second.
 _LARGEST_DENOMINATOR = 10**40
 _ENOUGH_DIGITS = 120
 _CLOSE = Fraction(1, 10**115)
@@ -32,7 +32,7 @@ class ExactForce(NamedTuple):
 
 
 class Geometry(NamedTuple):
-    """Of a bump: correctly rounded decimal digits."""
+    """The geometry of a bump, in correctly rounded decimal digits."""
 
     d: str
     """mm: how deep the axis of the cylinder lies below the plane."""

@@ -12,14 +12,14 @@ if TYPE_CHECKING:
 
 
 class Recording(NamedTuple):
-    """What read_recording() gives."""
+    """The result of read_recording()."""
 
     samples: Any
     """A structured array with a row for each tick, or a pandas.DataFrame: the columns of docs/recording.md; mm, N, mJ, ns."""
     metadata: dict[str, str]
-    """What was rendered, with which device and settings."""
+    """The subject, the device and the settings of the run."""
     problems: list[str]
-    """What keeps it from being a whole run as it was written, a sentence each; empty if it is whole."""
+    """The reasons why it is not a whole run as it was written, a sentence each; empty if it is whole."""
 
     def __repr__(self) -> str:
         return f"<Recording of {len(self.samples)} ticks, {'whole' if not self.problems else self.problems[0]}>"

@@ -15,7 +15,7 @@ from ._subject import Status, Subject
 
 
 class Pose(NamedTuple):
-    """Where an object is: its point a is at R a + translation in the world, R the exact rotation of the quaternion."""
+    """The pose of an object: its point a is at R a + translation in the world, R the exact rotation of the quaternion."""
 
     translation: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """mm, each within 10 000."""
@@ -49,12 +49,12 @@ class Scene(_forceshade.Scene):
 
     @property
     def objects(self) -> tuple[Subject, ...]:
-        """What it renders."""
+        """The subjects that it renders."""
         return self._objects
 
     @property
     def status(self) -> Status:
-        """What the last position was."""
+        """The status of the last position."""
         return Status(self._status)
 
     def step(self, position: npt.ArrayLike, poses: Sequence[Pose] | npt.ArrayLike, *, rounding: Rounding = None) -> Floats:

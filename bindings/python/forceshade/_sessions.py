@@ -17,7 +17,7 @@ from ._subjects import Mesh
 
 
 class Place(enum.IntEnum):
-    """Where a god-object is."""
+    """The place of a god-object."""
 
     NOWHERE = 0
     """No valid position has come yet."""
@@ -36,7 +36,7 @@ class State:
 
     place: Place = Place.NOWHERE
     side: int = 0
-    """Of the surface: 0 front, 1 back."""
+    """The side of the surface: 0 front, 1 back."""
     position: tuple[float, float, float] = (0.0, 0.0, 0.0)
     """mm; in the open."""
     index: tuple[int, int] = (0, 0)
@@ -69,12 +69,12 @@ class Session(_forceshade.Session):
 
     @property
     def subject(self) -> Subject:
-        """What it renders."""
+        """The subject that it renders."""
         return self._subject
 
     @property
     def status(self) -> Status:
-        """What the last position was."""
+        """The status of the last position."""
         return Status(self._status)
 
     def steps(
@@ -104,13 +104,13 @@ class Session(_forceshade.Session):
 
     @property
     def state(self) -> State:
-        """What it remembers after the last step."""
+        """Its memory after the last step."""
         place, side, slipping, position, index, parameter = self._state()
         return State(Place(place), side, tuple(position), tuple(index), tuple(parameter), slipping)  # type: ignore[arg-type]
 
     @property
     def point(self) -> tuple[float, float, float] | None:
-        """Where the god-object of a mesh is after the last step, mm: each coordinate the binary64 number nearest to the exact one.
+        """The god-object's point after the last step, mm: each coordinate the binary64 number nearest to the exact one.
         None before a valid position has come, and for a law or a height map, which have no god-object.
 
         >>> import forceshade
@@ -133,7 +133,7 @@ class Session(_forceshade.Session):
         return x, y, z
 
     def resume(self, state: State) -> None:
-        """Goes on from a state of the same subject. A state that is none of this mesh counts as that of a beginning."""
+        """Goes on from a state of the same subject. A state that is invalid for this mesh counts as that of a beginning."""
         if not isinstance(state, State):
             raise TypeError(f"expected the state of a session, got {type(state).__name__}")
         place, side, position, index, parameter, slipping = astuple(state)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What every subject has, whatever it renders."""
+"""The members of every subject, whatever it renders."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ File = Union[str, "os.PathLike[str]"]
 
 
 class Status(enum.IntEnum):
-    """What a position is."""
+    """The status of a position."""
 
     FREE = 0
     """Outside: no force."""
@@ -49,12 +49,12 @@ STATE = np.dtype(
 
 
 class Identity(NamedTuple):
-    """What a subject is, as certificates and recordings have it."""
+    """The identity of a subject, as certificates and recordings have it."""
 
     kind: str
     """"law", "height map" or "mesh"."""
     name: str
-    """Of the law, or of the file; "samples" or "triangles" where there was no file."""
+    """That of the law, or of the file; "samples" or "triangles" where there was no file."""
     parameters: dict[str, float | str]
     """By their keys, which end in their units: "stiffness_N_per_mm"."""
     digest: str
@@ -92,7 +92,7 @@ def path_of(file: object) -> str:
 
 
 def remade(digest: str, make: Callable[..., Subject], arguments: tuple[Any, ...], options: dict[str, Any]) -> Subject:
-    """What was pickled, made again. Raises Error where a file that it was read from has changed since."""
+    """A pickled subject, made again. Raises Error where a file that it was read from has changed since."""
     made = make(*arguments, **options)
     if made.digest != digest:
         raise _forceshade.Error(f"{arguments[0]} has changed since this was pickled: expected the digest {digest}, got {made.digest}")
@@ -169,7 +169,7 @@ class Subject(_forceshade.Subject):
 
         states: an array of type STATE of the shape of the positions without the last axis, without gaps: where each path is,
         and afterwards what the tick left. numpy.zeros(n, forceshade.STATE) begins n paths; writing 0 into some begins these
-        again; a copy keeps them. A state that is none of this mesh counts as that of a beginning. Of a law or a height map,
+        again; a copy keeps them. A state that is invalid for this mesh counts as that of a beginning. Of a law or a height map,
         which remember nothing, they stay as they are.
         The other arguments, and what is raised, are those of forces().
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is rendered: laws, height maps and meshes."""
+"""Subjects to render: laws, height maps and meshes."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Law(Subject):
     """One of the nine force laws of Morgenbesser and Srinivasan (1996): forceshade.laws() has their names.
 
     radius: R, mm, in [0.1, 10 000]. width: w, mm, the chord of the bump on the plane, in [0.001, 2 R]. stiffness: K, N/mm, in
-    [0.001, 1000]. Unless said, they are the command's: 15.24 mm, 25.4 mm and 0.5 N/mm.
+    [0.001, 1000]. The defaults are the command's: 15.24 mm, 25.4 mm and 0.5 N/mm.
 
     The wall takes the stiffness alone. A number stands for the nearest binary32 number, as on the command line, and a text may
     have a unit: "600mil", "500N/m".
@@ -105,7 +105,7 @@ class HeightMap(Subject):
     middle is the origin. (A picture has the largest y in its first row: heights[::-1].)
     Or a file: a TOML file (docs/height-maps.md), which says all but the stiffness; or a greyscale PNG, TIFF or PFM picture or
     an NPY array, whose first row has the largest y, with its pitch and its `scale`: the height of white, or of 1, in mm.
-    stiffness: K, N/mm, in [0.001, 1000]; 0.5 unless said.
+    stiffness: K, N/mm, in [0.001, 1000]; default: 0.5.
     interpolant: "cubic-spline", which goes through the heights, or "bilinear". edge: beyond the samples, "clamp" or "tile".
     render: "height-map" (at the surface's own depth), "height-map-shaded" (at the plane's), or "height-map-conservative".
     rounding: "nearest" takes heights of other types than float32.
@@ -257,8 +257,8 @@ class Mesh(Subject):
     vertices: float32 (n, 3), mm. triangles: integers (m, 3), numbers of vertices from 0; (b - a) x (c - a) points to the front.
     Or a file instead of both, OFF, OBJ, PLY or STL, with its `unit`: "mm", "m" or "in"; its shading may be "texture:FILE.toml",
     with the length `texture_scale` of one unit of its coordinates.
-    stiffness: K, N/mm, in [0.001, 1000]; 0.5 unless said. sides: which block, "front" or "both"; "front" for a closed mesh and "both" for
-    another, unless said. shading: "vertex" (usual), "edge" or "none" (usual with sub-goal). contact: "direct", "sub-goal" or
+    stiffness: K, N/mm, in [0.001, 1000]; default: 0.5. sides: which block, "front" or "both"; default: "front" for a closed mesh, else
+    "both". shading: "vertex" (usual), "edge" or "none" (usual with sub-goal). contact: "direct", "sub-goal" or
     "friction", which is usual where a coefficient of friction is above 0.
     friction: a coefficient of friction, or a pair (static, dynamic), for the whole mesh: 0, inf, or 2**-10 to 1024.
     materials: instead, of a mesh file, a TOML file; of arrays a pair (list, numbers): a list of dictionaries with "friction",

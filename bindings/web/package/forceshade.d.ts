@@ -11,7 +11,7 @@ export type LawName =
  * god-object used up the moves of one tick. */
 export type Status = "free" | "contact" | "invalid" | "unfinished";
 
-/** What a call refuses. result: the name of the C interface's result, "BAD_VALUE". */
+/** A refusal of a call. result: the name of the C interface's result, "BAD_VALUE". */
 export class ForceshadeError extends Error {
   readonly result: string;
 }
@@ -36,7 +36,7 @@ export interface Subject {
   readonly name: string;
   /** "radius 15.24 mm, width 25.4 mm, stiffness 0.5 N/mm" */
   readonly parameters: string;
-  /** Of a law or a height map. That of a mesh depends on the path: "WRONG_KIND". */
+  /** The force of a law or a height map. That of a mesh depends on the path: "WRONG_KIND". */
   force(position: Vector): Force;
   /** Three numbers for each position. */
   forces(positions: ArrayLike<number>): Forces;
@@ -45,7 +45,7 @@ export interface Subject {
   close(): void;
 }
 
-/** Where the god-object of a mesh is, exact. See `forceshade_state` in forceshade.h. */
+/** The place of a mesh's god-object, exact. See `forceshade_state` in forceshade.h. */
 export interface State {
   place: "nowhere" | "in-the-open" | "at-vertex" | "on-edge" | "in-triangle";
   side: "front" | "back";
@@ -145,7 +145,7 @@ export interface Library {
   readonly laws: LawName[];
   /** "laws", "height-maps", "meshes", "states", "scenes" and the others of forceshade.h. No feature that needs files is here. */
   has(feature: string): boolean;
-  /** What this machine's arithmetic does otherwise than IEEE 754; null where nothing was found. */
+  /** The fault of this machine's arithmetic against IEEE 754; null where nothing was found. */
   readonly arithmeticFault: string | null;
   law(name: LawName, options: LawOptions): Subject;
   heightMap(options: HeightMapOptions): Subject;

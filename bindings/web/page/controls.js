@@ -6,7 +6,7 @@ const Controls = (() => {
   const byId = (id) => document.getElementById(id);
   const STEPS = 1000;
 
-  // What a slider has chosen: four digits are enough for a thumb, a field takes all of them.
+  // The value of a slider: four digits are enough for a thumb, a field takes all of them.
   const ofThumb = (value) => Number(value.toPrecision(4));
 
   const logarithmic = {

@@ -23,7 +23,7 @@ const Numbers = (() => {
   // The place of a number among all binary32 numbers in their order; both zeros have 0.
   const rank = (value) => (bits(value) & 0x7fffffff) * (bits(value) >>> 31 ? -1 : 1);
 
-  // How many binary32 numbers `other` lies above `value`. Within one binade that is the difference in units in the last place.
+  // The number of binary32 numbers that `other` lies above `value`. Within one binade that is the difference in units in the last place.
   const apart = (value, other) => rank(other) - rank(value);
 
   const grouped = (count) => String(count).replace(/\B(?=(\d{3})+$)/g, "\u202f");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What can be stroked: a law, a height map or a mesh. Each has a subject of the library that answers with forces, a section to draw,
+// The surfaces to stroke: a law, a height map or a mesh. Each has a subject of the library that answers with forces, a section to draw,
 // and what the view has to show.
 "use strict";
 
@@ -98,7 +98,7 @@ const Surfaces = (() => {
     return {at, faces: triangles.map(([a, b, c]) => (isOutward([a, b, c]) ? [a, b, c] : [a, c, b]))};
   }
 
-  // Where the plane y = constant cuts a convex mesh: the points on its edges, in their order around the middle.
+  // The section of a convex mesh by the plane y = constant: the points on its edges, in their order around the middle.
   function cut({at, faces}, y) {
     const points = [];
     for (const face of faces)
