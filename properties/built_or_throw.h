@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a build() gives, or an exception.
+// Takes the result of a build(), or throws.
 
 #include <stdexcept>
 #include <utility>

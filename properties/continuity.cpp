@@ -16,8 +16,8 @@ using Real = long double;
 // Relative: numbers of 2^-60 or better (long double) go through some dozen operations of 2^-64 and library functions of one
 // unit in the last place.
 constexpr Real kEvaluation = 0x1p-50L;
-// Which positions count as opposite sides of the axis, as 1 + the cosine of the angle between them. The angle that is left, at
-// most 4.5e-5 rad, is allowed for; a larger one would allow for more than there is to see.
+// Positions are on opposite sides of the axis if 1 + the cosine of the angle between them is below this. The angle that is
+// left, at most 4.5e-5 rad, is allowed for; a larger one would allow for more than there is to see.
 constexpr Real kOpposite = 1e-9L;
 
 // The law reads a coordinate below a picometre as 0, so that is where such a position is.
@@ -30,7 +30,7 @@ Real magnitude(const reference::Law& law, const Eigen::Vector3f& position) {
   return force.magnitude.mid();
 }
 
-// Whether a line separates a from b, the line itself belonging to the side that <= gives it: |x| <= line inside.
+// True if a line separates a from b, the line itself belonging to the side that <= gives it: |x| <= line inside.
 bool separates(Real line, Real a, Real b) {
   if (line == 0) return (a < 0) != (b < 0);
   const auto inside = [&](Real x) { return std::fabs(x) <= line; };
@@ -62,7 +62,7 @@ AllowedChange allowed_change(const reference::Law& law, const LawClaims& claims,
   }
   allowed.is_known = lines <= 1;
 
-  // How fast the force changes where it does not jump. A face or the plane: K·√(1 + slope²). The shaded normal turns on
+  // The rate of the force's change where it does not jump. A face or the plane: K·√(1 + slope²). The shaded normal turns on
   // top of that. The cylinder: K along the radius, K(R - ρ)/ρ across it. bump-cylinder adds the wall's K.
   //
   // Across a line x = L the listed size is that at (L, az), which is |ax - L| from a and at most |bx - L| + |az - bz| from b:

@@ -7,7 +7,7 @@
 
 namespace forceshade::properties {
 
-// What the law allows between two positions: a jump of known size, and how far from it rounding and slope may carry.
+// The change that the law allows between two positions: a jump of known size, and how far rounding and slope may carry from it.
 struct AllowedChange {
   long double jump;   // N: |F(a) - F(b)| is this
   long double reach;  // N: give or take this

@@ -30,7 +30,7 @@ class ReferenceOfField final : public ReferenceSession {
   Eigen::Vector3f last_{0, 0, 0};
 };
 
-// What the generators of cases take.
+// The target of the generators of cases.
 const reference::Law& target_of(const reference::Law& law, const LawClaims&) {
   return law;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What laws and height maps have in common as subjects: the force depends on the position alone.
+// The parts that laws and height maps share as subjects: the force depends on the position alone.
 
 #include <utility>
 

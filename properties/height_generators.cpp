@@ -94,7 +94,7 @@ class Shapes {
       for (std::uint32_t j = 0; j < grid.rows; ++j)
         for (std::uint32_t i = 0; i < grid.columns; ++i) at(i, j) = value(i, j);
     };
-    // Where errors hang on what is small or missing: level along one axis, steps in the last places only, one step.
+    // Grids on which small or missing steps cause errors: level along one axis, steps in the last places only, one step.
     const float base = any_value();
     switch (draws_.bits() % 8) {
       case 0: change([&](std::uint32_t i, std::uint32_t) { return at(i, 0); }); break;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How much energy loops over a height map can give to the hand, for its certificate.
+// The energy that loops over a height map can give to the hand, for its certificate.
 
 #include "forceshade/checks.h"
 #include "properties/rendered.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What docs/height-maps.md says of a height map beside its height: where it has kinks, how steep it is and how fast its
+// The claims of docs/height-maps.md about a height map beside its height: where it has kinks, how steep it is and how fast its
 // gradient turns. Bounds and places in binary64, for properties and aim, not for decisions.
 
 #include <string>
@@ -30,7 +30,7 @@ struct HeightMapClaims {
   // The change of the gradient that the direction comes from.
   GradientChange gradient_change(double x, double y, double reach) const;
 
-  // Where the force jumps, in words; none where it is continuous.
+  // The places where the force jumps, in words; empty where it is continuous.
   std::vector<std::string> jumps() const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where to look on a height map: as PositionSource does on a law.
+// Positions aimed at what is hard for a height map, as PositionSource does for a law.
 
 #include <array>
 

@@ -28,7 +28,7 @@ Real rounding(const Eigen::Vector3f& force) {
   return std::hypot(half_spacing(force.x()), half_spacing(force.y()), half_spacing(force.z()));
 }
 
-// What the magnitude is given: a unit normal, or, where the map is conservative, a vector as long as that is steep.
+// The direction of the force: a unit normal, or, where the map is conservative, a vector that is longer where it is steeper.
 Vector direction(const HeightMapClaims& claims, const Exact& exact) {
   const Vector normal(-exact.Ux.mid(), -exact.Uy.mid(), 1);
   return claims.mode == height::Mode::conservative ? normal : normal.normalized();
@@ -43,8 +43,8 @@ Real magnitude(const HeightMapClaims& claims, const Exact& exact) {
   return static_cast<Real>(claims.stiffness) * std::max(Real(0), exact.gap.mid());
 }
 
-// How much the magnitude's part of the force may change on a way of `apart` mm where the surface that depth is measured from is
-// nowhere steeper, N.
+// The most that the magnitude's part of the force may change on a way of `apart` mm where the surface that depth is measured
+// from is nowhere steeper, N.
 Real change_of_magnitude(const HeightMapClaims& claims, Real apart, Real steepest) {
   const Real slope = std::hypot(Real(1), steepest);
   const Real longest = claims.mode == height::Mode::conservative ? slope : 1;

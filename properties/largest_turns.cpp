@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the vertex scheme turns a force on one mesh, by where the god-object rests. The proofs are in docs/energy.md.
+// The largest turns of the force by the vertex scheme on one mesh, by the god-object's place. The proofs are in docs/energy.md.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -49,7 +49,7 @@ class Turns {
   const Eigen::Vector3d& direction(std::uint32_t half_edge) const { return faces_[half_edge / 3].direction; }
   double error(std::uint32_t half_edge) const { return faces_[half_edge / 3].error; }
 
-  // Whether the god-object can rest on the edge, as in a valley.
+  // True if the god-object can rest on the edge, as in a valley.
   bool is_valley(std::uint32_t one, std::uint32_t other) const {
     const double rises = rise_beside(mesh_, direction(one), one, other);
     return rises > -kSlack || (rendering_.sides == mesh::Sides::both && rises < kSlack);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What docs/laws.md says of each law beside its force: its nominal surface, where it jumps and by how much, and whether it is
+// The claims of docs/laws.md about each law beside its force: nominal surface, jumps and their sizes, and whether it is
 // conservative. Sizes in long double, good to about 17 digits; for properties and aim, not for decisions.
 
 #include <string>
@@ -34,7 +34,7 @@ struct LawClaims {
   bool is_shaded() const;
   bool has_cylinder() const { return id == LawId::cylinder || id == LawId::bump_cylinder; }
 
-  // Where the force jumps, in words; none where it is continuous.
+  // The places where the force jumps, in words; empty where it is continuous.
   std::vector<std::string> jumps() const;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the shading of one mesh can give to the hand in the limit of small steps (docs/energy.md, "For one mesh"), and a loop
-// that it gives much of this along.
+// The energy that the shading of one mesh can give to the hand in the limit of small steps (docs/energy.md, "For one mesh"),
+// and a loop along which it gives much of this.
 
 #include <string>
 #include <vector>

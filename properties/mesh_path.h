@@ -11,7 +11,7 @@
 
 namespace forceshade::properties {
 
-// How the positions of a stretch of a path are drawn.
+// The way in which the positions of a stretch of a path are drawn.
 enum class PathKind {
   walk,
   stroke,

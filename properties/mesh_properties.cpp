@@ -58,14 +58,14 @@ double stiffness_at(const MeshRendering& rendering, const mesh::GodObject& state
   return static_cast<double>(largest);
 }
 
-// Whether a part of the force may be friction's, at a right angle to what is turned to the shading direction, so that the force
+// True if a part of the force may be friction's, at a right angle to what is turned to the shading direction, so that the force
 // is not as long as the spring's.
 bool is_drag_beside_shading(const MeshRendering& rendering) {
   return rendering.contact == mesh::Contact::friction && rendering.shading != mesh::Shading::none &&
          has_friction(rendering.materials);
 }
 
-// What a shaded force is turned by, as a chord, at the end of this tick; 0 where it is not shaded. D: from the position to
+// The turn of a shaded force, as a chord, at the end of this tick; 0 where it is not shaded. D: from the position to
 // the god-object, mm, known to `slack`. A rest that was refused, or is not inside a triangle, has D along no normal in
 // particular.
 double most_turn(const MeshRendering& rendering, const mesh::Tick& tick, const Eigen::Vector3d& D, double slack) {
@@ -87,7 +87,7 @@ double most_growth(const MeshRendering& rendering, const mesh::GodObject& before
   return 1 + 2 * largest_turn(rendering, before.index[0]);
 }
 
-// How far off a goal may be because its coordinates are binary32 numbers. distance: the most that it is off the position q.
+// The error of a goal because its coordinates are binary32 numbers. distance: the most that it is off the position q.
 double rounding_of_goal(const Eigen::Vector3d& q, double distance) {
   const double largest = q.cwiseAbs().maxCoeff() + distance;
   return std::numbers::sqrt3 * (half_spacing(static_cast<float>(largest)) + 0x1p-30);
@@ -155,7 +155,7 @@ Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked&
   const mesh::GodObject &a = one.tick.after, &b = other.tick.after;
   if (!is_on_surface(one.tick) || !is_on_surface(other.tick)) return std::nullopt;
   if (a.place != b.place || a.index != b.index || a.side != b.side) return std::nullopt;
-  // What friction takes is drawn from the normal of the triangle in which the hand pulls, and at an edge that may change.
+  // Friction's part is drawn from the normal of the triangle in which the hand pulls, and at an edge that may change.
   if (is_drag_beside_shading(rendering)) return std::nullopt;
   const double moved = (read(other.position) - read(one.position)).norm() +
                        (point_of(rendering.mesh(), b) - point_of(rendering.mesh(), a)).norm() +
@@ -199,14 +199,14 @@ Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const
              words((s - q).norm()) + " mm off it";
     const Eigen::Vector3d F = force_of(before.tick), G = force_of(now.tick);
     const double K = stiffness_at(rendering, before.tick.after), L = stiffness_at(rendering, now.tick.after);
-    // How long the springs are, mm: of forces, but where friction has a part in them.
+    // The lengths of the springs, mm: of forces, but where friction has a part in them.
     const bool has_drag = is_drag_beside_shading(rendering);
     const double D = has_drag && is_on_surface(before.tick) ? (r - p).norm() : F.norm() / K,
                  E = has_drag && is_on_surface(now.tick) ? (s - q).norm() : G.norm() / L;
     const double given = F.dot(step);
     const double turned = is_on_surface(before.tick) ? most_turn(rendering, before.tick, r - p, slack) : 0;
     const double stored = 0.5 * K * (D * D - E * E / (growth * growth) + step.squaredNorm()) + turned * K * D * step.norm();
-    // Where the springs' ends are off by the slack, and the forces by their roundings.
+    // The springs' ends are off by the slack, and the forces by their roundings.
     const double larger = std::max(K, L),
                  off = (turned > 0 ? 3 : 1) * larger * slack + rounding_of(before.tick) + rounding_of(now.tick) * larger / L;
     const double allowed = off * (step.norm() + D + E + off / K);

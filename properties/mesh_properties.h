@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What must hold of a god-object along its path, checked from its ticks alone, without either side's code.
+// Properties of a god-object along its path, checked from its ticks alone, without either side's code.
 
 #include <array>
 #include <span>
@@ -22,7 +22,7 @@ struct Ticked {
   mesh::Tick tick;
 };
 
-// Where the state says that the god-object is, mm; a free one is at its own position.
+// The god-object's point by its state, mm; a free one is at its own position.
 Eigen::Vector3d point_of(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
 
 // The most that the point of the state is away from the point that gave the force: two steps of the grid, mm.
@@ -34,8 +34,8 @@ double grid_reach(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
 Violation force_is_as_long_as_the_spring(const MeshRendering& rendering, const Ticked& ticked);
 
 // Two positions reached from the same state that lead to the same feature and side: the length of the force changes by no more
-// than the stiffness times what position and god-object move; unshaded, so does the force. Nothing is said of a
-// shaded one of which friction takes a part.
+// than the stiffness times what position and god-object move; unshaded, so does the force. A shaded one of which friction takes
+// a part is not checked.
 Violation force_follows_the_spring(const MeshRendering& rendering, const Ticked& one, const Ticked& other);
 
 // The direction of a triangle's normal, to the front, and the most that it is off: differences and products are rounded, and

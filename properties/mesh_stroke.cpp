@@ -111,7 +111,7 @@ MeshStroke best_stroke(const MeshRendering& rendering, const LargestTurns& turns
                        const Monitor& monitor) {
   const mesh::TriangleMesh& mesh = rendering.mesh();
   const auto corner = [&](std::uint32_t t, std::size_t i) { return vector_of(mesh.vertices[mesh.triangles[t][i]]); };
-  // What a stroke along the longest side gives for its length, but for the turn's changes.
+  // The energy of a stroke along the longest side for its length, but for the turn's changes.
   const auto promise = [&](std::uint32_t t) {
     const double side = std::max(
         {(corner(t, 0) - corner(t, 1)).norm(), (corner(t, 1) - corner(t, 2)).norm(), (corner(t, 2) - corner(t, 0)).norm()});

@@ -22,8 +22,8 @@ struct WitnessLoop {
 // depth: mm, as for reference::witness.
 WitnessLoop witness_loop(const reference::Law& law, float depth);
 
-// Whether the renderer gives around the witness loop what the exact law gives, to within its own rounding and one part in 10^4,
-// and that reaches the bound.
+// Demands that the renderer gives around the witness loop what the exact law gives, to within its own rounding and one part in
+// 10^4, and that this reaches the bound.
 Violation witness_is_reached(const RenderedLaw& rendered, const LawClaims& claims, float depth);
 
 }  // namespace forceshade::properties

@@ -11,7 +11,7 @@
 namespace forceshade::properties {
 namespace {
 
-// How far, in units of the last place of the binary32 result, a force component is from the nearest rounding tie.
+// The distance of a force component from the nearest rounding tie, in units of the last place of the binary32 result.
 long double distance_to_tie(const reference::Ball64& component) {
   const auto rounded = static_cast<float>(component.mid());
   const long double half = half_spacing(rounded);

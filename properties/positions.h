@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where to look: positions by bit pattern over all binades, and positions aimed at whatever is hard for a law.
+// Positions by bit pattern over all binades, and positions aimed at whatever is hard for a law.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace forceshade::properties {
 
 inline constexpr std::size_t kAims = kAimNames.size();
 
-// Whether the position is in the domain, as the definition states it.
+// True if the position is in the domain, as the definition states it.
 inline bool is_valid(const Eigen::Vector3f& position) {
   return reference::in_domain(position);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A field, which is a law or a height map, beside a renderer that is said to render it: what the properties of fields check.
+// A field, which is a law or a height map, beside a renderer that should render it: what the properties of fields check.
 
 #include <Eigen/Core>
 #include <stdexcept>

@@ -143,7 +143,7 @@ class Regions {
     }
   }
 
-  // Whether D has the one direction that it has inside the triangles around.
+  // True if D has the one direction that it has inside the triangles around.
   bool is_flat(std::span<const std::uint32_t> around) const {
     return std::ranges::all_of(around,
                                [&](std::uint32_t h) { return (out_of(around[0], 0) - out_of(h, 0)).norm() <= kOutside; });
@@ -205,7 +205,7 @@ class Regions {
     for (const std::uint32_t h : around.half_edges) put_on(index, face(h, behind));
   }
 
-  // Whether D is on this side of the surface: inside of the cone it is everywhere or nowhere, so the middle of the rays
+  // True if D is on this side of the surface: inside of the cone it is everywhere or nowhere, so the middle of the rays
   // decides. The direction along the surface that is nearest to u = -D is there along an edge (docs/god-object.md).
   bool is_on_side(const std::vector<std::uint32_t>& half_edges, const std::vector<Vector3d>& edges, std::uint32_t behind,
                   const std::vector<Vector3d>& rays) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where a hand may be while the god-object of a mesh rests with a force: convex regions, and the force in each of them
+// The places of a hand while the god-object of a mesh rests with a force: convex regions, and the force in each of them
 // (docs/energy.md, "Between two ticks").
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ struct Affine {
   Eigen::Vector3d operator()(const Eigen::Vector3d& p) const { return factor * p + constant; }
 };
 
-// Where the hand stays inside of the exits, the god-object stays on its triangle, edge or vertex.
+// While the hand stays inside of the exits, the god-object stays on its triangle, edge or vertex.
 struct RestRegion {
   std::vector<HalfSpace> borders = {};        // around it; it is bounded
   std::vector<Eigen::Vector3d> corners = {};  // mm, of it

@@ -64,7 +64,7 @@ class Case final : private Chooser {
 };
 
 // The simplest case that fails on the way from one that does: value by value, the first simpler one with which the case fails,
-// until there is none.
+// as long as there is one.
 Case simplest(const Property& property, std::uint64_t seed, Case failed) {
   int left = kSimplerCases;
   for (bool is_simpler = true; is_simpler;) {

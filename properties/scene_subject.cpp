@@ -157,7 +157,7 @@ Violation SceneSubject::check_work_of_motion(Chooser& choose) const {
       const Rendered its = answer_of(*alone[i], *seen);
       if (its.status == Status::contact) work.add({now, next, *seen, *seen_next, its.force});
     }
-    // Where an object does not see the hand, the scene's answer is invalid and has no force.
+    // If an object does not see the hand, the scene's answer is invalid and has no force.
     if (!is_seen) return std::nullopt;
     if (answer.status == Status::invalid) continue;
     if (auto violation = work.difference_from(answer.force))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether a renderer's answer is a function of the path, and of no more of it than its definition's is.
+// Checks that a renderer's answer is a function of the path, and of no more of it than its definition's is.
 
 #include <span>
 

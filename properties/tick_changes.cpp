@@ -170,7 +170,7 @@ class Pairs {
     return others;
   }
 
-  // Whether a corner of one is in front of the other's plane.
+  // True if a corner of one is in front of the other's plane.
   static bool is_in_front(const Face& one, const Face& other) {
     return std::ranges::any_of(one.corners, [&](const Vector3d& corner) {
       const Vector3d off = corner - other.corners[0];
@@ -178,7 +178,7 @@ class Pairs {
     });
   }
 
-  // Whether all of one is more than a step outside of a border of the other.
+  // True if all of one is more than a step outside of a border of the other.
   bool is_beyond(const RestRegion& one, const RestRegion& other) const {
     return std::ranges::any_of(other.borders, [&](const HalfSpace& border) {
       return std::ranges::all_of(one.corners, [&](const Vector3d& corner) {
@@ -188,8 +188,8 @@ class Pairs {
   }
 
   // From a rest in a to one in b. If it is another region, the hand crosses an exit of a on its straight way. Let q be there:
-  // then |D_a(p) - D_b(p')| is at most |D_a(q) - D_b(q)| and the way, a step; q is no more than a step deeper than said, or off
-  // b.
+  // then |D_a(p) - D_b(p')| is at most |D_a(q) - D_b(q)| and the way, a step; q is at most a step deeper than the depth of
+  // the hand, or off b.
   void compare(const RestRegion& a, const RestRegion& b, TickChanges& changes) {
     if (((a.low - b.high).array() > hand_.step).any() || ((b.low - a.high).array() > hand_.step).any()) return;
     if (is_beyond(a, b) || is_beyond(b, a)) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How much the force of a god-object on one mesh can change from a tick to the next (docs/energy.md, "Between two ticks").
+// The most that the force of a god-object on one mesh can change from a tick to the next (docs/energy.md, "Between two ticks").
 
 #include <array>
 #include <string>
@@ -16,7 +16,7 @@ struct HandStep {
   double step = 0.1;  // mm, more than 0: a hand at 100 mm/s with 1000 ticks a second
 };
 
-// What no two such ticks exceed, but by refused moves and by rests that a rounding of the state brings about; and the
+// The bound for any two such ticks, but for refused moves and for rests that a rounding of the state brings about; and the
 // most that was found.
 struct Change {
   double bound = 0, found = 0;

@@ -134,7 +134,7 @@ void search_changes(const MeshRendering& rendering, const HandStep& hand, const 
     for (const Vector3d& corner : corners)
       for (const double inwards : kInwards) {
         const Vector3d q = corner + kToMiddle * (middle - corner) + inwards * hand.step * pair.inwards, D = pair.first(q);
-        const Vector3d p = q + std::max(0.0, 1 - kStep * hand.depth / D.norm()) * D;  // no deeper than said
+        const Vector3d p = q + std::max(0.0, 1 - kStep * hand.depth / D.norm()) * D;  // no deeper than hand.depth
         const Vector3d first = pair.first(p), second = pair.second(p);
         search.from(p, first, second - first);
         search.from(p, second, first - second);

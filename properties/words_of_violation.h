@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a property or a fixed loop finds, an exception included.
+// Takes the violation of a property or a fixed loop, an exception included.
 
 #include <functional>
 

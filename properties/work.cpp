@@ -11,8 +11,8 @@
 namespace forceshade::properties {
 namespace {
 
-// Where on the edge from a to b (as fractions) the force may kink or jump: the vertical lines, the plane, the polygonal
-// faces, the circle. Near the cylinder's axis the pieces shrink towards it, for there the force turns quickly.
+// The places on the edge from a to b, as fractions, where the force may kink or jump: vertical lines, plane, polygonal faces,
+// circle. Near the cylinder's axis the pieces shrink towards it, for there the force turns quickly.
 std::vector<double> cuts(const LawClaims& claims, const PathPoint& a, const PathPoint& b) {
   std::vector<double> at{0, 1};
   const double dx = b.x - a.x, dz = b.z - a.z;

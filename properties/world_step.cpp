@@ -41,7 +41,7 @@ Vector translation_of(const scene::Pose& pose) {
   return vector_of(Eigen::Vector3f(pose.translation.data()));
 }
 
-// Where an object of this pose sees a position of the world.
+// The position of the world as an object of this pose sees it.
 Vector seen(const scene::Pose& pose, const Vector& position) {
   return rotated(pose, difference(position, translation_of(pose)), true);
 }

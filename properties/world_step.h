@@ -6,7 +6,7 @@
 
 namespace forceshade::properties {
 
-// Where a point of an object, mm, is in the world. Rounded; a NaN stays one.
+// The position in the world of a point of an object, mm. Rounded; a NaN stays one.
 Eigen::Vector3f in_world(const scene::Pose& pose, const Eigen::Vector3f& point);
 
 // An object in contact: its poses in the tick and in the next one, where it sees the hand in both, mm, and its answer to the

@@ -158,7 +158,7 @@ class Run {
     if (failing_path_.empty()) failing_path_ = paths.failing;
   }
 
-  // Whether the last answer of the path, begun anew, is beyond the tolerance; of a path whose last position is judged.
+  // True if the last answer of the path, begun anew, is beyond the tolerance; of a path whose last position is judged.
   bool fails(const Path& path) {
     if (tries_ == kMostTries) return false;
     ++tries_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A renderer of anybody's, held against the exact definition and against what needs no definition.
+// A third-party renderer, held against the exact definition and against what needs no definition.
 
 #include <cstdint>
 #include <optional>

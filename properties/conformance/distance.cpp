@@ -32,7 +32,7 @@ Bounds length(const Eigen::Vector3d& components, const Eigen::Vector3d& off) {
   return {least * (1 - kSlack), most * (1 + kSlack)};
 }
 
-// What the rounding of the exact force may have changed.
+// The largest change of the exact force by its rounding.
 Eigen::Vector3d rounding_of(const reference::Rounded& rounded) {
   if (rounded.status != Status::contact) return Eigen::Vector3d::Zero();
   Eigen::Vector3d off;

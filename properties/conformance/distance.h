@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far an answer is from the exact force.
+// The distance of an answer from the exact force.
 
 #include <Eigen/Core>
 #include <array>
@@ -18,7 +18,7 @@ namespace forceshade::conformance {
 // Larger than any distance: of an answer that is infinite or not a number.
 inline constexpr std::uint64_t kNoNumber = std::numeric_limits<std::uint64_t>::max();
 
-// How many binary32 numbers lie from one to the other, counting one of both; -0 and +0 are one number. Both are finite.
+// The number of binary32 numbers from one to the other, counting one of both; -0 and +0 are one number. Both are finite.
 std::uint64_t ulps_between(float a, float b);
 
 // A number that lies in [low, high].
@@ -39,9 +39,9 @@ Distance distance(const Eigen::Vector3f& answer, const reference::Rounded& round
 // none.
 using Digits = std::function<std::optional<std::array<std::string, 3>>(unsigned digits)>;
 
-// Whether an answer is within the tolerance. Where the bounds of the distance do not say so, digits of the exact force do, up
-// to 1000 of them; a distance that agrees with the tolerance to all of these counts as within it. Where there are none, what is
-// correctly rounded stands for what is exact.
+// True if an answer is within the tolerance. If the bounds of the distance do not decide, digits of the exact force do, up to
+// 1000 of them; a distance that agrees with the tolerance to all of these counts as within it. Without digits, the correctly
+// rounded force stands for the exact one.
 bool is_within(const Tolerance& tolerance, const Eigen::Vector3f& answer, const reference::Rounded& rounded,
                const Digits& digits);
 

@@ -47,7 +47,7 @@ std::string undeclared(const std::string& key, const Json& declared, const Json&
   return "it declares " + key + ' ' + shown_json(declared) + " and not " + needed.dump();
 }
 
-// What a scene's materials have: of the words of the key "materials".
+// The words of the key "materials" that a scene's materials need.
 Json words_of_materials(const Json& scene) {
   Json words = Json::array();
   if (!scene.contains("mesh") || !scene.at("mesh").contains("materials")) return words;
@@ -71,7 +71,7 @@ std::optional<std::string> refusal_of_materials(const KeyReader& its, const Json
   return std::nullopt;
 }
 
-// Whether what a scene with a mesh has is among what it declares.
+// The refusal of a scene with a mesh that has something beyond what the renderer declares.
 std::optional<std::string> refusal_of_mesh(const KeyReader& its, const Json& scene) {
   const Json& parameters = scene.at("parameters");
   for (const auto& [key, names] :

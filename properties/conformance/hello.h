@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a renderer says of itself when it is opened: the keys of docs/conformance-protocol.md. Nothing is guessed.
+// The renderer's description of itself when it is opened: the keys of docs/conformance-protocol.md. Nothing is guessed.
 
 #include <array>
 #include <cstddef>

@@ -22,7 +22,7 @@ std::size_t bin_of_newtons(double distance) {
   return static_cast<std::size_t>(static_cast<int>(std::ceil(std::log10(distance))) - Judgement::kLeastPower);
 }
 
-// How large an error is in each unit; percent of an exact zero counts as infinite.
+// The size of an error in a unit; percent of an exact zero counts as infinite.
 double size_of(const Distance& distance, Unit unit) {
   switch (unit) {
     case Unit::ulp: return static_cast<double>(distance.ulps);
@@ -31,7 +31,7 @@ double size_of(const Distance& distance, Unit unit) {
   }
 }
 
-// How many characters it takes to write a position: fewer are simpler.
+// The number of characters that it takes to write a position: fewer are simpler.
 std::size_t length_of(const Eigen::Vector3f& position) {
   std::size_t length = 0;
   for (const float coordinate : position) length += files::shortest(coordinate).size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Answers of anybody's renderer, held against the exact definition of what it is said to render.
+// Answers of a third-party renderer, held against the exact definition of its subject.
 
 #include <Eigen/Core>
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace forceshade::conformance {
 
-// How many positions a path has.
+// The number of positions of a path.
 inline constexpr std::uint64_t kPathLength = 4096;
 
 // A position, and what the renderer gave for it.
@@ -43,7 +43,7 @@ struct Count {
   std::uint64_t cases = 0, wrong = 0, beyond = 0;  // wrong: not correctly rounded; beyond: the tolerance
 };
 
-// What is kept of a case for a picture.
+// The parts of a case that a picture needs.
 struct Place {
   Eigen::Vector3f position{0, 0, 0};  // mm
   std::uint64_t ulps = 0;             // as in Distance
@@ -82,7 +82,7 @@ class Judge {
   // tolerance, without digits.
   std::optional<Judged> add(const Case& next);
 
-  // What the definition says of the last case; nothing where it was not judged.
+  // The definition's answer to the last case; nothing where it was not judged.
   const std::optional<reference::Rounded>& exact() const { return exact_; }
 
   const Judgement& judgement() const { return judgement_; }

@@ -18,7 +18,7 @@ std::string words_of(const Judgement& found, const Identity& identity, const Tol
 // A key "held", the counts, and the worst cases with numbers in hexfloat.
 nlohmann::ordered_json json_of(const Judgement& found, const Identity& identity, const Tolerance& tolerance);
 
-// What a report of a conformance run says beside what was found.
+// The circumstances of a conformance run, for its report.
 struct Circumstances {
   ConformOptions options;
   std::string version;  // of this program

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A renderer of anybody's, opened on a scene: what every check takes, whichever door it came through.
+// A third-party renderer, opened on a scene: what every check takes, whichever door it came through.
 
 #include <Eigen/Core>
 #include <functional>
@@ -25,11 +25,11 @@ class RendererUnderTest {
 
   virtual const Hello& hello() const = 0;
 
-  // What it gives for the next positions of the path, one for each, all in its own units; is_reset: a new path begins with
+  // The answers to the next positions of the path, one for each, all in its own units; is_reset: a new path begins with
   // them, from no contact. Throws RendererFailed; then no further call is of use.
   virtual std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) = 0;
 
-  // How often and how much it has allocated in its answers so far; nothing where that is not counted. Throws RendererFailed.
+  // The number and size of its allocations in its answers so far; nothing where they are not counted. Throws RendererFailed.
   virtual std::optional<Allocations> allocations() { return std::nullopt; }
 
   // Nothing will be requested any more. Throws RendererFailed.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is rendered, with all of its numbers, as JSON for programs that know nothing of this one (docs/conformance-protocol.md).
+// The scene with all of its numbers, as JSON for programs that know nothing of this one (docs/conformance-protocol.md).
 
 #include <nlohmann/json.hpp>
 #include <span>

@@ -21,7 +21,7 @@ class SceneRenderer {
 
   // The position next to this one that both can write: a binary32 number of mm need not be one of m.
   Eigen::Vector3f writable(const Eigen::Vector3f& position) const;
-  // Whether the renderer declares to answer it.
+  // True if the renderer declares to answer it.
   bool is_in_domain(const Eigen::Vector3f& position) const;
 
   // The forces at the next positions, which are writable; an answer that is no force in N is made one, and rounded once.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How long a renderer takes for an answer.
+// The time that a renderer takes for an answer.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -25,7 +25,7 @@ std::string words_of_time(double seconds);
 // "2 times, 96 bytes".
 std::string words_of(const Allocations& in_an_answer);
 
-// All zero if there is none.
+// All zero without answers.
 Timing timing_of(std::vector<double> seconds);
 
 // Requests the forces along the path, which is begun again until there are 4000 answers, or 10 s are over. The path is not

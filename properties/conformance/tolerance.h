@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far an answer may be from the exact force and still count as right.
+// The largest deviation of an answer from the exact force that still counts as right.
 
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ struct Tolerance {
   files::Decimal value = {};  // as it was typed, exactly; 0 ulp is correctly rounded
 };
 
-// "4 ulp", "1e-6 N", "0.1 %", also without the space. A number of ulp is whole. Nothing where it is none of these.
+// "4 ulp", "1e-6 N", "0.1 %", also without the space. A number of ulp is whole. Nothing for another text.
 std::optional<Tolerance> tolerance_of(std::string_view text);
 
 // "correctly rounded", "4 ulp", "1e-06 N".

@@ -14,7 +14,7 @@
 
 namespace forceshade::conformance {
 
-// How many positions of vectors a path of a mesh has.
+// The number of positions of a path of a mesh in vectors.
 inline constexpr std::uint64_t kVectorPath = 64;
 
 // JSON, ended by a line: the subject with all of its numbers, and so many positions of its stream, in paths, each with the
@@ -23,7 +23,7 @@ inline constexpr std::uint64_t kVectorPath = 64;
 // Interrupted.
 std::string vectors_of(const Description& description, std::uint64_t count, std::uint64_t seed, const Monitor& monitor = {});
 
-// What a flag means, and threads on GitHub in which defects at such cases were reported: "dimforge/rapier#95".
+// The meaning of a flag, and threads on GitHub in which defects at such cases were reported: "dimforge/rapier#95".
 struct Flag {
   std::string_view meaning;
   std::vector<std::string_view> threads = {};

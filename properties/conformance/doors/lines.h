@@ -11,17 +11,17 @@
 
 namespace forceshade::conformance {
 
-// How lines begin; what follows is a scene or a list of numbers, and the end of the object.
+// The beginnings of lines; a scene or a list of numbers follows, and the end of the object.
 inline constexpr std::string_view kScene = R"({"forceshade":"conform 1","scene":)", kNewPath = R"({"reset":true,"positions":)",
                                   kPositions = R"({"positions":)", kAnswers = R"({"answers":)";
 
 // The whole line without its end: the beginning, a list of texts of 24 hexadecimal digits, and the end of the object.
 std::string line_of(std::string_view beginning, std::span<const Eigen::Vector3f> numbers);
 
-// What such a line has, which may have spaces around each text; nothing where it is any other one.
+// The numbers in such a line, which may have spaces around each text; nothing for any other line.
 std::optional<std::vector<Eigen::Vector3f>> numbers_in(std::string_view line, std::string_view beginning);
 
-// Three numbers of 24 hexadecimal digits; nothing where they are none.
+// Three numbers of 24 hexadecimal digits; nothing for any other text.
 std::optional<Eigen::Vector3f> numbers_of(std::string_view text);
 
 }  // namespace forceshade::conformance

@@ -37,7 +37,7 @@ class ProcessRenderer final : public RendererUnderTest {
     const auto number = [&](const char* key) {
       const auto found = said.find(key);
       if (found == said.end() || !found->is_number_unsigned())
-        throw RendererFailed("the renderer said " + files::shown_json(said) + " of its allocations; expected numbers of them");
+        throw RendererFailed("the renderer wrote " + files::shown_json(said) + " of its allocations; expected numbers of them");
       return found->get<double>();
     };
     return Allocations{number("calls"), number("bytes")};
@@ -53,7 +53,7 @@ class ProcessRenderer final : public RendererUnderTest {
 
 }  // namespace
 
-// What numbers_in() does not read may have any form that JSON allows, or is wrong.
+// A line that numbers_in() does not read may have any form that JSON allows, or is wrong.
 std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t count) {
   if (auto answers = numbers_in(said, kAnswers); answers && answers->size() == count) return *std::move(answers);
   const Json object = files::object_in(said, kWhose);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What contact is: no force before it, one that opposes the hand at its beginning, no energy over a path that closes.
+// Invariants of contact: no force before it, one that opposes the hand at its beginning, no energy over a path that closes.
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ Invariant first_force_opposes(const Trial& trial) {
   return invariant;
 }
 
-// What the definition itself gives along a path, rounded once in each place.
+// The work of the definition itself along a path, rounded once in each place.
 double work_of_definition(const Trial& trial, const Path& path) {
   const auto session = trial.subject.open_reference();
   std::vector<Eigen::Vector3f> forces;

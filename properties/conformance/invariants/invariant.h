@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What needs no definition: one thing that must hold of every renderer, with what a hand would feel where it does not.
+// An invariant needs no definition: one thing that must hold of every renderer, with what a hand would feel where it does not.
 
 #include <cstdint>
 #include <optional>

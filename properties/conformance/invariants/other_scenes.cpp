@@ -133,7 +133,7 @@ Description plate(const Description& description, int cells) {
   return {"plate of " + std::to_string(cells) + " x " + std::to_string(cells) + " cells", rendering};
 }
 
-// What a plate feels like along a path; is_last_only: only at its end.
+// Compares plates as they feel along paths; is_last_only: only at their ends.
 void feel_plates(const Trial& trial, Invariant& invariant, const std::vector<Path>& paths, bool is_last_only,
                  const std::string& what) {
   for (const int cells : {1, 2, 8, 16}) {

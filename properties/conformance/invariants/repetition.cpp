@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What was requested once more gets the same answer.
+// A request that is repeated gets the same answer.
 
 #include "properties/binary32.h"
 #include "properties/conformance/invariants/all.h"

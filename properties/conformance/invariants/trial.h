@@ -53,7 +53,7 @@ std::vector<Approach> approaches_to(const Trial& trial);
 // From 1 mm before the middle of a triangle to half a millimetre behind it.
 Path through_triangle(const mesh::TriangleMesh& mesh, std::size_t triangle, const SceneRenderer& renderer);
 
-// Whether a hand could notice the difference of two forces (N): 0.1 % of the larger one, and more than 0.1 mN, which is less
+// True if a hand could notice the difference of two forces (N): 0.1 % of the larger one, and more than 0.1 mN, which is less
 // than a fingertip notices.
 bool differ(const Eigen::Vector3f& one, const Eigen::Vector3f& other);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which columns of a recording hold what, in which units and along which axes.
+// The columns of a recording: their names, units and axes.
 
 #include <Eigen/Core>
 #include <array>
@@ -8,14 +8,14 @@
 
 namespace forceshade::conformance {
 
-// Where a recording has its numbers. `forceshade recording export` writes these names.
+// The columns that hold the numbers. `forceshade recording export` writes these names.
 struct Columns {
   static constexpr std::array<const char*, 7> kWhat{"t", "x", "y", "z", "fx", "fy", "fz"};
   std::array<std::string, 7> names{"t_s", "x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N"};
   int power_of_seconds = 0;             // the power of ten that one of the file's unit is in s
   double millimetres = 1, newtons = 1;  // one of the file's unit
 
-  // Whether the columns are called by their numbers, since the file has no header.
+  // True if the columns are called by their numbers, since the file has no header.
   bool are_numbered() const;
 };
 
@@ -28,11 +28,11 @@ struct Units {
 // name may end in its unit: px_m. Throws BadInput, also for a unit that is not known.
 Columns columns_of(const std::string& text, const Units& units);
 
-// What turns the recording's axes into those of the scene: "x,z,-y" says that its first axis is the scene's x, its second the
+// The turn of the recording's axes into those of the scene: "x,z,-y" says that its first axis is the scene's x, its second the
 // scene's z, its third the scene's -y. Throws BadInput.
 Eigen::Matrix3d turn_of_frame(const std::string& text);
 
-// What a force sensor reads of no force, in N: "0.12,-0.07,0.31". Throws BadInput.
+// The force sensor's reading of no force, in N: "0.12,-0.07,0.31". Throws BadInput.
 Eigen::Vector3d offset_of(const std::string& text);
 
 }  // namespace forceshade::conformance

@@ -30,7 +30,7 @@ constexpr double kLagStep = 0.005;  // s
 constexpr double kFree = 0.1, kLeastForce = 1e-6, kAsGood = 1.1, kLittle = 1e-3;
 constexpr double kNear = 0.02;  // mm
 constexpr const char* kNeverLeaves =
-    "the hand never leaves the surface, or hardly, so that nobody knows what the sensor reads of no force; expected samples "
+    "the hand never leaves the surface, or hardly, so that the sensor's reading of no force is unknown; expected samples "
     "out of contact, or --offset 0,0,0 for a sensor that was zeroed";
 constexpr double kOtherStiffness = 0.1;
 constexpr double kNearly = 1e-6, kExactly = 1e-12;  // by how much of themselves numbers and residuals still change at the end
@@ -109,7 +109,7 @@ class Fitting {
     return largest;
   }
 
-  // The best solution that a search on some samples finds, or why there is none.
+  // The best solution that a search on some samples finds, or the reason why it finds nothing.
   std::variant<Solution, std::string> begun(const Samples& usable, const Samples& some, const RestForce& rest) {
     look_for_contacts(usable, rest);
     if (contacts_.size() < kLeastContacts) {
@@ -245,8 +245,8 @@ class Fitting {
     return best;
   }
 
-  // The fit without the samples beyond the limit, and those whose position before the lag nobody recorded. An offset and a lag
-  // that may be none are none.
+  // The fit without the samples beyond the limit, and those whose position before the lag was not recorded. An offset or a lag
+  // that may be zero is left out.
   Fit trimmed(const Samples& all, const Solution& from) const {
     const Solution first = settled(all, from.beginning(), unknowns(), kExactly);
     Samples reached;

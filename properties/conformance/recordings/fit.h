@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where a recording lies in the scene of a subject, and with which stiffness it was rendered, where nobody knows it: a least
-// squares fit (docs/conformance.md), and how well the samples determine it.
+// Fits the place of a recording in the scene of a subject, and the stiffness with which it was rendered, where these are
+// unknown: by least squares (docs/conformance.md), with the errors that the samples leave.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where a fit may begin.
+// The placements from which a fit may begin.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -28,7 +28,7 @@ struct Spot {
 
 std::vector<Spot> spots_of(const properties::Subject& subject, float stiffness, std::uint64_t seed);
 
-// How well the renderer's forces explain the measured ones at best, with any factor.
+// A placement in which the renderer's forces, times one factor, explain the measured ones best.
 struct Beginning {
   Placement placement;
   double factor = 0, share = 1;  // of the squared force that is left

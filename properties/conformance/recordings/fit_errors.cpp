@@ -9,7 +9,7 @@
 namespace forceshade::conformance {
 namespace {
 
-// How many samples count as one independent one: 1 + 2Σρ over lags up to five times itself, as Sokal sums it.
+// The number of samples that count as one independent one: 1 + 2Σρ over lags up to five times itself, as Sokal sums it.
 double correlated_samples(const Eigen::VectorXd& residuals) {
   const double all = residuals.squaredNorm();
   double sum = 1;

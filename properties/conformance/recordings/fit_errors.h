@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How well the samples of a fit determine its numbers.
+// The errors of a fit's numbers that its samples leave.
 
 #include <Eigen/Core>
 

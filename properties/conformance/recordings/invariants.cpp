@@ -32,7 +32,7 @@ class Looking {
 
  private:
   void begin(const char* name) { found_.push_back({name, 0}); }
-  // The first violation at this sample; the later ones are not said.
+  // The first violation at this sample; the later ones are not reported.
   void violated(std::size_t sample, const std::string& words) {
     found_.back().violated(measured_.place(sample) + ": " + words);
   }
@@ -99,7 +99,7 @@ class Looking {
   // Begins an invariant that needs the exact forces.
   void begin_beside_exact(const char* name) {
     begin(name);
-    if (exact_.empty()) found_.back().not_applicable = "without a subject, and its place, nobody knows where its surface is";
+    if (exact_.empty()) found_.back().not_applicable = "without a subject and its place, the surface is not known";
   }
 
   void free() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a recording shows of itself, without a definition and, where there is one, with the exact forces beside it.
+// The invariants of a recording, without a definition and, where there is one, with the exact forces beside it.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -25,7 +25,7 @@ double usual_step_of(const Measurements& measured);
 
 Pace pace_of(const Measurements& measured);
 
-// What is allowed for.
+// The deviations that are allowed.
 struct Allowed {
   double force = 0;   // N, that a measured force may be off by
   double energy = 0;  // mJ, that a loop may give

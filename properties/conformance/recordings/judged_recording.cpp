@@ -24,7 +24,7 @@ Spread spread_of(const std::vector<double>& sizes) {
   return {quantile(sizes, 0.5), quantile(sizes, 0.9), quantile(sizes, 0.99), quantile(sizes, 1)};
 }
 
-// What the forces may be off by because the positions are: rounded to binary32, and fitted.
+// The errors of forces that follow from those of positions: rounded to binary32, and fitted.
 double force_of_placement(const Measurements& measured, const std::optional<Fit>& fit, float stiffness) {
   double farthest = 0;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();

@@ -27,7 +27,7 @@ struct RecordingOptions {
   std::uint64_t seed = 1;
 };
 
-// How large differences are: the size that this share of them does not exceed.
+// The sizes of differences: each is the size that this share of them does not exceed.
 struct Spread {
   double half = 0, p90 = 0, p99 = 0, all = 0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a fit makes small: the forces of a recording less those of a renderer, as a function of where the recording lies, of how
-// stiff it is, and of what its force sensor adds.
+// The residuals that the fit minimises: the forces of a recording less those of a renderer, as a function of the recording's
+// place, the stiffness, and the reading of no force.
 
 #include <Eigen/Core>
 #include <string>
@@ -13,19 +13,19 @@
 
 namespace forceshade::conformance {
 
-// What is fitted beside the stiffness and the shift.
+// The numbers that are fitted beside the stiffness and the shift.
 struct Unknowns {
   bool turns = true, offset = true, lag = true;
 
   int count() const { return 4 + (turns ? 3 : 0) + (offset ? 3 : 0) + (lag ? 1 : 0); }
 };
 
-// What the numbers of a fit are called, in their order; and how much of each changes the forces by about themselves, which are
-// of the size `force` (N). lever: mm.
+// The names of the numbers of a fit, in their order; and the change of each that changes the forces by about themselves, which
+// are of the size `force` (N). lever: mm.
 std::vector<std::string> names_of(const Unknowns& unknowns);
 Eigen::VectorXd units_of(const Unknowns& unknowns, double lever, double force);
 
-// What each of the numbers of a fit is measured in.
+// The scales in which the numbers of a fit are measured.
 struct Scale {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // mm, of the recording's samples in contact
   double lever = 0;                                  // mm, from there to the farthest of them
@@ -79,7 +79,7 @@ class Misfit {
 Eigen::VectorXd rendered_forces(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples,
                                 const Placement& placement);
 
-// How many samples have no force, and get none by a shift of this distance (mm) along an axis.
+// The number of samples that have no force, and get none by a shift of this distance (mm) along an axis.
 std::size_t clearly_free(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples,
                          const Placement& placement, double distance);
 

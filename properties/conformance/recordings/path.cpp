@@ -42,7 +42,7 @@ Eigen::Vector3d Path::position(const Measured& sample, double lag) const {
   const double time = sample.time - lag, begin = knots_.front().time, end = knots_.back().time;
   if (time <= begin) return knots_.front().position + (time - begin) * knots_.front().velocity;
   if (time >= end) return knots_.back().position + (time - end) * knots_.back().velocity;
-  // Where it would be if all intervals were equal, and from there to where it is.
+  // Begins at the interval that it would be if all were equal, and goes from there to the right one.
   auto i = static_cast<std::size_t>((time - begin) / (end - begin) * static_cast<double>(knots_.size() - 1));
   while (knots_[i].time > time) --i;
   while (knots_[i + 1].time < time) ++i;

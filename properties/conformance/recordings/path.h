@@ -15,7 +15,7 @@ class Path {
  public:
   explicit Path(const std::vector<Measured>& samples);
 
-  // Whether there is a position at the time of the sample less the lag (s).
+  // True if there is a position at the time of the sample less the lag (s).
   bool reaches(const Measured& sample, double lag) const;
 
   // mm, there; that of the sample itself without a lag, and on a straight line beyond the ends.

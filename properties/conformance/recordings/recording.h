@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What another system did: times, positions of the hand and the forces on it, as somebody measured them.
+// A recording of another system: times, positions of the hand and the forces on it, as they were measured.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -32,7 +32,7 @@ struct Measurements {
 // two samples.
 Measurements read_measurements(std::istream& in, const std::string& file, const Columns& columns);
 
-// Where a recording lies in the scene of the subject: there, p is at turn·p + shift, and a force F is turn·(F - offset), at the
+// The place of a recording in the subject's scene: there, p is at turn·p + shift, and a force F is turn·(F - offset), at the
 // position that the hand had before the lag.
 struct Placement {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();

@@ -15,7 +15,7 @@ namespace forceshade::conformance {
 std::string words_of(const JudgedRecording& found, const Tolerance& tolerance);
 nlohmann::ordered_json json_of(const JudgedRecording& found, const Tolerance& tolerance);
 
-// What was measured of time, and what was fitted, as names and values. A fit that is refused has none.
+// The recording's times, and the results of the fit, as names and values. A fit that is refused has none.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 Facts facts_of(const Pace& pace, std::size_t samples, const std::string& file);
 Facts facts_of(const Fit& fit, const std::string& file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a force sensor reads where nothing is touched, before anybody knows where that is.
+// Finds the force sensor's reading out of contact, before the place of the surface is known.
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How long a recording stays at each position: a hand at rest, a sensor with coarse steps, or samples that were repeated.
+// The stays of a recording at one position: a hand at rest, a sensor with coarse steps, or samples that were repeated.
 
 #include <cstddef>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace forceshade::conformance {
 
-// How long a force may be held without a new position.
+// The longest time that a force may be held without a new position.
 inline constexpr double kLongestHold = 0.01;  // s
 
 // Samples first to last are at one position, and those beside them at others.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How what was measured is said.
+// Writes measured values as text.
 
 #include <Eigen/Core>
 #include <array>

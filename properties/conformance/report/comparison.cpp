@@ -22,7 +22,7 @@ using files::BadInput;
 using properties::Fields;
 using properties::JsonError;
 
-// What is compared of a report.
+// The parts of a report that are compared.
 struct Report {
   std::string who;
   std::vector<std::pair<std::string, std::string>> run;  // by what the two must agree in
@@ -39,7 +39,7 @@ struct Report {
 
 constexpr const char kHeld[] = "held", kFailed[] = "FAILED", kNotTried[] = "not tried";
 
-// By what factor a deviation has to differ so that it is said: of a violation, and of what is held. A share of what is allowed
+// The factor by which a deviation must differ to be reported: of a violation, and of what is held. A share of what is allowed
 // that is smaller than kLeastShare is often rounding alone.
 constexpr double kOtherViolation = 1.01, kOtherDeviation = 2, kLeastShare = 0.01;
 
@@ -48,7 +48,7 @@ std::string shown(double value) {
   return value == std::floor(value) && value < 0x1p53 ? std::to_string(static_cast<std::uint64_t>(value)) : digits(value, 6);
 }
 
-// How large the error of a worst case is; none where there is no such case.
+// The size of the error of a worst case; 0 where there is no such case.
 double error_in(Fields& exact, const char* worst, const char* unit) {
   if (!exact.has(worst)) return 0;
   Fields its = exact.object(worst);
@@ -94,7 +94,7 @@ void read_invariants(Report& report, Fields& fields) {
   }
 }
 
-// What is in a report of a renderer only.
+// Reads what only the report of a renderer has.
 void read_renderer(Report& report, Fields& fields) {
   report.run.emplace_back("seed", std::to_string(fields.count("seed")));
   report.run.emplace_back("points", std::to_string(fields.count("points")));
@@ -152,10 +152,10 @@ class Comparer {
     compare_outcomes();
     if (a_.answers == b_.answers) compare_errors();
     compare_invariants();
-    note("what it declares", a_.declared, b_.declared);
+    note("its declaration", a_.declared, b_.declared);
     note("the version of forceshade", a_.forceshade, b_.forceshade);
     note("the time of an answer", a_.timing, b_.timing);
-    note("what an answer allocates", a_.allocations, b_.allocations);
+    note("the allocations of an answer", a_.allocations, b_.allocations);
     std::ranges::stable_sort(changes_, {}, &Change::direction);
     return std::move(changes_);
   }
@@ -190,7 +190,7 @@ class Comparer {
     }
   }
 
-  // What was not tried says as little as what is not there.
+  // An invariant that was not tried counts like one that is absent.
   void compare_invariants() {
     const Report::Invariant none{kNotTried, "", {}};
     const auto of = [&](const Report& report, const std::string& name) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the errors are: positions in a plane, coloured by the error.
+// A map of the errors: positions in a plane, coloured by the error.
 
 #include <cstdint>
 #include <string>

@@ -66,7 +66,7 @@ std::string ulp_svg(const Judgement& found) {
                             : bin == 0                     ? 0
                                                            : std::uint64_t{1} << (bin - 1))
                         .colour});
-  return bars_svg(bars, "errors-ulp", "How many answers lie how many binary32 numbers from the correctly rounded force",
+  return bars_svg(bars, "errors-ulp", "The numbers of answers by distance from the correctly rounded force",
                   "binary32 numbers (ulp) from the correctly rounded force, at least");
 }
 
@@ -81,13 +81,13 @@ std::string newton_svg(const Judgement& found) {
   // The right ones stand beside the smallest error.
   const auto first = std::find_if(bars.begin() + 1, bars.end(), [](const Bar& bar) { return bar.count > 0; });
   bars.erase(bars.begin() + 1, first);
-  return bars_svg(bars, "errors-newton", "How many answers are how many newtons from the exact force",
+  return bars_svg(bars, "errors-newton", "The numbers of answers by distance from the exact force",
                   "distance from the exact force (N), at most");
 }
 
 std::string distribution(int number, const Judgement& found) {
   return figure(
-      number, "two", "How large the errors are", "",
+      number, "two", "The sizes of the errors", "",
       {{"in binary32 numbers", ulp_svg(found)}, {"in newtons", newton_svg(found)}},
       "All " + grouped(found.all.cases) +
           " answers that were judged. The axis of counts is logarithmic, so that one answer among many is seen. At 0 "
@@ -108,7 +108,7 @@ std::string map_figure(int number, const Judgement& found, const Description& su
   if (map.outside > 0)
     caption += ' ' + properties::plural(map.outside, "position") + (map.outside == 1 ? " of them lies" : " of them lie") +
                " outside the picture: positions are also taken far away, and at the ends of the domain.";
-  return figure(number, "one", "Where the errors are", legend, {{map.plane, map.svg}}, caption + ' ' + map.what_is_drawn);
+  return figure(number, "one", "The places of the errors", legend, {{map.plane, map.svg}}, caption + ' ' + map.what_is_drawn);
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ std::string course_figure(int number, const std::vector<TimedForce>& course) {
       {{"the sizes of both", panel("course", "The sizes of the measured and of the exact force over time",
                                    "$course using 1:2" + line + kExact + "', $course using 1:3" + line + kMeasured + "'")},
        {"the measured size less the exact one",
-        panel("course-off", "How much larger the measured force is than the exact one, over time",
+        panel("course-off", "The measured force less the exact one, over time",
               "$course using 1:4" + line + kMeasured + "'")}},
       (step == 1 ? "All " : "Each " + grouped(step) + "th of ") + properties::plural(course.size(), "sample") +
           ", after the fit where there is one: without the sensor’s offset and at the position of its lag.");
@@ -175,7 +175,7 @@ std::string deviations_figure(const std::vector<Invariant>& invariants) {
           std::to_string(row - 1) +
           "] -i with lines lc rgb '#dddddd', "
           "$points using 1:2:3 with points pt 7 ps 0.7 lc rgb variable\n");
-  return figure(1, "one", "How much of what is allowed is used", "", {{"each invariant that was measured", svg}},
+  return figure(1, "one", "The used share of what is allowed", "", {{"each invariant that was measured", svg}},
                 "The dashed line is what is allowed; violated invariants are red. Smaller shares than 10⁻⁶ are drawn "
                 "there, and larger ones than 10⁶, or answers that are no numbers, at 10⁶.");
 }

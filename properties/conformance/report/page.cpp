@@ -131,7 +131,7 @@ std::string invariants_table(const std::vector<Invariant>& invariants) {
             "</tr>\n";
   }
   return table("Invariants", {"invariant", "result", "cases", kFelt}, rows,
-               "What must hold of a renderer whatever it renders. No definition is needed to look at it.");
+               "These must hold of a renderer whatever it renders. No definition is needed to look at it.");
 }
 
 // The components below each other.
@@ -193,7 +193,7 @@ std::string capabilities(const std::string& name, const std::string& version, co
   std::vector<std::pair<std::string, std::string>> rows{{"name", shown(name)}, {"version", shown(version)}};
   for (const auto& [key, value] : declared.items())
     rows.emplace_back(shown(key), shown(value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', true)));
-  return facts("What it declares", rows);
+  return facts("Its declaration", rows);
 }
 
 std::string run_table(const Identity& identity, const Circumstances& its) {

@@ -12,7 +12,7 @@
 
 namespace forceshade::conformance {
 
-// What a renderer says of itself is text and stays text. Needs no file or network once written. With pictures, throws PlotError
+// A renderer's words about itself are text and stay so. Needs no file or network once written. With pictures, throws PlotError
 // when gnuplot does not draw.
 std::string to_html(const Conformance& found, const Description& subject, const Circumstances& circumstances,
                     properties::Pictures shown = properties::Pictures::all);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A simulator of anybody's, held against all of its invariants.
+// A third-party simulator, held against all of its invariants.
 
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -21,7 +21,7 @@ double in_units_of_allowed(const Felt& felt) {
 
 std::string in_digits(int digits, double value, const char* unit) {
   std::array<char, 64> text{};
-  // What is no number has no sign either.
+  // A NaN has no sign.
   std::snprintf(text.data(), text.size(), "%.*g %s", digits, std::isnan(value) ? std::abs(value) : value, unit);
   return text.data();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What one invariant finds: the largest deviation from the truth, for what it is to a hand, and where it was.
+// The finding of one invariant: the largest deviation from the truth, for what it is to a hand, and its place.
 
 #include <cstdint>
 #include <string>

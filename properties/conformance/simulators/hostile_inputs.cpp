@@ -23,7 +23,7 @@ void look_at_rest(Bench& bench, const Course& course, const Run& run, Finding& f
                  course.scene.name, k);
 }
 
-// Whether it rests on such a floor where nothing is hostile.
+// True if it rests on such a floor where nothing is hostile.
 bool is_case(Bench& bench, const Course& course, Finding& finding) {
   const Run& run = bench.run(course);
   if (run.refusal)
@@ -75,7 +75,7 @@ bool is_finite(const Run& run) {
 void force_that_is_no_number(Bench& bench, const Course& course, Finding& finding) {
   if (!is_case(bench, course, finding)) return;
   const Bench::Disturbed runs = bench.run_disturbed(course, kHostileStep, {kNan, 0, 0});
-  if (!is_finite(runs.disturbed)) finding.violated("a force that is no number is answered with a motion that is none");
+  if (!is_finite(runs.disturbed)) finding.violated("a force that is no number is answered with a motion that is not finite");
   look_at_rest(bench, course, runs.after_reset, finding);
 }
 

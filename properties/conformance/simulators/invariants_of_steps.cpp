@@ -40,7 +40,7 @@ Felt sideways(const Run& run, std::size_t k) {
   return felt_newtons(run.course.along_ground(run.shown_force(k)).norm(), kShare * run.course.load(), "sideways");
 }
 
-// What a normal that is not the plane's own adds sideways, were the whole load on it.
+// The force that a normal that is not the plane's own adds sideways, were the whole load on it.
 Felt reported_normals(const Run& run, std::size_t k) {
   const double load = run.course.load();
   Felt worst = felt_newtons(0, kShare * load, "sideways");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a simulator answered on a course, and what follows from it.
+// A simulator's answers on a course, and what follows from them.
 
 #include <cstddef>
 #include <list>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A simulator of anybody's, opened on a scene: forces are applied to the sphere, and it answers with the motion.
+// A third-party simulator, opened on a scene: forces are applied to the sphere, and it answers with the motion.
 
 #include <Eigen/Core>
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace forceshade::conformance::simulators {
 
-// What a simulator says of itself.
+// A simulator's description of itself.
 struct SimulatorCapabilities {
   enum class Reports { force, impulse, nothing };
   enum class Constraint { hard, soft, penalty };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far a simulation may be from the truth and still count as right. A hand notices a change of a force by about 7 %, and of
+// The deviations from the truth that still count as right. A hand notices a change of a force by about 7 %, and of
 // a place at the fingertip by about 1 mm; these are a seventh of the first and the second itself (docs/conformance.md).
 
 namespace forceshade::conformance::simulators {
