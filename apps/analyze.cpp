@@ -158,7 +158,7 @@ std::string analysis_json(const analysis::Analysis& analysis, const AnalyzeOptio
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
-// What will be written. Throws BadInput where two conditions would have the same file.
+// The names of the files to write. Throws BadInput where two conditions would have the same file.
 std::vector<std::string> files_of(const experiments::Results& results, const analysis::Profiles& profiles) {
   std::set<std::pair<std::string, bool>> conditions;
   for (const experiments::MatchingResult& trial : results.matching) conditions.emplace(trial.stimulus, trial.vision);
@@ -241,7 +241,7 @@ void add_analyze(CLI::App& app, int& result) {
   add_whole(*command, "--bootstrap", resampling.count,
             "number of resamples for each interval; of these at most 1000 for a psychometric fit", {100, 1000000});
   add_word(*command, "--resample", options->unit,
-           "what is drawn again for the intervals of overall rows: trials, for statements about these participants, or whole "
+           "the unit drawn again for the intervals of overall rows: trials, for statements about these participants, or whole "
            "participants, for statements about others, which needs many",
            {"trials", "participants"});
   add_word(*command, "--psychometric", options->shape, "function that is fitted to the answers", {"logistic", "gaussian"});

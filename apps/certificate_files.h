@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What certify writes and says when it has checked.
+// Writes and prints the results of certify.
 
 #include <string>
 #include <vector>

@@ -127,7 +127,7 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
   if (options.exhaustive.is_given) sweeps = sweep_plan(options.exhaustive, named, radius_is_given);
   properties::CertifyOptions what{.subjects = subject.subjects()};
   if (sweeps) return run_exhaustive(options.exhaustive, *sweeps, options.threads, out);
-  // Before the work, so that a path that cannot be written to is said at once.
+  // Before the work, so that a path that cannot be written to is reported at once.
   out.expect_room_for(certificate_files());
   expect_folder_of("--junit", options.junit);
   return run_points(options, std::move(what), subject, out);
@@ -142,8 +142,9 @@ void add_certify(CLI::App& app, int& result) {
   command->option_defaults()->group(kEvidenceGroup);
   CLI::Option* points =
       add_whole(*command, "--points",
-                "points per law, height map or mesh, half of them aimed, and a quarter as many with other parameters; " +
-                    std::to_string(properties::points_of_kind(kLawKind)) + " unless said, for a height map or mesh " +
+                "points per law, height map or mesh, half of them aimed, and a quarter as many with other parameters; "
+                "default: " +
+                    std::to_string(properties::points_of_kind(kLawKind)) + ", for a height map or mesh " +
                     std::to_string(properties::points_of_kind(kHeightMapKind)),
                 {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
   CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);

@@ -80,7 +80,7 @@ std::string host() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? files::printable(name.data()) : "unknown";
 }
 
-// What a run knows of itself; merge reads it, and no evidence has it.
+// The run's facts about itself, which merge reads and which are no part of the evidence.
 void write_run(const OpenedPlan& opened, const std::filesystem::path& file, const properties::Worked& worked, double seconds) {
   const nlohmann::ordered_json run{
       {"plan", opened.digest}, {"date", system::date()}, {"processor", properties::processor_name()},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the subcommands share: exit codes, whole output files.
+// The common parts of the subcommands: exit codes, whole output files.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -18,7 +18,7 @@ using files::write_file;
 
 enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3, kInterrupted = 130 };
 
-// What a build() gives; throws BadInput, which begins with `what`.
+// The result of a build(); throws BadInput, which begins with `what`.
 template <class L>
 L built(std::variant<L, ParameterError> law, const std::string& what = "--") {
   if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(what + error->message());

@@ -42,7 +42,7 @@ std::vector<std::string> with_words_for_flags(std::vector<std::string> words) {
   return words;
 }
 
-// What keeps the first word from being a command; empty where it is one, or a flag of the program.
+// The reason why the first word is no command; empty where it is one, or a flag of the program.
 std::string fault_of_first_word(const CLI::App& app, const std::vector<std::string>& words) {
   if (words.empty()) return "";
   const std::string& first = words.front();
@@ -62,7 +62,7 @@ std::string fault_of_first_word(const CLI::App& app, const std::vector<std::stri
   return "unknown command \"" + first + "\"; expected one of:" + listed() + files::suggestion(first, names);
 }
 
-// Without --help where the word behind `mesh` or another group is none of its commands, so that this is what is said.
+// Drops --help where the word behind `mesh` or another group is none of its commands, so that this is reported.
 std::vector<std::string> without_help_of_no_command(const CLI::App& app, std::vector<std::string> words) {
   const CLI::App* command = &app;
   for (const std::string& word : words) {
@@ -89,7 +89,7 @@ bool takes_a_subject(const CLI::App& app, const std::vector<std::string>& words)
 
 int report(const CLI::App& app, const CLI::ParseError& error, const ExpandedLine& line) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-    std::ostringstream text;  // not std::cout: it would be flushed where nobody sees whether that fails
+    std::ostringstream text;  // not std::cout: it would be flushed where a failure goes unseen
     app.exit(error, text, std::cerr);
     std::fputs(text.str().c_str(), stdout);
     return kHeld;

@@ -64,7 +64,7 @@ void add_compare(CLI::App& app, int& result) {
       ->required()
       ->group(kEvidenceGroup);
   add_tolerance(*command, options->tolerance);
-  add_json(*command, options->json, "what was found");
+  add_json(*command, options->json, "the results");
   add_junit(*command, options->junit);
   command->callback([options, subject, &result] { result = run(*options, *subject); });
 }

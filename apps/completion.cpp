@@ -18,7 +18,7 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& command) {
   return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// What the value of an option may be.
+// The values that an option may have.
 struct Values {
   std::string words;       // between spaces
   const char* files = "";  // -f files, -d folders
@@ -173,7 +173,7 @@ std::string quoted(const std::string& text) {
   return in_quotes + '\'';
 }
 
-// What fish takes of an option or of a word without a name.
+// The words of fish for the values of an option or of a word without a name.
 std::string fish_values(const Values& values) {
   std::string words = values.words.empty() ? "" : " -a " + quoted(values.words);
   if (std::string(values.files) == "-f") return words + " -F";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade conform: a renderer of anybody's, in a process of its own, held against the exact definition.
+// forceshade conform: a third-party renderer, in a process of its own, held against the exact definition.
 
 #include "properties/conformance/conform.h"
 
@@ -116,12 +116,12 @@ int run_simulator(const ConformCommand& its, const std::string& repeated) {
 void add_conform(CLI::App& app, int& result) {
   const auto its = std::make_shared<ConformCommand>();
   CLI::App* command = app.add_subcommand(
-      "conform", "Hold a renderer of anybody's, in a process of its own or by a recording, against the exact definition");
+      "conform", "Compare a third-party renderer, in a process of its own or by a recording, with the exact definition");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
   command->option_defaults()->group(kEvidenceGroup);
   CLI::Option* process = command
                              ->add_option("--command", its->command,
-                                          "how the shell starts it; it speaks lines of JSON on its standard input and output "
+                                          "its command for the shell; it speaks lines of JSON on its standard input and output "
                                           "(docs/conformance-protocol.md)")
                              ->type_name("COMMAND")
                              ->group(kEvidenceGroup);
@@ -136,11 +136,11 @@ void add_conform(CLI::App& app, int& result) {
   simulator->type_name("COMMAND")->group(kEvidenceGroup);
   const auto recording = std::make_shared<RecordingOption>(*command);
   add_tolerance(*command, its->tolerance);
-  add_whole(*command, "--points", its->options.points, "how many positions to compare", {1, 1000000000});
+  add_whole(*command, "--points", its->options.points, "number of positions to compare", {1, 1000000000});
   add_whole(*command, "--seed", its->options.seed, "seed of the positions", kSeeds);
   add_number(*command, "--answer-timeout",
-             "how long the program may take for an answer to up to 1024 positions or forces, in seconds; 10 unless given",
-             {0.01, 3600}, [its](double seconds) { its->answer_seconds = seconds; });
+             "the longest time for an answer to up to 1024 positions or forces, in seconds; default: 10", {0.01, 3600},
+             [its](double seconds) { its->answer_seconds = seconds; });
   command
       ->add_flag("--timing", its->options.is_timed,
                  "measure the time of an answer to one position: half, 99.9 % and the slowest; count what a shared object "
@@ -153,7 +153,7 @@ void add_conform(CLI::App& app, int& result) {
                its->options.most_seconds = seconds;
              });
   add_output(*command, "--out", its->out, "a page of what was found, with pictures", {".html"});
-  add_json(*command, its->json, "what was found");
+  add_json(*command, its->json, "the results");
   add_junit(*command, its->junit);
   for (const char* of_renderers : {"--law", "--height-map", "--mesh", "--scene", "--subject", "--command", "--object",
                                    "--recording", "--tolerance", "--points", "--seed", "--timing", "--max-answer-time"})

@@ -34,7 +34,7 @@ void add_conform_compare(CLI::App& conform, int& result) {
   const auto its = std::make_shared<RunsToCompare>();
   CLI::App* command = conform.add_subcommand(
       "compare", "Show what got worse and what got better between two runs of one renderer or simulator");
-  command->add_option("before", its->before, "what 'forceshade conform --json' wrote of one version")
+  command->add_option("before", its->before, "the report that 'forceshade conform --json' wrote of one version")
       ->type_name("FILE")
       ->required();
   command
@@ -42,7 +42,7 @@ void add_conform_compare(CLI::App& conform, int& result) {
                    "of another version, with the same subject, seed, number of positions and tolerance if it is a renderer")
       ->type_name("FILE")
       ->required();
-  add_json(*command, its->json, "what got worse and what got better");
+  add_json(*command, its->json, "the changes");
   command->callback([its, &conform, &result] {
     refuse_options_before(conform, "conform compare");
     result = run(*its);

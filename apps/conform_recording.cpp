@@ -41,7 +41,7 @@ RecordingOption::RecordingOption(CLI::App& command) {
   CLI::Option* recording =
       command
           .add_option("--recording", file_,
-                      "what another system did: a CSV file of times, positions and forces, or rows of numbers without a header")
+                      "another system's run: a CSV file of times, positions and forces, or rows of numbers without a header")
           ->type_name("FILE");
   const auto add = [&](const char* name, std::string& value, const char* type, const std::string& help) {
     return command.add_option(name, value, help)->type_name(type)->needs(recording);

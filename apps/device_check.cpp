@@ -60,7 +60,7 @@ class Checks {
   std::vector<Check> all_;
 };
 
-// What opening it says in several lines is one line here.
+// Joins the lines of text about opening the device.
 std::string on_one_line(const std::string& text) {
   std::istringstream in(text);
   std::string line;
@@ -124,8 +124,8 @@ void add_device_check(CLI::App& device, int& result) {
   const auto options = std::make_shared<DeviceCheckOptions>();
   CLI::App* command = device.add_subcommand(
       "check", "Driver, permissions, calibration, update rate, encoders, kinematics, buttons, noise; no force is switched on");
-  command->add_option("device", options->device, "as for drive --device; phantom unless said")->type_name("DEVICE");
-  add_number(*command, "--seconds", "for how long the device is read; 5 unless said", {0.1, 600},
+  command->add_option("device", options->device, "as for drive --device; default: phantom")->type_name("DEVICE");
+  add_number(*command, "--seconds", "time for which the device is read; default: 5", {0.1, 600},
              [options](double seconds) { options->seconds = seconds; });
   add_in_reset_pose(*command, options->in_reset_pose);
   add_json(*command, options->json, "the checks and what was measured");

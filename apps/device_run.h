@@ -16,7 +16,7 @@ namespace forceshade::apps {
 
 struct RunPlan {
   run::Plan run;     // the device as the command line names it
-  std::string json;  // the summary's file; - is standard output, empty is none
+  std::string json;  // the summary's file; "-" writes to standard output; empty: no file
   // run::run(), or what shows a window meanwhile.
   std::function<run::Outcome(device::Device&, const Rendering&, const run::Plan&, const std::atomic<bool>& stop)> run_loop =
       run::run;
@@ -27,14 +27,14 @@ struct RunOutcome {
   int code;  // exit code
 };
 
-// --in-reset-pose, and who then prepares the device: the person at the terminal, or nobody, because it was said beforehand.
+// --in-reset-pose, and the attendant: it prompts the person at the terminal, unless --in-reset-pose was given.
 // with_buttons: a simulated device gets keys for buttons.
 void add_in_reset_pose(CLI::App& command, bool& in_reset_pose);
 std::unique_ptr<device::Attendant> attendant(bool in_reset_pose, bool with_buttons = false);
 
 void add_watchdog_timeout(CLI::App& command, std::optional<double>& seconds);
 
-// The device by its name. Throws Interrupted where a signal came meanwhile, whatever the device then said.
+// The device by its name. Throws Interrupted where a signal came meanwhile, whatever error the device then reports.
 std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant,
                                                device::Forces forces = device::Forces::as_commanded);
 
@@ -42,11 +42,11 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
 void warn_if_active(double stiffness, const device::Capabilities& capabilities, double rate);
 
 // Call end_runs_in_order() first. Records, runs, and writes the summary: to standard output unless something else goes there.
-// A file that cannot be written is said on standard error, and costs nothing of the rest. Throws Interrupted if a signal came
-// before the run.
+// A file that cannot be written is reported on standard error; the others are still written. Throws Interrupted if a signal
+// came before the run.
 RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan);
 
-// What follows from a certificate, said on standard error unless it covers what is to be driven: false where that may not be.
+// Checks whether the certificate covers what is to be driven, and else prints why not; false where it may not be driven.
 bool may_be_driven(const run::Certified& certified, bool uncertified);
 
 }  // namespace forceshade::apps

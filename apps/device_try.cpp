@@ -37,7 +37,7 @@ struct DeviceTryOptions {
   bool uncertified = false, in_reset_pose = false, overwrite = false;
 };
 
-// What a hand felt of it.
+// The contacts of a hand with the wall.
 class Felt final : public device::SampleSink {
  public:
   void push(const device::Sample& sample) noexcept override {
@@ -82,7 +82,7 @@ void expect_done(device::Attendant& person, const std::string& words) {
 
 std::string first_step(float stiffness) {
   return "First contact, step 1 of 2. Nothing pushes yet.\n"
-         "What will be felt is a wall: the horizontal plane at the height of the device's origin, " +
+         "You will feel a wall: the horizontal plane at the height of the device's origin, " +
          files::shortest(stiffness) + " N/mm, never more than " + files::shortest(kPeakForce) +
          " N.\n"
          "Clear the space around the arm. Have the power switch or the emergency switch of the device within reach.";
@@ -152,13 +152,12 @@ void add_device_try(CLI::App& device, int& result) {
         if (text != kNoButton) parse_whole("--dead-man", text, {0, std::numeric_limits<std::uint16_t>::digits - 1});
         return std::string();
       });
-  add_number(*command, "--seconds", "stop after so many seconds' worth of ticks; 30 unless said", {0.1, 600},
+  add_number(*command, "--seconds", "stop after so many seconds' worth of ticks; default: 30", {0.1, 600},
              [options](double seconds) { options->seconds = seconds; });
   add_watchdog_timeout(*command, options->watchdog_timeout);
   add_in_reset_pose(*command, options->in_reset_pose);
   command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");
-  add_output(*command, "--record", options->record, "the recording, FILE.fsr; forceshade-try-DATE-TIME.fsr unless said",
-             {".fsr"});
+  add_output(*command, "--record", options->record, "the recording, FILE.fsr; default: forceshade-try-DATE-TIME.fsr", {".fsr"});
   add_json(*command, options->json, "the summary");
   command->callback([options, command, &result] {
     options->overwrite = overwrites(*command);

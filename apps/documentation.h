@@ -9,7 +9,7 @@
 
 namespace forceshade::apps {
 
-// What holds for every command, in lines of at most 100 characters.
+// The help that holds for every command, in lines of at most 100 characters.
 inline constexpr const char* kExitCodes =
     "Exit codes: 0 held, 1 a check failed or driving is not allowed, 2 bad usage or input, 3 device\n"
     "fault or safety trip, 130 interrupted; a run on a device that has begun ends with 0.";
@@ -28,7 +28,7 @@ std::string full_name(const CLI::App& command);
 // It begins with a capital, unless with a symbol such as w, and ends with a full stop.
 std::string sentence(std::string text);
 
-// What it is for, whether it is required, its default, and the options that it needs or excludes, in sentences.
+// The option's purpose, whether it is required, its default, and the options that it needs or excludes, in sentences.
 std::string words_of(const CLI::Option& option);
 
 // A command line as it may be typed, and what it shows.
@@ -38,7 +38,7 @@ struct Example {
 };
 std::vector<Example> examples_of(std::string_view full_name);
 
-// What --help prints.
+// The text of --help.
 std::string help_text(const CLI::App& command);
 
 // The page of one command in roff (man macros). It has no date, so that the same program writes the same page.

@@ -139,16 +139,16 @@ void add_drive(CLI::App& app, int& result) {
       ->group(kEvidenceGroup);
   command->option_defaults()->group(kDeviceGroup);
   command->add_option("--device", options->device, kinds_of_device())->type_name("DEVICE")->required();
-  add_number(*command, "--rate", "ticks per second; unless said 1000, or that of the scene's motions, which no other one fits",
+  add_number(*command, "--rate", "ticks per second; default: the scene's motion rate, which no other one fits, else 1000",
              {device::kLowestRateHz, device::kHighestRateHz}, [options](double rate) { options->rate = rate; });
   add_number(*command, "--seconds", "stop after so many seconds' worth of ticks", kSeconds,
              [options](double seconds) { options->seconds = seconds; });
   add_word(*command, "--passivity", options->passivity,
-           "what keeps the force from giving energy: damping, tank (shortens it) or observer (nothing: for measuring)",
+           "the guard against a force that gives energy: damping, tank (shortens it) or observer (nothing: for measuring)",
            {"damping", "tank", "observer"});
   add_word(*command, "--pace", options->pace,
-           "what a tick follows: device, the frames of one that has its own (a PHANToM), or clock, this machine's, as for any "
-           "other device",
+           "the clock of the ticks: device, the frames of one that has its own (a PHANToM), or clock, this machine's, as for "
+           "any other device",
            {"device", "clock"});
   add_watchdog_timeout(*command, options->watchdog_timeout);
   add_whole(
@@ -156,7 +156,7 @@ void add_drive(CLI::App& app, int& result) {
       "button of the device to be held down, from 0; else there is no force. Of a simulated device: a key of the terminal, "
       "0 or 1, typed once to press and again to let go",
       kButtons, [options](std::uint64_t button) { options->dead_man = static_cast<int>(button); });
-  add_whole(*command, "--cpu", "processor to run the loop on; the last one unless said", kProcessors,
+  add_whole(*command, "--cpu", "processor to run the loop on; default: the last one", kProcessors,
             [options](std::uint64_t cpu) { options->cpu = static_cast<int>(cpu); });
   command->add_flag("--free-run", options->free_run, "as fast as it goes: for checks, not for hands")
       ->excludes("--cpu")

@@ -183,7 +183,7 @@ int run_height_map(const EnergyOptions& options, const std::string& name, const 
 void add_energy(CLI::App& app, int& result) {
   const auto options = std::make_shared<EnergyOptions>();
   CLI::App* command = app.add_subcommand(
-      "energy", "Whether a law, a height map or a mesh is passive, and the most energy a loop can draw from it");
+      "energy", "Show whether a law, a height map or a mesh is passive, and the most energy a loop can draw from it");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
   add_length(*command, "--depth", options->depth, "of the loops, below the nominal surface or from a mesh's god-object")
       ->required();
@@ -194,11 +194,11 @@ void add_energy(CLI::App& app, int& result) {
   };
   add_word(*command, "--along", options->along, "of a height map, the axis that its loops lie along", {"x", "y"})
       ->needs(map_option);
-  add("--at", options->at, "where on the other axis");
-  add("--from", options->from, "where the loops may begin");
-  add("--to", options->to, "and where they end");
+  add("--at", options->at, "position on the other axis");
+  add("--from", options->from, "the first position of the loops");
+  add("--to", options->to, "and the last one");
   add_length(*command, "--length", options->length, "of the loops on a mesh, at most")->needs("--mesh");
-  add_length(*command, "--step", options->step, "how far the hand goes over a mesh from one tick to the next, at most")
+  add_length(*command, "--step", options->step, "the hand's way over a mesh from one tick to the next, at most")
       ->needs("--mesh");
   command->callback([options, subject, &result] {
     const float depth = files::parse_length("--depth", options->depth);

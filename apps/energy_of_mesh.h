@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the shading of a mesh can give to the hand, for forceshade energy.
+// The energy that the shading of a mesh can give to the hand, for forceshade energy.
 
 #include <string>
 

@@ -44,7 +44,7 @@ Shard parse_shard(const std::string& text) {
   throw BadInput("--shards: expected k/n with 1 <= k <= n, for example 1/8; got \"" + text + "\"");
 }
 
-// What is left of a part: the file of an earlier run if there is one.
+// The part as far as it is done: the file of an earlier run if there is one.
 Certificate begin_or_resume(const std::string& file, const Sweeps& part) {
   const properties::Build build = properties::current_build();
   if (!std::filesystem::exists(file)) return {build, 0, {}, part, system::date(), properties::processor_name()};
@@ -165,7 +165,7 @@ int run_exhaustive(const ExhaustiveOptions& options, const properties::SweepPlan
   print_sweeps(sweeps);
   if (sweeps.is_whole()) {
     const int result = write_certificate(part, out.folder());
-    std::filesystem::remove(file);  // the certificate says all that it said
+    std::filesystem::remove(file);  // the certificate has all of it
     return result;
   }
   std::printf("part %s; join the parts with: forceshade certify merge FILE... --out DIR\n", file.c_str());

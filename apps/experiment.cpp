@@ -96,7 +96,7 @@ int prepare(const std::string& file, const OutFolder& out, unsigned threads) {
   return held ? kHeld : kFailed;
 }
 
-// What run and resume have in common.
+// The common options of run and resume.
 struct Driving {
   std::string device, certificates, origin, settings;
   bool uncertified = false, terminal = false, in_reset_pose = false, free_run = false;
@@ -119,9 +119,7 @@ struct Driving {
     command.add_option("--window", settings, "a TOML file: size of window and text, keys (docs/experiments.md)")
         ->type_name("FILE")
         ->excludes("--terminal");
-    command
-        .add_option("--origin", origin,
-                    "where the middle of the scene lies in the device's workspace: X,Y,Z; 0,0,0 unless said")
+    command.add_option("--origin", origin, "the place of the scene's middle in the device's workspace: X,Y,Z; default: 0,0,0")
         ->type_name("X,Y,Z")
         ->group(kPlaceGroup);
     add_whole(command, "--dead-man", "button of the device to be held down, from 0; else there is no force", {0, 15},
@@ -222,7 +220,7 @@ void add_check(CLI::App& experiment, int& result) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = experiment.add_subcommand("check", "Read a protocol and say what is wrong with it, or what it needs");
   command->add_option("protocol", options->protocol, "the experiment, a TOML file")->type_name("FILE")->required();
-  command->add_option("--certificates", options->certificates, "whether every bump is certified there for this build")
+  command->add_option("--certificates", options->certificates, "folder in which every bump must be certified for this build")
       ->type_name("DIR");
   command->callback([options, &result] { result = check(options->protocol, options->certificates); });
 }
@@ -248,7 +246,7 @@ void add_run(CLI::App& experiment, int& result) {
   command->add_option("protocol", options->protocol, "the experiment, a TOML file")->type_name("FILE")->required();
   command->add_option("--participant", options->participant, "a pseudonym")->type_name("ID")->required();
   command->add_option("--session", options->session, "folder that the session makes")->type_name(kSession)->required();
-  add_whole(*command, "--seed", "of the order of the trials; another one each time unless said", kSeeds,
+  add_whole(*command, "--seed", "of the order of the trials; default: another one each time", kSeeds,
             [options](std::uint64_t seed) { options->seed = seed; });
   options->driving.add_to(*command);
   command->callback([options, &result] { result = run(*options); });
@@ -276,7 +274,7 @@ void add_virtual(CLI::App& experiment, int& result) {
   options->threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App* command = experiment.add_subcommand("virtual", "Sessions with virtual participants on a simulated device");
   command->add_option("protocol", texts->protocol, "the experiment, a TOML file")->type_name("FILE")->required();
-  add_whole(*command, "--participants", options->participants, "how many", {1, 1000});
+  add_whole(*command, "--participants", options->participants, "number of participants", {1, 1000});
   add_whole(*command, "--seed", options->plan.seed, "of orders and participants", kSeeds);
   add_whole(*command, "--threads", options->threads, "participants at a time", {1, 1024});
   const auto out = std::make_shared<OutFolder>(*command, "directory for the sessions, V1 and so on");

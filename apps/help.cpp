@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What --help prints: at most 100 columns, the options by what they are for.
+// The text of --help: at most 100 columns, the options by what they are for.
 
 #include <algorithm>
 #include <sstream>

@@ -20,7 +20,7 @@ KeyboardButtons::KeyboardButtons() : terminal_(::open("/dev/tty", O_RDWR | O_NOC
   by_key.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
   by_key.c_cc[VMIN] = 1;
   by_key.c_cc[VTIME] = 0;
-  // What was typed before is not for these buttons.
+  // Text that was typed before is not for these buttons.
   if (::tcsetattr(terminal_, TCSAFLUSH, &by_key) != 0) return;
   thread_ = system::Thread("keys", [this] { follow(); });
 }

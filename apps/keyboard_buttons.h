@@ -21,7 +21,7 @@ class KeyboardButtons {
   KeyboardButtons(const KeyboardButtons&) = delete;
   KeyboardButtons& operator=(const KeyboardButtons&) = delete;
 
-  // Whether there is a terminal that commands this process, and it is this process's turn to read from it. Else no button is
+  // True if there is a terminal that commands this process, and it is this process's turn to read from it. Else no button is
   // ever down.
   bool works() const noexcept { return thread_.is_joinable(); }
 

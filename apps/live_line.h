@@ -10,7 +10,7 @@ namespace forceshade::apps {
 // Characters beside each other that the terminal on standard error holds now, less one; 79 where it does not say.
 int room_for_a_line();
 
-// What is shown of a run.
+// The values that are shown during a run.
 struct LiveLine {
   double seconds;
   double rate;        // Hz

@@ -167,7 +167,7 @@ std::string man_page(const CLI::App& command, const std::string& version) {
 void add_man(CLI::App& app) {
   CLI::App* command = app.add_subcommand("man", "Print the manual page of a command, for man -l -, or write all of them");
   const auto words = std::make_shared<std::vector<std::string>>();
-  command->add_option("command", *words, "for instance: device check; the program itself unless said")->type_name("COMMAND");
+  command->add_option("command", *words, "for instance: device check; default: the program itself")->type_name("COMMAND");
   const auto out = std::make_shared<OutFolder>(*command, "directory for the pages of all commands, instead of printing one");
   command->callback([&app, words, out] {
     const std::string version = properties::current_build().version;

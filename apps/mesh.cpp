@@ -102,7 +102,7 @@ void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
 
 constexpr const char kFailedHeading[] = "FAILED: no mesh that can be rendered; faces and vertices are counted from 0";
 
-// Where a vertex has so many triangles that a tick there may be late.
+// Notes a vertex that has so many triangles that a tick there may be late.
 void note_large_fan(const Input& input, const mesh::TriangleMesh& triangles, std::vector<std::string>& notes) {
   const mesh::LargestFan fan = mesh::largest_fan(triangles);
   if (fan.triangles <= mesh::kLargestQuickFan) return;
@@ -133,7 +133,7 @@ std::vector<std::string> notes_of(const mesh::LoadedMesh& loaded) {
 // Names, each with the number of its faces.
 using Counted = std::vector<std::pair<std::string, std::uint64_t>>;
 
-// How many faces have each name, in their order.
+// The number of faces of each name, in their order.
 Counted faces_with_names(const mesh::FaceNames& names) {
   Counted counted;
   for (const std::string& name : names.names) counted.emplace_back(name, 0);
@@ -149,7 +149,7 @@ Counted faces_of_objects(const mesh::Ground& ground) {
   return counted;
 }
 
-// What faces are called by: "objects" of a scene alone, "materials", "groups".
+// The names of faces by kind: "objects" of a scene alone, "materials", "groups".
 std::vector<std::pair<std::string, Counted>> names_in(const Input& input) {
   std::vector<std::pair<std::string, Counted>> all;
   if (input.is_scene()) all.emplace_back("objects", faces_of_objects(input.ground));
@@ -311,7 +311,7 @@ void add_mesh(CLI::App& app, int& result) {
     verb.add_flag("--self-intersecting", options.self_intersecting, "allow faces without a common vertex to cross");
   };
   const auto [check_verb, check_options] =
-      add("check", "Whether it is a mesh that can be rendered: 0 if so, 1 and what is wrong, with the numbers of faces, if not",
+      add("check", "Check that a mesh can be rendered: 0 if so, 1 and what is wrong, with the numbers of faces, if not",
           check);
   allow_self_intersections(*check_verb, *check_options);
   add_json(*check_verb, check_options->json, "the same");
@@ -321,7 +321,7 @@ void add_mesh(CLI::App& app, int& result) {
       "repair", "Join equal vertices, drop faces without area or twice there, turn faces over; lists what was done", repair);
   allow_self_intersections(*repair_verb, *repair_options);
   add_output(*repair_verb, "--out", repair_options->out, "the repaired mesh, an OFF file in mm", {".off"})->required();
-  add_json(*repair_verb, repair_options->json, "what was done,");
+  add_json(*repair_verb, repair_options->json, "the repairs");
   add_mesh_make(*command, result);
 }
 

@@ -128,7 +128,7 @@ void add_mesh_make(CLI::App& command, int& result) {
       ->type_name("SHAPE")
       ->required()
       ->check(one_of({"icosphere", "cube", "wall", "torus", "bump", "cylinder-bump", "height-map"}));
-  verb->add_option("--radius", options->radius, "of an icosphere or torus, 50mm unless said, or of a bump, 15.24mm unless said")
+  verb->add_option("--radius", options->radius, "of an icosphere or torus, default: 50mm, or of a bump, default: 15.24mm")
       ->type_name("LENGTH");
   add_length(*verb, "--across-radius", options->across_radius, "of a torus: of the circle across");
   add_length(*verb, "--width", options->width, "of a bump");

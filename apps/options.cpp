@@ -62,7 +62,7 @@ std::string named(const CLI::App& command) {
   return (name.starts_with(program + ' ') ? name.substr(program.size() + 1) : name) + ": ";
 }
 
-// What was left over: an option that the command has not, or a word that it has no place for.
+// Describes a word that was left over: an option that the command does not have, or a word that it has no place for.
 std::string words_of_extra(const CLI::App& command) {
   const std::vector<std::string> extras = command.remaining();
   const auto option = std::find_if(extras.begin(), extras.end(), is_option);

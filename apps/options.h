@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Options whose value is a number, a quantity with a unit, or one of several words. The whole text is read; what is refused is
-// said as `--cases: expected a whole number from 1 to 1000, got "1e3"`.
+// reported as `--cases: expected a whole number from 1 to 1000, got "1e3"`.
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -17,8 +17,8 @@
 
 namespace forceshade::apps {
 
-// What options are for; --help shows them under these titles, in this order.
-inline constexpr const char *kSubjectGroup = "What is rendered", *kPlaceGroup = "Where it lies", *kEvidenceGroup = "Evidence",
+// The titles of groups of options in --help, in this order.
+inline constexpr const char *kSubjectGroup = "Subject", *kPlaceGroup = "Placement", *kEvidenceGroup = "Evidence",
                             *kDeviceGroup = "Device and loop", *kOutputGroup = "Output", *kOtherGroup = "Options";
 inline constexpr std::array<std::string_view, 6> kOptionGroups{kSubjectGroup, kPlaceGroup,  kEvidenceGroup,
                                                                kDeviceGroup,  kOutputGroup, kOtherGroup};
@@ -74,7 +74,7 @@ void refuse_options_before(const CLI::App& command, const std::string& subcomman
 // The command as it is typed to do the same again: its subject and evidence, what was given and what holds unless it is.
 std::string repeated(const CLI::App& command);
 
-// What is said on standard error about a command line that cannot be read; it may begin with an option's name.
+// The message on standard error about a command line that cannot be read; it may begin with an option's name.
 std::string failure_message(const CLI::App& app, const CLI::Error& error);
 
 // Its first line, without the hint at the help.

@@ -95,7 +95,7 @@ CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& w
 }
 
 CLI::Option* add_junit(CLI::App& command, std::string& path) {
-  return add_output(command, "--junit", path, "what was found as JUnit XML, for continuous integration", {".xml"});
+  return add_output(command, "--junit", path, "the results as JUnit XML, for continuous integration", {".xml"});
 }
 
 OutFolder::OutFolder(CLI::App& command, const std::string& help)

@@ -37,7 +37,7 @@ void expect_folder_of(const std::string& option, const std::string& path);
 // Throws BadInput.
 void expect_room_for_results(const std::string& json, const std::string& junit);
 
-// Whether --overwrite was given.
+// True if --overwrite was given.
 bool overwrites(const CLI::App& command);
 
 // --out DIR. One process has the folder at a time, until the command ends: another one that wants it is refused before any

@@ -10,7 +10,7 @@
 
 namespace forceshade::apps {
 
-// What to_html(Pictures) gives: without pictures, and with a warning that names the file, where gnuplot does not draw them.
+// The page by to_html(Pictures): without pictures, and with a warning that names the file, where gnuplot does not draw them.
 template <class ToHtml>
 std::string page_of(const std::string& file, const ToHtml& to_html) {
   try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How long each part of a check takes, from the calls that report its progress.
+// The time that each part of a check takes, from the calls that report its progress.
 
 #include <chrono>
 #include <map>

@@ -9,13 +9,13 @@ namespace forceshade::apps {
 PlacementOptions::PlacementOptions(CLI::App& command) {
   command
       .add_option("--origin", origin_,
-                  "where in the device's workspace the origin of the law or map lies: X,Y,Z in mm, or with units (mm, mil, "
-                  "in, cm, m); 0,0,0 unless said")
+                  "the place of the law's or map's origin in the device's workspace: X,Y,Z in mm, or with units (mm, mil, "
+                  "in, cm, m); default: 0,0,0")
       ->type_name("X,Y,Z")
       ->group(kPlaceGroup);
   command
       .add_option("--turn", turn_,
-                  "how the law or map is turned there, about the device's axes and through its own origin: z90, or x-90,z180 "
+                  "the turn of the law or map there, about the device's axes and through its own origin: z90, or x-90,z180 "
                   "one after the other; multiples of 90 degrees")
       ->type_name("TURNS")
       ->group(kPlaceGroup);

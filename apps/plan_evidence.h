@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the folder of a plan has so far, in words and as a certificate.
+// The results in the folder of a plan so far, in words and as a certificate.
 
 #include <cstdint>
 #include <string>

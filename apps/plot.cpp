@@ -132,7 +132,7 @@ void finish(files::OutputFolder& folder, const OutFolder& out, const std::vector
   for (const std::string& name : names) std::printf("%s\n", (std::filesystem::path(out.path()) / name).c_str());
 }
 
-// What the fast path does at each position of a CSV, in their order; "-" is standard input.
+// The fast path's ticks at the positions of a CSV, in their order; "-" is standard input.
 std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session) {
   std::ifstream file;
   if (input != "-") file = files::open_input(input);
@@ -223,7 +223,7 @@ void add_plot(CLI::App& app, int&) {
   add("--from", options->from, "x where the section begins");
   add("--to", options->to, "x where it ends");
   const CLI::Option* what_picture =
-      add_word(*command, "--what", options->what, "which picture; of a mesh, energy: what its shading can give to the hand",
+      add_word(*command, "--what", options->what, "the picture; of a mesh, energy: what its shading can give to the hand",
                {"force", "directions", "geometry", "energy", "all"})
           ->excludes("--scene");
   std::vector<const CLI::Option*> of_a_mesh{

@@ -116,7 +116,7 @@ void of_height_map(const PolygonsOptions& options) {
 void add_polygons(CLI::App& app, int&) {
   const auto options = std::make_shared<PolygonsOptions>();
   CLI::App* command = app.add_subcommand(
-      "polygons", "How many shaded polygons a bump or profile needs, each to turn by less than theta-critical");
+      "polygons", "Count the shaded polygons that a bump or profile needs, each to turn by less than theta-critical");
   const auto bump_options = std::make_shared<BumpOptions>(*command);
   CLI::Option* height_map =
       command->add_option("--height-map", options->height_map, "instead of a bump: the section y = 0 of a map")

@@ -41,7 +41,7 @@ void add_positions(CLI::App& app, int& result) {
   CLI::App* command =
       app.add_subcommand("positions", "Write positions at which to ask a renderer for forces, each with what it is aimed at");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
-  add_whole(*command, "--points", options->points, "how many positions", {1, 1000000000});
+  add_whole(*command, "--points", options->points, "number of positions", {1, 1000000000});
   add_whole(*command, "--seed", options->seed, "seed of the positions", kSeeds);
   add_output(*command, "--out", options->out,
              "FILE.npy, a structured array for numpy.load; else a CSV file, - is standard output", {".csv", ".npy"})

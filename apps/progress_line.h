@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far a long computation is, on standard error: on a terminal one line that is drawn over itself and removed at the end;
+// The progress of a long computation on standard error: on a terminal a line that is drawn over itself and removed at the end;
 // elsewhere a line each minute, so that a log shows that it goes on and for how long.
 
 #include <chrono>

@@ -132,7 +132,7 @@ void add_properties(CLI::App& app, int& result) {
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
   add_whole(*command, "--cases", options->cases, "cases per law and property (passivity: a tenth)", kCases);
   add_whole(*command, "--seed", options->seed, "seed of the cases", kSeeds);
-  add_json(*command, options->json, "what was found");
+  add_json(*command, options->json, "the results");
   add_junit(*command, options->junit);
   command->callback([options, subject, &result] { result = run(*options, *subject); });
 }

@@ -48,7 +48,7 @@ int info(const RecordOptions& options) {
   recorder::Recording recording(options.file);
   const int result = recording.metadata_problem().empty() ? kHeld : kFailed;
   if (result == kFailed) complain(recording.path() + ": " + recording.metadata_problem());
-  // What is not ASCII is escaped, and what is not UTF-8 replaced, so that the text is JSON and shown by any terminal.
+  // Characters beyond ASCII are escaped, and other bytes than UTF-8 replaced, so that the text is JSON that any terminal shows.
   if (!options.json.empty())
     write_file(options.json, described(recording).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   if (options.json == "-") return result;
@@ -78,7 +78,7 @@ int verify(const RecordOptions& options) {
   return kHeld;
 }
 
-// What a hand felt, computed again from the recorded positions by the definition: 0 if every force is the same.
+// Computes the forces again from the recorded positions by the definition: 0 if every force is the same.
 int recompute(const RecordOptions& options, const SubjectOption& subject_option) {
   if (std::filesystem::is_directory(options.file)) return recompute_session(options.file);
   recorder::Recording recording(options.file);
@@ -149,16 +149,16 @@ void add_recording(CLI::App& app, int& result) {
     verb->callback([options, run, &result] { result = run(*options); });
     return std::pair(verb, options);
   };
-  const auto [info_verb, info_options] = add("info", "What was recorded, with what", info);
+  const auto [info_verb, info_options] = add("info", "Print the subject, the device and the settings of a recording", info);
   add_json(*info_verb, info_options->json, "the same");
   add("verify",
-      "Whether it, or every part of a session's folder, is whole: 0 if so, 1 if cut off, damaged or with ticks missing",
+      "Check that it, or every part of a session's folder, is whole: 0 if so, 1 if cut off, damaged or with ticks missing",
       verify);
   const auto recomputed = std::make_shared<RecordOptions>();
   CLI::App* again = command->add_subcommand(
       "recompute",
-      "Whether every recorded force of a law, height map or mesh is the exact one, rounded, and every command what supervisor "
-      "and controller make of it: 0 if so");
+      "Check that every recorded force of a law, height map or mesh is the exact one, rounded, and every command what "
+      "supervisor and controller make of it: 0 if so");
   again->add_option("file", recomputed->file, "a recording, FILE.fsr; or the folder of a session, which needs no other option")
       ->type_name("FILE")
       ->required();

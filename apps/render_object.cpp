@@ -31,7 +31,7 @@ namespace {
 
 constexpr const char* kEntry = "forceshade_renderer_entry";
 
-// What the object did wrong, in words for the verdict.
+// The object's fault, in words for the verdict.
 struct ObjectFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -71,13 +71,13 @@ class Lines {
     line += '\n';
     for (std::string_view rest = line; !rest.empty();) {
       const ssize_t size = undisturbed([&] { return ::write(out_, rest.data(), rest.size()); });
-      if (size <= 0) return;  // nobody listens any more
+      if (size <= 0) return;  // the reader has gone
       rest.remove_prefix(static_cast<std::size_t>(size));
     }
   }
 
  private:
-  // What the object starts does not get it.
+  // Processes that the object starts do not get it.
   static int kept(int stream) { return ::fcntl(stream, F_DUPFD_CLOEXEC, STDERR_FILENO + 1); }
 
   int in_, out_;

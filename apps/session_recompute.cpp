@@ -75,7 +75,7 @@ struct Line {
   float seam = 0;
 };
 
-// What stimuli.jsonl says.
+// The stimuli of stimuli.jsonl.
 class Stimuli {
  public:
   Stimuli(const fs::path& file, Subjects& subjects) {

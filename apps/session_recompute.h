@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Whether what a session commanded follows from what it recorded.
+// Checks that a session's commands follow from what it recorded.
 
 #include <cstdint>
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace forceshade::apps {
 // session folder, or whose bumps are not those that were rendered.
 int recompute_session(const std::filesystem::path& folder);
 
-// Whether every part of the session is whole: 0, or 1 with words about what is not.
+// Checks that every part of the session is whole: 0, or 1 with words about what is not.
 int verify_session(const std::filesystem::path& folder);
 
 // Goes through the commands of one recording, chunk by chunk, where it has what that takes.

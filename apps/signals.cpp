@@ -120,7 +120,7 @@ void end_runs_in_order() {
     react(number, end_in_order, SA_RESTART);
     sigaddset(&ending, number);
   }
-  // Where a parent ignored it, a child that ended could not be waited for.
+  // If a parent ignored it, a child that ended could not be waited for.
   react(SIGCHLD, SIG_DFL, 0);
   pthread_sigmask(SIG_UNBLOCK, &ending, nullptr);
 }

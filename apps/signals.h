@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What each signal does to a command: the one place that decides it. The table for users: docs/device.md, "Signals".
+// The one place that decides what each signal does to a command. The table for users: docs/device.md, "Signals".
 
 #include <atomic>
 #include <string>

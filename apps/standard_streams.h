@@ -8,11 +8,11 @@
 
 namespace forceshade::apps {
 
-// Where one of the three is closed, a file that is opened later would get its number and what is printed. Afterwards all three
-// are open; reading or writing a formerly closed one fails. Call first.
+// Opens the closed ones of the three: else a file that is opened later would get its number and what is printed. Afterwards all
+// three are open; reading or writing a formerly closed one fails. Call first.
 void open_standard_streams();
 
-// What was printed and std::cout reach standard output. Throws files::OutputError if they do not, or if an earlier write
+// Writes what was printed and std::cout to standard output. Throws files::OutputError if that fails, or if an earlier write
 // failed.
 void flush_standard_output();
 

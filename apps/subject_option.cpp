@@ -61,7 +61,7 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws) : laws_(law
   add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);
   // Options of meshes and scenes: expect_consistent() says where one of these is missing.
   add("sides", choice(mesh::kSidesNames),
-      "of a mesh or scene that block motion; front where it is closed, else both, unless said");
+      "of a mesh or scene that block motion; default: front where it is closed, else both");
   add("shading", choice(subjects::shading_words()),
       "of a mesh or scene: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has "
       "it, texture, of a mesh alone, tilts that normal by a height map, a TOML file");
@@ -69,7 +69,7 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws) : laws_(law
       "contact", choice(mesh::kContactNames),
       "of a mesh or scene: in a contact the god-object goes for the position (direct), or for that as a plane would hold it "
       "which is turned to the interpolated normal (sub-goal); then --shading is none unless given; or it sticks and slips "
-      "(friction), which holds beside coefficients of friction unless said",
+      "(friction), which is the default beside coefficients of friction",
       name_of(mesh::kUsualContact).data());
   CLI::Option* friction =
       add("friction", "MU|STATIC,DYNAMIC", "of a mesh: coefficients of friction, each 0, inf or from 2^-10 to 1024")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a command works on: --law with its parameters, --height-map SPEC, --mesh FILE or --scene FILE, or --subject with a file
+// The subject of a command: --law with its parameters, --height-map SPEC, --mesh FILE or --scene FILE, or --subject with a file
 // that has these options. Commands that need no more than a subject do not distinguish them. What the options mean is for
 // rendering/subjects/read.h to say.
 
@@ -18,10 +18,10 @@ namespace forceshade::apps {
 
 class SubjectOption {
  public:
-  // --law is needed where one is expected, and "all" unless said where several are.
+  // --law is needed where one is expected, and is "all" by default where several are.
   SubjectOption(CLI::App& command, subjects::Laws laws);
 
-  // Whether a law, a height map, a mesh or a scene was.
+  // Returns true if a subject option was given.
   bool is_given() const;
 
   // Those that were given. Throws CLI::RequiredError where none is.
@@ -48,7 +48,7 @@ class SubjectOption {
 // subjects::read_one() that draws the progress of the check of a mesh or scene on standard error.
 Description read_with_progress(const subjects::Options& options);
 
-// --radius and --width of a bump, those of the thesis unless said.
+// --radius and --width of a bump; default: those of the thesis.
 class BumpOptions {
  public:
   explicit BumpOptions(CLI::App& command);

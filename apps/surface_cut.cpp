@@ -103,7 +103,7 @@ std::vector<Segment> cut_triangles(const mesh::TriangleMesh& mesh, double y) {
   return lines;
 }
 
-// What is above an even number of lines is outside; so is what is above the last line of a surface without an underside.
+// A point above an even number of lines is outside; so is one above the last line of a surface without an underside.
 Section cut_mesh(const mesh::TriangleMesh& mesh, const Region& region, double y) {
   Section section;
   section.border = cut_triangles(mesh, y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is driven, cut by a plane y = constant, for the window of drive: for the eye alone. Lengths in mm.
+// The subject cut by a plane y = constant, for the window of drive: for the eye alone. Lengths in mm.
 
 #include <memory>
 #include <optional>
@@ -16,7 +16,7 @@ class SurfaceCut {
   // The description lives longer.
   SurfaceCut(const Description& what, const Rendering& rendering);
 
-  // What is worth seeing of it, 1.9 times as wide as it is high; its middle is also where a mesh has its middle along y.
+  // The part that is shown, 1.9 times as wide as it is high; its middle is also where a mesh has its middle along y.
   const window::Region& region() const { return region_; }
   double middle_y() const { return middle_y_; }
 
@@ -33,7 +33,7 @@ class SurfaceCut {
   std::optional<window::Section> section_;
 };
 
-// Where the state says that a god-object is that touches the mesh; nothing where it is free.
+// The place of a god-object that touches the mesh, by its state; nothing where it is free.
 std::optional<window::Position> place_on(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
 
 }  // namespace forceshade::apps

@@ -33,10 +33,10 @@ class Terminal {
 
   void show(const std::string& text) const {
     const int to = own_ >= 0 ? own_ : STDERR_FILENO;
-    if (::write(to, text.data(), text.size()) < 0) return;  // then nobody reads it, and Enter will not come either
+    if (::write(to, text.data(), text.size()) < 0) return;  // then it is not read, and Enter will not come either
   }
 
-  // What was typed until now. Before the prompt is shown: an answer to it must not be lost.
+  // Drops what was typed until now. Before the prompt is shown: an answer to it must not be lost.
   void forget_input() const { ::tcflush(own_ >= 0 ? own_ : STDIN_FILENO, TCIFLUSH); }
 
   // False at the end of input, after an error or a signal.
@@ -91,7 +91,7 @@ bool TerminalAttendant::did(const std::string& words) noexcept {
   terminal.show("\n" + what + "\nPress Enter when this is done, or Ctrl-C to end here. ");
   if (terminal.waited_for_enter()) return true;
   terminal.show("\n");
-  if (!interrupted()) say("nobody could say on the terminal that this was done: " + what + "\n" + what_else_);
+  if (!interrupted()) say("not confirmed on the terminal: " + what + "\n" + what_else_);
   return false;
 }
 
@@ -111,7 +111,7 @@ const std::atomic<std::uint16_t>* TerminalAttendant::buttons() noexcept {
 }
 
 bool HoldsResetPose::did(const std::string& words) noexcept {
-  say(shown(words) + " (taken as done, as said by --in-reset-pose)");
+  say(shown(words) + " (taken as done because of --in-reset-pose)");
   return true;
 }
 

@@ -19,7 +19,7 @@ class TerminalAttendant : public device::Attendant {
   void report(const std::string& words) noexcept override;
 
   // Shows the words on the terminal and waits for Enter there; what was typed before does not count. False where there is no
-  // terminal, or it is another program's turn to read from it, which is said; and after a signal that ends the work.
+  // terminal, or it is another program's turn to read from it, which is reported; and after a signal that ends the work.
   bool did(const std::string& words) noexcept override;
 
   // After such a signal.

@@ -10,8 +10,8 @@ CLI::Option* add_tolerance(CLI::App& command, std::string& value) {
   return command
       .add_option(
           "--tolerance", value,
-          "how far a force may be from the exact one: \"4 ulp\" in each component, \"1e-6 N\", \"0.1 %\"; correctly rounded "
-          "unless given")
+          "the largest distance of a force from the exact one: \"4 ulp\" in each component, \"1e-6 N\", \"0.1 %\"; default: "
+          "correctly rounded")
       ->type_name("TOLERANCE")
       ->group(kEvidenceGroup)
       ->default_str(value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// --tolerance: how far a force may be from the exact one.
+// --tolerance: the largest distance of a force from the exact one.
 
 #include <CLI/CLI.hpp>
 #include <string>

@@ -39,7 +39,7 @@ void add_vectors(CLI::App& app, int& result) {
   CLI::App* command =
       app.add_subcommand("vectors", "Write test vectors: positions with the exact forces, for tests that need nothing else");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
-  add_whole(*command, "--points", options->points, "how many positions", {1, 1000000});
+  add_whole(*command, "--points", options->points, "number of positions", {1, 1000000});
   add_whole(*command, "--seed", options->seed, "seed of the positions", kSeeds);
   add_output(*command, "--out", options->out, "JSON file; - is standard output", {".json"})->capture_default_str();
   command->callback([options, subject, &result] { result = run(*options, *subject); });

@@ -18,7 +18,7 @@ PYBIND11_MODULE(_forceshade, module) {
   static py::exception<python::Error> error(module, "Error");
   error.attr("__module__") = "forceshade";
   error.attr("__doc__") =
-      "A refusal that is about no wrong value or type: a file, the arithmetic of this thread, a session that another "
+      "A refusal that is no wrong value or type: a file, the arithmetic of this thread, a session that another "
       "thread is in, a question that a subject of this kind cannot answer.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {

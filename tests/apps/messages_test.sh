@@ -35,7 +35,7 @@ for command in "" laws geometry polygons force energy plot figures properties ce
 done
 for command in make check; do expect 0 "forceshade mesh $command" -- sh -c "'$forceshade' man mesh | man -l - | cat"; done
 for command in certify drive "device list"; do expect 0 "forceshade $command" -- sh -c "'$forceshade' man | man -l - | cat"; done
-for title in "What is rendered:" "Where it lies:" "Evidence:" "Device and loop:" "Output:"; do
+for title in "Subject:" "Placement:" "Evidence:" "Device and loop:" "Output:"; do
   expect 0 "$title" -- "$forceshade" help drive
 done
 
