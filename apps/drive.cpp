@@ -64,7 +64,7 @@ bool is_of_a_mouse(const std::string& device) {
   return device.starts_with("mouse") || device.ends_with(":mouse");
 }
 
-// In the air over what the window shows.
+// A starting position above the surface, over the middle of the window.
 Eigen::Vector3d start_above(const SurfaceCut& cut, const device::Placement& placement) {
   const window::Region& region = cut.region();
   const Eigen::Vector3d start((region.left + region.right) / 2, cut.middle_y(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade energy: whether a law or a height map is passive: its potential, or the most energy that a loop can give to the
-// hand, and a loop that gives it. What the shading of a mesh can give is in energy_of_mesh.cpp.
+// hand, and a loop that gives it. For the shading of a mesh: energy_of_mesh.cpp.
 
 #include "reference/energy.h"
 

@@ -13,8 +13,8 @@ struct JunitCase {
   std::string subject;  // law or height map: the suite
   std::string name;     // of the check
   double seconds = 0;
-  std::optional<std::string> failure = {};  // what was found; nothing if it held
-  std::string output = {};                  // what else is to be shown
+  std::optional<std::string> failure = {};  // the failure in words; nothing if it held
+  std::string output = {};                  // further text to show
 };
 
 // Cases of one subject stand beside each other. `about` stands in every suite as its properties. Any text is allowed: what

@@ -28,7 +28,7 @@ void add_overwrite(CLI::App& command) {
         ->description("replace files that are there already; without it they are refused");
 }
 
-// Nothing where the file may be written.
+// The reason why the file may not be written; empty if it may.
 std::string refusal(const CLI::App& command, const std::string& path) {
   std::error_code ignored;
   if (files::is_written_directly(path)) return "";

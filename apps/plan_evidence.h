@@ -18,7 +18,7 @@ struct Progress {
 
 Progress progress_of(const properties::PlanFolder& folder);
 
-// Names on standard error the files whose bytes differ from a result. Whether there are any.
+// Names on standard error the files whose bytes differ from a result. Returns true if there are any.
 bool say_alarms(const properties::PlanFolder& folder);
 
 // From the units that are done; with what the runs know of themselves. Throws CertificateError, naming the file, where a result

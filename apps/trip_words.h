@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Why the supervisor ended a run, in words for the person who has to change something.
+// The reason why the supervisor ended a run, in words for the person who has to change something.
 
 #include <string>
 

@@ -98,7 +98,7 @@ void add(SubjectResult& sum, const SubjectResult& part) {
   if (sum.subject_file.empty()) sum.subject_file = part.subject_file;
 }
 
-// Why the two cannot be added up; empty if they can. What does not depend on a seed is the same in both.
+// The reason why the two cannot be added up; empty if they can. What does not depend on a seed is the same in both.
 std::string contradiction(const SubjectResult& a, const SubjectResult& b) {
   std::vector<std::uint64_t> common;
   std::set_intersection(a.seeds.begin(), a.seeds.end(), b.seeds.begin(), b.seeds.end(), std::back_inserter(common));

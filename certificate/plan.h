@@ -17,7 +17,7 @@ struct Plan {
   std::uint64_t lease = 300;  // s: after which a unit is taken from a worker that gives no sign of life
   // For a plan of points; a plan of sweeps has none of them.
   std::vector<std::pair<std::string, std::string>> subject = {};  // option words, files with their folders
-  std::vector<std::string> identities = {};                       // what the words meant, one line a subject
+  std::vector<std::string> identities = {};                       // the subjects that the words meant, one line each
   std::uint64_t points = 0, cases = 0, seed = 0;
   SweepPlan sweeps{{}, {}, {}};
 
@@ -32,7 +32,7 @@ Plan plan_from_json(const std::string& text, const std::string& file);
 // One line that is the same for the same subject.
 std::string identity_line(const Identity& identity);
 
-// Why this build may not work on the plan; empty if it may.
+// The reason why this build may not work on the plan; empty if it may.
 std::string refusal_of_build(const Plan& plan, const Build& build);
 
 // The number of parts of a unit that makes about so many units.

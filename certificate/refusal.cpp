@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Why a certificate does not let a renderer be driven.
+// The reasons why a certificate does not let a renderer be driven.
 
 #include <algorithm>
 
@@ -31,7 +31,7 @@ std::optional<std::string> uncovered_set(const Findings& found, const std::strin
   return std::nullopt;
 }
 
-// Why none of these entries, which are for what is to be driven and not empty, is enough; nothing where one is.
+// The reason why none of these entries, which cover the subject and are not empty, is enough; nothing where one is.
 std::optional<std::string> insufficient(const std::vector<const SubjectResult*>& entries, const Build& build) {
   std::optional<std::string> why;
   for (const SubjectResult* entry : entries) {
@@ -50,7 +50,7 @@ std::optional<std::string> nothing_but_sweeps(const Certificate& certificate) {
          "to them";
 }
 
-// Why none of the entries of its kind is alike.
+// The reason why none of the entries of its kind is alike.
 std::string another(const Identity& subject, const std::vector<const SubjectResult*>& of_its_kind) {
   if (of_its_kind.empty() || subject.digest.empty())
     return "the certificate does not cover the " + subject.kind + ' ' + subject.name;

@@ -17,7 +17,7 @@ struct Error : std::runtime_error {
 std::ifstream open_input(const std::string& path);
 
 // The same of a file, or of what a shell makes a pipe for: neither a folder, nor a pipe that has a name, at which this would
-// wait for somebody who writes to it.
+// wait for a writer.
 std::ifstream open_file(const std::string& path);
 
 }  // namespace forceshade::files

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Why a text is no JSON, in our words and not those of the library that read it.
+// The reason why a text is no JSON, in our words and not those of the library that read it.
 
 #include <cstddef>
 #include <string>

@@ -144,7 +144,7 @@ void keep(const std::function<void()>& become_program, int control, int reports,
     while ((ended = ::waitpid(-1, &status, WNOHANG)) > 0) {
       if (ended != program) continue;
       has_ended = true;
-      if (::write(1, &status, sizeof status) < 0) break;  // nobody is there to read it
+      if (::write(1, &status, sizeof status) < 0) break;  // the reader has gone
     }
     is_alone = ended < 0 && errno == ECHILD;
   };

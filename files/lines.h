@@ -100,7 +100,7 @@ class LineProgram {
   void say_goodbye(std::string_view line);
 
   // The end of one that may have failed: sends it what it still takes of these lines and closes the pipe, whatever it writes
-  // meanwhile. How it ended: "ended", or words that follow "it". No further call is of use.
+  // meanwhile. Returns its end: "ended", or words that follow "it". No further call is of use.
   std::string dismiss(std::string_view lines) noexcept;
 
  protected:

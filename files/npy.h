@@ -20,7 +20,7 @@ std::string npy_header(std::string_view layout, std::uint64_t rows);
 struct NpyHead {
   std::string type;  // as NumPy writes it: <f4, or the list of a record's fields, [('x_mm', '<f4'), ('y_mm', '<f4')]
   bool is_by_column = false;
-  std::string shape_text;  // what stands between the brackets: "3, 4"
+  std::string shape_text;  // the text between the brackets: "3, 4"
   std::vector<std::uint64_t> shape;
 };
 

@@ -58,13 +58,13 @@ enum {
   FORCESHADE_BAD_SIZE = 3,       /* the size of a struct, a count or a stride */
   FORCESHADE_BAD_VALUE = 4,      /* a number outside its domain, or an unknown word */
   FORCESHADE_BAD_INPUT = 5,      /* a file or text that is refused; the message has file and line */
-  FORCESHADE_WRONG_KIND = 6,     /* what a subject of this kind cannot do */
+  FORCESHADE_WRONG_KIND = 6,     /* a request that a subject of this kind cannot answer */
   FORCESHADE_BUSY = 7,           /* another thread is in this session */
   FORCESHADE_BAD_ARITHMETIC = 8, /* the calling thread's: forceshade_arithmetic_fault() */
   FORCESHADE_NO_MEMORY = 9,
   FORCESHADE_FAILED = 10,        /* anything else */
   FORCESHADE_NOT_COVERED = 11,   /* a certificate does not cover the subject */
-  FORCESHADE_LEFT_OUT = 12       /* what this build of the library does not have: forceshade_has() */
+  FORCESHADE_LEFT_OUT = 12       /* a feature that this build of the library lacks: forceshade_has() */
 };
 
 /* The status of a position. */
@@ -158,7 +158,7 @@ typedef struct forceshade_mesh {
   size_t vertex_count;
   const uint32_t* triangles; /* three numbers of vertices, from 0, for each; (b - a) x (c - a) points to the front */
   size_t triangle_count;
-  const char* sides;         /* which block: "front" or "both"; NULL is "front" for a closed mesh and "both" for another */
+  const char* sides;         /* that block: "front" or "both"; NULL is "front" for a closed mesh and "both" for another */
   const char* shading;       /* "none", "vertex" or "edge"; NULL is "vertex", and "none" with "sub-goal" */
   const char* contact;       /* "direct", "sub-goal" or "friction"; NULL is "friction" where a material has some, else "direct" */
   double crease;             /* degrees, 0 to 180, for normals of the vertex scheme and of sub-goals; 180 has no creases */

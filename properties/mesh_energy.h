@@ -12,7 +12,7 @@
 
 namespace forceshade::properties {
 
-// Why there is no such bound for this rendering: what was expected, and what it has; empty where there is one.
+// The reason why this rendering has no such bound: what was expected, and what it has; empty where there is one.
 std::string why_no_energy_bound(const MeshRendering& rendering);
 
 // Upper bounds of what the vertex scheme turns a force by, as chords, 0 to √2, by where the god-object rests, in the limit of
@@ -21,7 +21,7 @@ std::string why_no_energy_bound(const MeshRendering& rendering);
 struct LargestTurns {
   std::vector<double> of_triangle;  // inside of each
   double inside = 0;                // of all triangles
-  double inside_at_least = 0;       // what a turn inside of one comes as near to as one likes: a lower bound of the largest
+  double inside_at_least = 0;       // approached by turns inside of one triangle: a lower bound of the largest
   double edges = 0, vertices = 0;
 
   double most() const;

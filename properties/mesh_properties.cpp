@@ -79,7 +79,7 @@ double most_turn(const MeshRendering& rendering, const mesh::Tick& tick, const E
   return largest_turn(rendering, tick.after.index[0]);
 }
 
-// By what factor the distance to the new position may be longer than it would be had the god-object not moved. A
+// The factor by which the distance to the new position may be longer than if the god-object had not moved. A
 // sub-goal is off the position by the sine of a turn, times that distance, and no farther from where the god-object arrives
 // than from where it was. A sine is at most the chord.
 double most_growth(const MeshRendering& rendering, const mesh::GodObject& before) {

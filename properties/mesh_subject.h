@@ -37,7 +37,7 @@ class MeshSubject final : public Subject {
   // from a state of it. "repeats": a position that is repeated changes neither state nor force once the tick is finished.
   std::vector<FurtherProperty> further_properties() const override;
   Expected expected() const override;
-  // None is known.
+  // No bound is known.
   std::vector<LoopEnergy> energies(const Monitor&) const override { return {}; }
   DrawnSubject with_drawn_parameters(std::uint64_t seed) const override;
   std::uint64_t points_of_a_set(std::uint64_t points) const override { return (points + 7) / 8; }

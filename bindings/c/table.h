@@ -22,7 +22,7 @@ class Table {
   struct alignas(32) Slot {
     std::atomic<T*> object = nullptr;
     std::atomic<std::uint64_t> handle = 0;  // that of the object, or of the last one; 0: none yet
-    std::atomic<bool> is_busy = false;      // for who uses the object alone
+    std::atomic<bool> is_busy = false;      // the mark of exclusive use
   };
 
   constexpr Table() = default;
@@ -70,7 +70,7 @@ class Table {
   Mutex mutex_;
   std::unique_ptr<std::uint32_t[]> freed_;  // slots, of which so many are to be given out again
   std::uint32_t freed_count_ = 0;
-  std::uint32_t touched_ = 0;  // how many slots have been used
+  std::uint32_t touched_ = 0;  // the number of slots that have been used
 };
 
 // A table that is there before the first function runs and is never destroyed, because other threads may still use it while the

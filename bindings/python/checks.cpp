@@ -78,7 +78,7 @@ void add_checks(py::module_& module) {
   module.def("certify", &certificate_of);
   module.def("read_certificate", &read_certificate);
   module.def("points_of_kind", [](const std::string& kind) { return properties::points_of_kind(kind); });
-  module.attr("usual_cases") = properties::kCases;  // what a device is driven with
+  module.attr("usual_cases") = properties::kCases;  // required for driving a device
   module.def("write_file", &write);
 }
 

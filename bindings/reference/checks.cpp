@@ -98,7 +98,7 @@ forceshade_result forceshade_reference_properties(forceshade_reference reference
     if (wrong = check_at_most("cases", cases, kMostCases); wrong != FORCESHADE_OK) return wrong;
     std::atomic<bool> stop = false;
     const auto done = [&](const properties::PropertyResult& result) {
-      if (stop) return;  // what is finished from then on says nothing
+      if (stop) return;  // the results from then on are void
       stop = callback(user, result.name.c_str(), result.held ? 1 : 0, result.cases, result.counterexample.c_str()) != 0;
     };
     properties::run_properties(*properties::subject_of(its->description), cases_of(cases), seed, done, nullptr, &stop);

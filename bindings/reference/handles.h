@@ -10,7 +10,7 @@
 namespace forceshade::exact {
 
 struct Defined {
-  Description description;  // what properties and certificates are made of
+  Description description;  // for properties and certificates
   Definition definition;
 };
 

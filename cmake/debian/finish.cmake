@@ -7,7 +7,7 @@ foreach(staged IN LISTS packages)
   endif()
   get_filename_component(package ${staged} NAME)
   file(COPY ${debian}/copyright DESTINATION ${staged}/usr/share/doc/${package})
-  if(EXISTS ${debian}/${package}.copyright)  # what others wrote
+  if(EXISTS ${debian}/${package}.copyright)  # of other authors' code
     file(READ ${debian}/${package}.copyright of_others)
     file(APPEND ${staged}/usr/share/doc/${package}/copyright "${of_others}")
   endif()

@@ -115,9 +115,9 @@ struct Comparison {
   std::uint64_t points = 0;
   std::uint64_t mismatches = 0;              // points at which a call differs, or which the reference could not decide
   Counts points_by_instruction_set;          // whose code was compared there: all points or, where it is missing, none
-  Counts points_by_aim;                      // how positions were chosen
-  Counts points_by_stage;                    // which stage of the fast path decided
-  Counts points_by_method;                   // what the reference needed to be certain
+  Counts points_by_aim;                      // by the way in which positions were chosen
+  Counts points_by_stage;                    // by the stage of the fast path that decided
+  Counts points_by_method;                   // by the method that made the reference certain
   Counts points_by_status;                   // free, contact, invalid
   std::vector<std::string> counterexamples;  // the first mismatches
 
@@ -133,7 +133,7 @@ struct Spread : Comparison {
 
 // The results for one subject.
 struct Findings : Comparison {
-  std::vector<std::string> jumps = {};  // where the force jumps, in words
+  std::vector<std::string> jumps = {};  // the places where the force jumps, in words
   bool conservative = false;
   ClosestCall closest_call = {};
   std::vector<PropertyResult> properties = {};
@@ -148,7 +148,7 @@ struct Findings : Comparison {
 struct SubjectResult : Findings {
   Identity identity;
   std::vector<std::string> parts = {};    // of a height map, in words
-  bool unit_directions = false;           // whether its directions are unit vectors, as far as "unit normals" held
+  bool unit_directions = false;           // true if its directions are unit vectors, as far as "unit normals" held
   std::vector<std::uint64_t> seeds = {};  // of its points and cases, ascending: several where certificates were merged
   // The certified subject in the words of the command, as a subject file that means the same again (docs/subjects.md); empty
   // for a subject of a program's own. For the reader only; not part of the certified identity.
@@ -165,7 +165,7 @@ struct Certificate {
   double seconds = 0;
   std::vector<SubjectResult> subjects;  // checked by points and properties
   Sweeps sweeps;                        // checked exhaustively; without results where nothing was
-  std::string date = {};                // when it was finished, UTC: 2026-01-31T23:59:59Z
+  std::string date = {};                // the time of its end, UTC: 2026-01-31T23:59:59Z
   std::string processor = {};           // that it was made on, as the processor calls itself
 
   bool held() const;
@@ -195,7 +195,7 @@ Certificate from_json(const std::string& text, const std::string& file);
 // larger than a certificate can be.
 std::string read_certificate(const std::string& file);
 
-// Why `certificate` does not let `build` drive this subject; empty if it does. What it must have: docs/certificate.md, "What
+// The reason why `build` may not drive this subject; empty if it may. Needed of `certificate`: docs/certificate.md, "What
 // drive refuses".
 std::optional<std::string> refusal(const Certificate& certificate, const Build& build, const Identity& subject);
 
@@ -227,7 +227,7 @@ constexpr std::string_view name_of(Standing standing) {
 
 struct Assessment {
   Standing standing = Standing::failed;
-  std::string lacks = {};   // where insufficient: what is missing, in words; else empty
+  std::string lacks = {};   // the missing evidence, in words, if insufficient; else empty
   std::string remedy = {};  // and what gathers it: a command, several with && between them, or words with one
 };
 

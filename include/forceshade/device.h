@@ -14,7 +14,7 @@
 // program.
 //
 // Threads: a device belongs to one thread at a time, but for its attendant's buttons. A driver of one's own derives from
-// Device. Who commands one directly has neither the supervisor nor the passivity controller between the force and the hand:
+// Device. Between a direct command and the hand there is neither the supervisor nor the passivity controller:
 // run_servo_loop() of servo_loop.h has both.
 //
 // Not promised: what a device does after a fault but to carry out zero force; and the models that can be simulated. The
@@ -228,7 +228,7 @@ class Replay final : public Device {
 
   std::vector<Reading> recording_;
   double period_ = 0;                    // s; 0 until started
-  std::size_t readings_ = 0, read_ = 0;  // how many there are at this period, and have been
+  std::size_t readings_ = 0, read_ = 0;  // the numbers of those at this period, and of those read
   std::size_t last_ = 0;                 // the last recorded one that is not after the time of the reading
   Eigen::Vector3f last_command_{0, 0, 0};
 };

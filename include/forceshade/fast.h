@@ -65,7 +65,7 @@ const char* arithmetic_fault() noexcept;
 const char* library_digest() noexcept;
 
 struct BatchResult {
-  std::size_t invalid = 0;  // how many positions were outside the domain; their force is zero
+  std::size_t invalid = 0;  // positions outside the domain; their force is zero
 };
 
 // One of the nine laws. Trivially copyable; builds in at most 2 µs.
@@ -100,7 +100,7 @@ class Law {
   LawId id_;
   Parameters parameters_;
   Evaluation (*evaluate_)(const Law& law, const Eigen::Vector3f& position) noexcept;  // that of the law's definition
-  alignas(8) std::array<std::byte, 232> inside_;  // what the parameters make of the law's definition: fast/law.cpp
+  alignas(8) std::array<std::byte, 232> inside_;  // the law's definition with its parameters: fast/law.cpp
 };
 
 struct SplineMap;  // fast/heights/spline_force.h
@@ -167,7 +167,7 @@ inline Evaluation evaluation_of(const mesh::Tick& tick, Stage stage) noexcept {
   return {force, Status::contact, stage, tick.status == mesh::TickStatus::unfinished};
 }
 
-// A god-object as a servo loop drives it, which also gives the whole tick to whoever compares or records it.
+// A god-object as a servo loop drives it, which also gives the whole tick for comparisons and records.
 class TickSession : public Session {
  public:
   // position: mm, the next one of the path. Without allocation, lock or exception.

@@ -9,7 +9,7 @@
 //
 // Lengths are in mm, slopes in mm/mm. fast::HeightMapField of fast.h renders it, reference::HeightMapField of reference.h
 // defines the force, heights.h reads one from a file. Whether the numbers are in their domains is looked at when either is
-// built. All of these are values, which threads may share while nobody changes them. Nothing here allocates but the vectors'
+// built. All of these are values, which threads may share while none changes them. Nothing here allocates but the vectors'
 // copies, or throws but std::bad_alloc.
 //
 // Not promised: the order of the kinds in Shape; more of them may come in a new version (docs/versions.md).
@@ -229,7 +229,7 @@ namespace forceshade {
 // The sum of its parts.
 struct HeightMap {
   std::vector<height::Part> parts;
-  std::vector<height::Part> surface{};  // what a force-shaded map's depth is measured from, a sum too; empty: the flat plane
+  std::vector<height::Part> surface{};  // from which a force-shaded map's depth is measured, a sum too; empty: the flat plane
 };
 
 }  // namespace forceshade

@@ -62,7 +62,7 @@ struct Spec {
 };
 
 // Files of grids are taken relative to `file`. Throws Error, which names the line, the key, what was expected and what was got;
-// whether a number is in its domain is for who builds a law to say.
+// the domains of the numbers are checked when a field is built.
 Spec read_spec(const std::filesystem::path& file);
 
 // On which lines each part and each of its keys stand, for messages about a number that is out of its domain.

@@ -78,14 +78,14 @@ struct Parameters {
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
-// Why nothing was built: a parameter whose value is not in [low, high], or the arithmetic of this build or thread.
+// The reason why nothing was built: a parameter whose value is not in [low, high], or the arithmetic of this build or thread.
 struct ParameterError {
   const char* parameter;  // "radius", "width" or "stiffness"; "law"; "arithmetic", whose fault has no value
   const char* unit;       // "mm", "N/mm" or ""
   float value;
   float low;
   float high;
-  const char* arithmetic_fault = nullptr;  // what fast::arithmetic_fault() found; null where a parameter is at fault
+  const char* arithmetic_fault = nullptr;  // of fast::arithmetic_fault(); null where a parameter is at fault
 
   // A text for users: the parameter, its value and the range, or the fault. Allocates; not for the real-time path.
   std::string message() const {

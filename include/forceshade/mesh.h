@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A triangle mesh and the god-object on it: numbers only. What they mean, and what a mesh must be: docs/god-object.md.
+// A triangle mesh and the god-object on it: numbers only. Their meaning, and the demands on a mesh: docs/god-object.md.
 //
 //   mesh::TriangleMesh tetrahedron{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 9}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 //   const mesh::GodObject nowhere;  // the state at the beginning of a path
@@ -8,7 +8,7 @@
 //
 // Lengths are in mm, forces in N, the stiffness in N/mm. A mesh is checked once, by mesh::check() of meshes.h, and only what
 // it gives can be rendered: fast::GodObject of fast.h does it, reference::GodObject of reference.h defines it. All of these
-// are values, which threads may share while nobody changes them. Nothing here allocates but the vectors' copies, or throws but
+// are values, which threads may share while none changes them. Nothing here allocates but the vectors' copies, or throws but
 // std::bad_alloc.
 //
 // Not promised: more enumerators or members may come in a new version (docs/versions.md).
@@ -85,7 +85,7 @@ enum class SelfIntersections { refused, allowed };
 // The result of a check, instead of the mesh: include/forceshade/meshes.h.
 struct Findings;
 
-// A mesh whose triangles are joined as docs/meshes.md demands. Whether they meet beside their common vertices is not known.
+// A mesh whose triangles are joined as docs/meshes.md demands. They may also meet beside their common vertices.
 // Only mesh::check_joints() and mesh::check() make it.
 class JoinedMesh {
  public:
@@ -137,7 +137,7 @@ constexpr bool has_corner_normals(Shading shading) {
 enum class Contact { direct, sub_goal, friction };
 
 inline constexpr std::array<std::string_view, 3> kContactNames{"direct", "sub-goal", "friction"};
-inline constexpr Contact kUsualContact = {};  // where no other is named
+inline constexpr Contact kUsualContact = {};  // the default
 
 constexpr std::string_view name_of(Contact contact) {
   return kContactNames[static_cast<std::size_t>(contact)];

@@ -11,7 +11,7 @@
 //                                 .shading = mesh::Shading::vertex_scheme,
 //                                 .stiffness = 0.5F};  // N/mm; for fast::GodObject of fast.h
 //
-// Coordinates are in mm, within 10 000 mm. What a mesh must be: docs/meshes.md, "What is checked".
+// Coordinates are in mm, within 10 000 mm. The demands on a mesh: docs/meshes.md, "What is checked".
 //
 // Errors: unreadable files throw mesh::Error; defects of a readable mesh are returned as Findings, in words with the numbers
 // of faces and vertices, from 0 as in the file.
@@ -62,7 +62,7 @@ struct LoadedMesh {
   CornerNormals normals;                             // empty, or one for each corner of each triangle; as the file has them
   std::vector<std::array<TexturePoint, 3>> texture;  // the same
   std::vector<std::uint64_t> lines;                  // of each triangle's face, from 1; empty for a binary file
-  std::vector<std::string> notes;                    // what the triangles are not word by word in the file: one sentence each
+  std::vector<std::string> notes;                    // changes from the file's own words, one sentence each
   FaceNames materials;                               // usemtl of an OBJ file, material or material_index of a PLY file
   FaceNames groups;                                  // g of an OBJ file
 };
@@ -95,7 +95,7 @@ inline constexpr std::size_t kFaults = 12;
 
 struct Finding {
   Fault fault{};
-  std::vector<std::uint32_t> triangles, vertices;  // which it is about; of many only the first
+  std::vector<std::uint32_t> triangles, vertices;  // that it is about; of many only the first
 
   bool operator==(const Finding&) const = default;
 };

@@ -37,7 +37,7 @@ enum class ScreenKind {
 struct Screen {
   ScreenKind kind = ScreenKind::text;
   std::string title = {}, text = {};  // in the participant's language
-  std::string entry = {};             // what was typed so far
+  std::string entry = {};             // the text that was typed so far
   bool shows_scene = true;            // false: the trial is without vision
   int block = 0;                      // its number, from 1; 0 for practice and outside trials
   int trial = 0, trials = 0;          // of this block, from 1; 0 outside trials

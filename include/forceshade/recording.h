@@ -50,7 +50,7 @@ class Recorder final : public device::SampleSink {
   struct Options {
     std::size_t ring = std::size_t{1} << 16;  // samples: 65 s at 1 kHz, 6.5 s at 10 kHz, 8 MB
     std::chrono::milliseconds interval{25};   // from ring to file
-    bool waits = false;  // when the ring is full, for the disk to make room, if it does; not for a run with deadlines
+    bool waits = false;                       // for the disk to make room, when the ring is full; not for a run with deadlines
   };
 
   struct Result {
@@ -105,7 +105,7 @@ class Recording {
   // would not be seen.
   bool has_digest() const;
 
-  // Why the metadata are not those that were written; empty if they are, or if there is no digest.
+  // The reason why the metadata are not those that were written; empty if they are, or if there is no digest.
   const std::string& metadata_problem() const noexcept { return metadata_problem_; }
 
   // The extent by the table of chunks, without reading them; all zero without a table. `missing` ticks were left out on the

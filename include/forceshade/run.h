@@ -19,7 +19,7 @@
 // Threads: run() owns the device until it returns; `stop` may be set by any thread or a signal handler. certified() keeps no
 // state.
 //
-// Not promised: that run() looks at the certificate. Who drives without one leaves Plan::digest empty, which the record says.
+// Not promised: that run() looks at the certificate. A run without one leaves Plan::digest empty, which the record has.
 
 #include <atomic>
 #include <optional>

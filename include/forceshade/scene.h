@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Objects that are placed anew in every tick: numbers only. What they mean: docs/scenes.md.
+// Objects that are placed anew in every tick: numbers only. Their meaning: docs/scenes.md.
 //
 //   const scene::Pose quarter_turn{.translation = {0, 0, 40}, .rotation = {1, 0, 0, 1}};  // about z, 40 mm up
 //   const auto wall = renderer_of(std::get<fast::Law>(fast::Law::build(LawId::wall, {15.24F, 25.4F, 0.5F})));

@@ -40,7 +40,7 @@ namespace forceshade::device {
 // One tick as a recording keeps it. Position and forces are in the frame of the law or map, which is the device's unless it was
 // placed elsewhere (Placement).
 //
-// Its bytes are a recording's format: recorder/layout.h lists them, and whoever changes them raises the version there.
+// Its bytes are a recording's format: recorder/layout.h lists them, and a change of them raises the version there.
 struct Sample {
   static constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
   static constexpr std::int64_t kNoCount = std::numeric_limits<std::int64_t>::min();  // from a device that shows no encoders
@@ -220,7 +220,7 @@ struct PassivityAccount {
   double forgiven = 0;    // of what steps longer than the longest took beyond epsilon
   double lowest_balance = 0;  // never below -epsilon while no step under force was longer than the longest
   double given = 0;           // the part of the balance that went to the hand, counted positive
-  double withheld = 0;        // what the desired force would have given in the same steps, less what was given
+  double withheld = 0;        // the energy of the desired force in the same steps, less what was given
   double longest_step = 0;    // mm, seen
   double largest_change = 0;  // N: the farthest that a force was altered
   std::size_t altered = 0;    // ticks

@@ -31,7 +31,7 @@ struct Conformance {
   // The shortest path, in mm, at whose end the answer was found to be beyond the tolerance; one position of a renderer without
   // memory.
   std::vector<Eigen::Vector3f> shortest_path;
-  std::optional<Judged> counterexample = {};  // what was answered there
+  std::optional<Judged> counterexample = {};  // the answer there
   std::vector<Invariant> invariants;
   std::optional<Timing> timing = {};        // where it was requested
   std::optional<std::string> failure = {};  // that ended the run

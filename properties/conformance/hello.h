@@ -38,7 +38,7 @@ struct Hello {
   std::optional<double> loop_energy = {};      // mJ: the most that a closed path gives the hand; nothing where it may be any
   nlohmann::ordered_json declared = nlohmann::ordered_json::object();  // these keys, for a report
 
-  bool has_own_units() const;  // what it gives is not a force in N for a position in mm, both in the frame of the scene
+  bool has_own_units() const;  // true unless it gives forces in N for positions in mm, both in the frame of the scene
 };
 
 // The hello of a renderer that is opened on this scene (scene.h). Throws RendererFailed, with the key and what was expected.

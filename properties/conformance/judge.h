@@ -26,8 +26,8 @@ struct Case {
   Eigen::Vector3f position{0, 0, 0};  // mm
   bool is_reset = false;              // a new path begins here, from no contact
   Eigen::Vector3f force{0, 0, 0};     // N
-  std::string aim = {};               // what the position was aimed at; empty where that is not known
-  std::string place = {};             // where the case stands, for people: "mine.csv:12"
+  std::string aim = {};               // the aim of the position; empty where that is not known
+  std::string place = {};             // the place of the case, for people: "mine.csv:12"
 };
 
 // A case with what the definition says of it.

@@ -112,8 +112,8 @@ double work_of_definition(const Trial& trial, const Path& path) {
   return work(path, forces);
 }
 
-// Twice as many steps tell how exact the sum is. Active laws, such as shaded ones, give energy: as much is allowed to who
-// claims to render the definition.
+// Twice as many steps tell how exact the sum is. Active laws, such as shaded ones, give energy: as much is allowed to a
+// renderer that claims the definition.
 Invariant loops_give_no_energy(const Trial& trial) {
   Invariant invariant{"a closed path gives no more energy than declared"};
   const auto declared = trial.renderer.hello().loop_energy;

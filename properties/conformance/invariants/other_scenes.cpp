@@ -157,7 +157,7 @@ void feel_plates(const Trial& trial, Invariant& invariant, const std::vector<Pat
   }
 }
 
-// Why no plate is felt.
+// The reason why no plate is felt.
 std::optional<std::string> without_plates(const Trial& trial) {
   if (!trial.is_mesh()) return "the scene has no triangles";
   if (std::get<MeshRendering>(trial.description.what).shading == mesh::Shading::texture_scheme)

@@ -38,7 +38,7 @@ struct Fit {
   std::size_t rests = 0;                                   // of those that were fitted, where the subject has no force
   double noise_at_rest = 0;                                // N, root mean square of what was measured there beside the offset
   double rms = 0, largest = 0;                             // N, of the residuals of those that were fitted
-  std::size_t largest_at = 0;                              // which sample
+  std::size_t largest_at = 0;                              // the number of this sample
   std::vector<std::string> undetermined;    // "a turn about z": these samples have the same forces with another one
   std::optional<std::string> refusal = {};  // why there is no fit, in words; then nothing else counts
 };

@@ -20,7 +20,7 @@ struct Measured {
 };
 
 struct Measurements {
-  std::string file;  // what messages call it
+  std::string file;  // its name in messages
   std::vector<Measured> samples;
 
   // "theirs.csv:12".

@@ -23,7 +23,7 @@ struct Change {
 
 struct Comparison {
   std::string before, after;  // "a wall 1 (a.json)"
-  std::string run;            // what both have in common: "law wall, seed 1, 20000 positions, tolerance: correctly rounded"
+  std::string run;            // the common part of both: "law wall, seed 1, 20000 positions, tolerance: correctly rounded"
   std::vector<Change> changes;
 
   bool is_worse() const;

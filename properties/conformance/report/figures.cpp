@@ -143,7 +143,7 @@ std::string course_figure(int number, const std::vector<TimedForce>& course) {
       {{"the sizes of both", panel("course", "The sizes of the measured and of the exact force over time",
                                    "$course using 1:2" + line + kExact + "', $course using 1:3" + line + kMeasured + "'")},
        {"the measured size less the exact one",
-        panel("course-off", "The measured force less the exact one, over time",
+        panel("course-off", "The size of the measured force less that of the exact one, over time",
               "$course using 1:4" + line + kMeasured + "'")}},
       (step == 1 ? "All " : "Each " + grouped(step) + "th of ") + properties::plural(course.size(), "sample") +
           ", after the fit where there is one: without the sensor’s offset and at the position of its lag.");

@@ -41,7 +41,7 @@ class Finding {
 
  private:
   Invariant its_;
-  double largest_ = -1;  // what was felt, in units of what is allowed
+  double largest_ = -1;  // the deviation as felt, in units of what is allowed
   std::string largest_words_;
   std::uint64_t skipped_ = 0;
   std::string reason_;
