@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A program that somebody else wrote, which answers lines with lines, in bounded time and memory whatever it does.
+// A third-party program that answers lines with lines, in bounded time and memory whatever it does.
 
 #include <sys/types.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Reads a line of JSON that a program of somebody else wrote (child_process.h). A wrong key is named with what was expected.
+// Reads a line of JSON from a third-party program (child_process.h). A wrong key is named with what was expected.
 
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A process between this program and a program of somebody else. Whatever that one starts stays among the keeper's descendants,
+// A process between this program and a third-party program. Whatever that one starts stays among the keeper's descendants,
 // also what leaves its session and takes away its environment, so that it is counted and ended with it.
 
 #include <functional>

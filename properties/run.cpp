@@ -61,7 +61,7 @@ class Equivalence {
     Rendered answer;
   };
 
-  // Why an answer is wrong, where it is not simply computed wrongly. A renderer that goes wrong for good after some time gives
+  // The reason why an answer is wrong, if it is not simply computed wrongly. A renderer that goes wrong for good gives
   // two answers to the cases of the beginning.
   Violation cause(std::span<const Eigen::Vector3f> path, const Rendered& answer, const reference::Rounded& exact) const {
     if (auto words = properties::inconsistency(subject_, path, answer, exact)) return words;

@@ -9,8 +9,7 @@
 //   const auto grid = heights::load({.file = "leather.png", .pitch = 0.1F, .scale = 0.5F});  // mm
 //   std::printf("%u x %u\n", grid->columns, grid->rows);
 //
-// Lengths are in mm. Files that somebody else made may be read: no size that a file declares is believed before the file could
-// hold it.
+// Lengths are in mm. Third-party files may be read: no size that a file declares is believed before the file could hold it.
 //
 // Errors: every function throws heights::Error, which names the file, and the line and key where there are any.
 //
@@ -65,7 +64,7 @@ struct Spec {
 // the domains of the numbers are checked when a field is built.
 Spec read_spec(const std::filesystem::path& file);
 
-// On which lines each part and each of its keys stand, for messages about a number that is out of its domain.
+// The lines of a part and of its keys, for messages about a number that is out of its domain.
 struct PartLines {
   std::uint32_t part = 0;
   std::map<std::string, std::uint32_t> keys;

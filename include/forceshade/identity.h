@@ -62,7 +62,7 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering);
 // name: of the scene's file. The digest is that of the objects' identities and of every pose.
 Identity identity_of(const std::string& name, const DescribedScene& scene);
 
-// Whichever of these it is.
+// The identity of any of these.
 Identity identity_of(const Description& description);
 
 // The law and parameters of the identity of a law; nothing where it is of another kind, or lacks one of the law's parameters.

@@ -243,7 +243,7 @@ std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRenderi
 // A scene of objects that move, rendered by the fast path. name: of its file. It throws the same.
 std::unique_ptr<Subject> scene_subject(const std::string& name, const DescribedScene& scene);
 
-// Whichever of these it is, rendered by the fast path.
+// Any of these as a subject, rendered by the fast path.
 std::unique_ptr<Subject> subject_of(const Description& description);
 
 // A renderer without a batch call. What it gives is counted as decided by binary64.

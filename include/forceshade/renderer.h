@@ -94,7 +94,7 @@ std::variant<Rendering, ParameterError> rendering_of(const std::string& name, co
 // name: of the scene's file.
 std::variant<Rendering, ParameterError> rendering_of(const std::string& name, const DescribedScene& scene);
 
-// Whichever of these it is.
+// The rendering of any of these.
 std::variant<Rendering, ParameterError> rendering_of(const Description& description);
 
 }  // namespace forceshade

@@ -25,7 +25,7 @@ struct Circumstances {
   std::string command;  // repeats the run; empty where it is not known
 };
 
-// The same of a conformance run: who was asked, the invariants beside the judgement, and what ended it before its end. The
+// The same of a conformance run: the renderer, the invariants beside the judgement, and what ended it before its end. The
 // JSON is that of docs/conformance-schema.json.
 inline constexpr const char* kConformanceSchema = "forceshade conformance 1";
 std::string words_of(const Conformance& found, const Tolerance& tolerance);

@@ -23,7 +23,7 @@ class Sample {
     keep(properties::split_mix(0, number), value);
   }
 
-  // Adds another one's numbers, too; no number is in both.
+  // Adds what another one has seen; no number is in both.
   void append(const Sample& other) {
     seen_ += other.seen_;
     for (const Kept& one : other.kept_) keep(one.key, one.value);

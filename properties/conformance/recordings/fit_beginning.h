@@ -28,7 +28,7 @@ struct Spot {
 
 std::vector<Spot> spots_of(const properties::Subject& subject, float stiffness, std::uint64_t seed);
 
-// A placement in which the renderer's forces, times one factor, explain the measured ones best.
+// A placement, with the factor by which the renderer's forces explain the measured ones best there.
 struct Beginning {
   Placement placement;
   double factor = 0, share = 1;  // of the squared force that is left
