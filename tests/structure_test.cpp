@@ -324,8 +324,9 @@ TEST(structure, no_file_of_code_has_more_than_400_lines) {
   EXPECT_GT(found, 700);
 }
 
-// "Of a face that climbs." sends its reader to the code to find the noun.
-TEST(structure, no_comment_begins_with_the_tail_of_a_noun) {
+// "Of a face that climbs." and "What is left." send their reader to the code to find the noun.
+TEST(structure, a_comment_begins_with_a_noun_or_a_verb) {
+  const std::vector<std::string> openers{"What", "Where", "Whether", "How", "Who", "Which", "When", "Why", "Of"};
   for (const std::string& folder : top_folders())
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
       const std::string extension = entry.path().extension();
@@ -336,7 +337,8 @@ TEST(structure, no_comment_begins_with_the_tail_of_a_noun) {
         const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
         const bool is_comment = line.compare(begin, 2, "//") == 0;
         if (is_comment && !is_within) {
-          EXPECT_NE(line.compare(begin, 6, "// Of "), 0) << entry.path() << ": " << line;
+          for (const std::string& word : openers)
+            EXPECT_FALSE(line.substr(begin).starts_with("// " + word + " ")) << entry.path() << ": " << line;
         }
         is_within = is_comment;
       }

@@ -57,7 +57,7 @@ properties::ForceAt renderer_of(const Mutant& mutant, const Parameters& p) {
   };
 }
 
-// How many points it took equivalence to catch the mutant; none if it got away.
+// The number of points until equivalence caught the mutant; none if it got away.
 std::optional<int> points_to_catch(const Mutant& mutant) {
   std::vector<properties::RenderedLaw> subjects;
   std::vector<properties::PositionSource> sources;

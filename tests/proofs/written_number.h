@@ -37,8 +37,7 @@ class Writing {
     return entry->second;
   }
 
-  // How the node is called after the lines of what it needs have been written: in an order that does not depend on the
-  // compiler's.
+  // The node's name, after the lines of what it needs have been written: in an order that no compiler chooses.
   const std::string& write(std::size_t index);
   const std::string& lines() const { return lines_; }
 
