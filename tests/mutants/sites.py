@@ -14,6 +14,8 @@ SWAPS = {"<": ("<=", ">"), "<=": ("<", ">"), ">": (">=", "<"), ">=": (">", "<"),
          "*": ("+",), "/": ("*",), "%": ("*",), "&": ("|",), "|": ("&",), "<<": (">>",), ">>": ("<<",)}
 ASSIGNMENTS = {"+=": "-=", "-=": "+=", "*=": "+=", "/=": "*=", "|=": "&=", "&=": "|="}
 OTHER_NAMES = {"min": "max", "max": "min", "floor": "ceil", "ceil": "floor", "lower_bound": "upper_bound", "upper_bound": "lower_bound"}
+PAIRS = (("first", "second"), ("x", "y"), ("left", "right"), ("low", "high"), ("lowest", "highest"), ("front", "back"), ("begin", "end"))
+OTHER_MEMBERS = {a: b for pair in PAIRS for a, b in (pair, pair[::-1])}
 NOT_ENTERED = {Kind.STATIC_ASSERT, Kind.ENUM_DECL, Kind.TYPE_ALIAS_DECL, Kind.TYPEDEF_DECL, Kind.TYPE_ALIAS_TEMPLATE_DECL,
                Kind.USING_DECLARATION, Kind.NAMESPACE_ALIAS}
 NUMBERS = {TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG, TypeKind.ULONGLONG, TypeKind.FLOAT,
@@ -200,6 +202,22 @@ class Finder:
         text = self.file.text(cursor)
         if len(children) == 1 and text.startswith(("! ", "- ")) and type_of(cursor) in NUMBERS | {TypeKind.BOOL}:
             self.file.add(cursor, [self.file.text(children[0])], "sign")
+
+    def decl_ref_expr(self, cursor, children):
+        declared = cursor.referenced
+        if declared is None or declared.kind != Kind.ENUM_CONSTANT_DECL:
+            return
+        others = [one.spelling for one in declared.semantic_parent.get_children() if one.kind == Kind.ENUM_CONSTANT_DECL]
+        self.renamed(cursor, declared.spelling, others[(others.index(declared.spelling) + 1) % len(others)])
+
+    def member_ref_expr(self, cursor, children):
+        if cursor.spelling in OTHER_MEMBERS:
+            self.renamed(cursor, cursor.spelling, OTHER_MEMBERS[cursor.spelling])
+
+    def renamed(self, cursor, name, other):
+        words = self.file.text(cursor).split()
+        if words and words[-1] == name:
+            self.file.add(cursor, [" ".join(words[:-1] + [other])], "name")
 
     def return_stmt(self, cursor, children):
         if len(children) == 1 and type_of(children[0]) == TypeKind.BOOL and bare(children[0]).kind in (Kind.CALL_EXPR, Kind.DECL_REF_EXPR,
