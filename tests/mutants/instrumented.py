@@ -14,7 +14,6 @@ from copy_of_sources import CORES, ROOT, sources
 from sites import Site, sites_of
 
 FLAGS = "-O1 -DNDEBUG -w -Wno-narrowing"
-INCLUDED = '#include "tests/mutants/chosen.h"'
 
 
 @dataclasses.dataclass
@@ -99,7 +98,7 @@ class Tree:
             first, newline, rest = body.partition(b"\n")
             if not first.startswith(b"//"):
                 sys.exit(f"{name}:1: expected a comment, in whose place a line can be written")
-            self.write(name, INCLUDED.encode() + newline + rest)
+            self.write(name, f'#include "{self.sources}/tests/mutants/chosen.h"'.encode() + newline + rest)
         return mutants
 
     def compile(self, targets):

@@ -39,10 +39,12 @@ class Test:
                     pass
 
 
-def tests_in(build):
+def tests_in(build, targets):
+    """The tests of a build folder; where targets are named, only those that run one of them."""
     listing = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True, text=True)
     tests = [Test(entry) for entry in json.loads(listing.stdout)["tests"]]
-    return [test for test in tests if test.command and os.access(test.command[0], os.X_OK) and not test.name.endswith("_NOT_BUILT")]
+    return [test for test in tests if test.command and os.access(test.command[0], os.X_OK)
+            and (not targets or pathlib.Path(test.command[0]).name in targets)]
 
 
 class Judge:
@@ -63,12 +65,14 @@ class Judge:
                 test.seconds = time.monotonic() - begin
                 file.seek(0)
                 test.reached = frozenset(i for i, byte in enumerate(file.read()) if byte)
-            return test if code == 0 else None
+            return code == 0
 
         with concurrent.futures.ThreadPoolExecutor(CORES) as pool:
-            passed = [test for test in pool.map(one, self.tests) if test]
-        print(f"{len(passed)} of {len(self.tests)} tests pass with nothing changed", flush=True)
-        self.tests = sorted((test for test in passed if test.reached), key=lambda test: test.seconds)
+            passed = list(pool.map(one, self.tests))
+        left_out = [test.name for test, has_passed in zip(self.tests, passed) if not has_passed]
+        print(f"{len(left_out)} of {len(self.tests)} tests are left out, because they fail with nothing changed: {' '.join(left_out)}", flush=True)
+        self.tests = [test for test, has_passed in zip(self.tests, passed) if has_passed]
+        self.tests = sorted((test for test in self.tests if test.reached), key=lambda test: test.seconds)
 
     def fails(self, test, numbers):
         """Whether the test notices that these mutants are active."""
