@@ -168,7 +168,7 @@ class Finder:
             compared = sign in ("<", "<=", ">", ">=", "==", "!=")
             if not compared and (type_of(left) not in NUMBERS or type_of(right) not in NUMBERS):
                 return
-            self.file.add(cursor, [f"( {a} ) {other} ( {b} )" for other in SWAPS[sign]], "operator")
+            self.file.add(cursor, [f"( {a} ) {other} ( {b} )" for other in SWAPS[sign]] + ([] if compared else [a]), "operator")
             for side in children:
                 self.moved(side)
 
