@@ -77,8 +77,8 @@ TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
   EXPECT_GT(found, 60);
 }
 
-// A claim that no change of its code has ever broken is not known to be tested: lines of tests/mutants/mutants.txt. Those of other
-// folders than fast/ and reference/laws/ are generated.
+// A claim that no change of its code has ever broken is not known to be tested: lines of tests/mutants/mutants.txt. Those of
+// other folders than fast/ and reference/laws/ are generated.
 TEST(structure, every_file_of_fast_that_evaluates_height_maps_has_its_mutants) {
   std::map<std::string, int> mutants;  // by file without its extension: a header may have its code in a source file
   std::ifstream list(kRoot / "tests/mutants/mutants.txt");
