@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Fits the place of a recording in the scene of a subject, and the stiffness with which it was rendered, where these are
-// unknown: by least squares (docs/conformance.md), with the errors that the samples leave.
+// unknown: by least squares (fit.md beside it), with the errors that the samples leave.
 
 #include <cstddef>
 #include <cstdint>
