@@ -351,7 +351,7 @@ TEST(structure, each_row_of_the_planted_defects_has_a_test_of_its_number) {
   for (const char* file : {"tests/conformance/planted_defects_test.cpp", "tests/conformance/planted_simulator_defects_test.cpp",
                            "tests/apps/conform_command_test.sh"})
     tests += text_of(kRoot / file);
-  const std::string page = text_of(kRoot / "docs/planted-defects.md");
+  const std::string page = text_of(kRoot / "tests/conformance/planted_defects.md");
   const std::regex row("\n\\| (\\d+) \\|");
   int rows = 0;
   for (std::sregex_iterator it(page.begin(), page.end(), row), end; it != end; ++it, ++rows)

@@ -125,7 +125,7 @@ mutated "        else:
 expect 1 "did not answer within 1 s" -- "$forceshade" conform --law wall --points 100 --command "python3 mutated.py" --answer-timeout 1
 mutated "            return  # goodbye" "            sys.exit(5)"
 finds "" "" "ended with exit code 5"
-# Of docs/planted-defects.md: number_18_memory_is_never_given_back and number_27_half_of_a_message.
+# Of tests/conformance/planted_defects.md: number_18_memory_is_never_given_back and number_27_half_of_a_message.
 try "        elif \"positions\" in asked:" "        elif \"positions\" in asked:
             import mmap; kept = locals().get(\"kept\", []) + [mmap.mmap(-1, 2**20) for _ in asked[\"positions\"]]" "Cannot allocate memory"
 try "print(json.dumps(answer)" "print(json.dumps(answer)[:16384]" "expected a JSON object in one line"

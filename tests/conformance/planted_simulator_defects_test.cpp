@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Defects of simulators, each in an exact one: what finds it, and that nothing else does. Those with a number are in
-// docs/planted-defects.md.
+// tests/conformance/planted_defects.md.
 
 #include <gtest/gtest.h>
 
