@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The defects of tests/conformance/planted_defects.md that are those of a renderer, each in this program's own: what finds it, and that
-// nothing else does. The page says of each in which thread somebody met it.
+// The defects of tests/conformance/planted_defects.md that are those of a renderer, each in this program's own: what finds it,
+// and that nothing else does. The page says of each in which thread somebody met it.
 
 #include <gtest/gtest.h>
 
