@@ -123,7 +123,7 @@ typedef struct forceshade_law {
 } forceshade_law;
 
 /* law: "wall", "cylinder", "bump-cylinder", "bump-1p", "bump-2p", "bump-3p", "bump-1p-shaded", "bump-2p-shaded",
- * "bump-3p-shaded" (Morgenbesser and Srinivasan 1996; docs/laws.md). */
+ * "bump-3p-shaded" (docs/laws.md). */
 FORCESHADE_API forceshade_result forceshade_law_new(const char* law, const forceshade_law* parameters, forceshade_subject* made);
 
 /* A height map of samples in a rectangular grid, whose middle is the origin. */

@@ -22,7 +22,7 @@
 //
 // Not promised: the layout of the classes, the time of a call, and which stage decides (both are measured in docs/speed.md).
 //
-// Source: Morgenbesser and Srinivasan (1996); the proofs are described in docs/proofs.md.
+// Source: Morgenbesser and Srinivasan, RLE Technical Report 606 (MIT, 1996); the proofs: docs/proofs.md.
 
 #include <Eigen/Core>
 #include <array>

@@ -14,7 +14,7 @@
 //
 // Not promised: that no law is added to LawId, behind the others.
 //
-// Source: Morgenbesser and Srinivasan (1996), chapter 4.
+// Source: Morgenbesser and Srinivasan, RLE Technical Report 606 (MIT, 1996), chapter 4.
 
 #if __cplusplus < 202002L
 #error "forceshade is in C++20: expected -std=c++20 or later"

@@ -13,7 +13,8 @@
 //
 // Not promised: more enumerators or members may come in a new version (docs/versions.md).
 //
-// Source: Zilles and Salisbury (1995) for the god-object, Morgenbesser and Srinivasan (1996) for the shading.
+// Source: Zilles and Salisbury (1995) for the god-object; Morgenbesser and Srinivasan, RLE Technical Report 606 (MIT, 1996) for
+// the shading.
 
 #include <array>
 #include <cstdint>

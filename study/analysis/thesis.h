@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The numbers that Morgenbesser and Srinivasan's thesis (1995) prints in tables 6.1 to 6.9 and 7.1, from
+// The numbers of tables 6.1 to 6.9 and 7.1 of Morgenbesser's thesis, as RLE Technical Report 606 (MIT, 1996) prints them, from
 // study/analysis/thesis/*.csv.
 
 #include <array>

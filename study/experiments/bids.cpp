@@ -250,7 +250,7 @@ std::string subjects_with(const std::map<std::string, Participant>& participants
 std::string readme_of(const std::map<std::string, Participant>& participants) {
   std::string text =
       "Haptic shape perception: sessions of forceshade's matching and classification experiments, after Morgenbesser and\n"
-      "Srinivasan, Force Shading for Shape Perception in Haptic Virtual Environments (MIT, 1995).\n"
+      "Srinivasan, Force Shading for Shape Perception in Haptic Virtual Environments (RLE Technical Report 606, MIT, 1996).\n"
       "Trials, answers and changes of the radius: sub-*/beh. Positions and forces of the stylus: sub-*/motion.\n";
   const std::string model(name_of(AnsweredBy::model));
   if (const std::string subjects = subjects_with(participants, &Participant::answered_by, model); !subjects.empty())

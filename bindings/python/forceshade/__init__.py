@@ -20,8 +20,8 @@ and by several threads where forces() or advance() is given threads=.
 
 Errors: ValueError, TypeError, OSError, or forceshade.Error; each says what was expected and what was got.
 
-Source: Morgenbesser and Srinivasan (1996), "Force shading for haptic shape perception". No force is computed in this package:
-it calls the same libraries as the command forceshade.
+Source: Morgenbesser and Srinivasan, "Force Shading for Shape Perception in Haptic Virtual Environments", RLE Technical Report 606,
+MIT, December 1996. No force is computed in this package: it calls the same libraries as the command forceshade.
 """
 
 import numpy as _numpy

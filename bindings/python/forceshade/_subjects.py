@@ -33,7 +33,7 @@ def _short(number: float) -> str:
 
 
 class Law(Subject):
-    """One of the nine force laws of Morgenbesser and Srinivasan (1996): forceshade.laws() has their names.
+    """One of the nine force laws of docs/laws.md: forceshade.laws() has their names.
 
     radius: R, mm, in [0.1, 10 000]. width: w, mm, the chord of the bump on the plane, in [0.001, 2 R]. stiffness: K, N/mm, in
     [0.001, 1000]. The defaults are the command's: 15.24 mm, 25.4 mm and 0.5 N/mm.
