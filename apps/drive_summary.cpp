@@ -97,7 +97,7 @@ void print(const ServoResult& result) {
     std::printf("                  %.3f mJ were forgiven: late ticks let the hand take more than the bound\n",
                 account.forgiven);
   if (result.unfinished_ticks > 0)
-    std::printf("unfinished ticks  %zu (the god-object used up its moves)\n", result.unfinished_ticks);
+    std::printf("unfinished ticks  %zu (the god-object used up its moves or looks)\n", result.unfinished_ticks);
   if (result.invalid_positions > 0) std::printf("invalid positions %zu (zero force)\n", result.invalid_positions);
   const auto& [scheduling, memory_locked, cpu] = result.privileges;
   std::printf("scheduling        %s, memory %s, %s\n", scheduling ? "real-time (SCHED_FIFO)" : "ordinary",

@@ -20,7 +20,7 @@ enum class RowStatus : std::uint8_t { free, contact, invalid, end, unfinished, u
 inline constexpr std::array<std::string_view, 6> kRowStatusNames{"free", "contact",    "invalid",
                                                                  "end",  "unfinished", "undecided"};
 
-// unfinished: a god-object used up the moves of one tick, and the force is not that of rest.
+// unfinished: a god-object used up the moves or looks of one tick, and the force is not that of rest.
 struct AnsweredRow {
   Eigen::Vector3f force{0, 0, 0};  // N
   RowStatus status = RowStatus::free;

@@ -20,6 +20,7 @@
 #include "files/printable.h"
 #include "forceshade/checks.h"
 #include "forceshade/meshes.h"
+#include "properties/worst_tick.h"
 #include "rendering/meshes/save.h"
 #include "rendering/subjects/scene.h"
 
@@ -108,8 +109,8 @@ void note_large_fan(const Input& input, const mesh::TriangleMesh& triangles, std
   if (fan.triangles <= mesh::kLargestQuickFan) return;
   notes.push_back((input.is_scene() ? input.ground.words_of_vertex(fan.vertex) : "vertex " + std::to_string(fan.vertex)) +
                   " has " + std::to_string(fan.triangles) +
-                  " faces: a tick there can take longer than 0.1 ms, which it does not up to " +
-                  std::to_string(mesh::kLargestQuickFan) + " faces (docs/meshes.md, \"Vertices of many triangles\")");
+                  " faces: each move of a tick from there looks at all of them, which can take longer than 0.1 ms "
+                  "(docs/meshes.md, \"Vertices of many triangles\")");
 }
 
 // Borders that lie on each other, between which a hand goes.
@@ -173,13 +174,24 @@ std::string words_of(const Counted& counted) {
   return counted.empty() ? "none" : counted.size() > kListed ? words + ", ..." : words;
 }
 
+// As it is rendered where no option is given.
+properties::WorstTick worst_tick(mesh::CheckedMesh& checked) {
+  const mesh::Sides sides = mesh::facts_of(checked).is_closed() ? mesh::Sides::front : mesh::Sides::both;
+  MeshRendering rendering{std::move(checked), {}, sides, mesh::Shading::none, 1};
+  const properties::WorstTick worst = properties::worst_tick(rendering);
+  checked = std::move(rendering.checked);
+  return worst;
+}
+
 int check(const MeshFileOptions& options) {
   Input input = load(options);
   std::vector<std::string> notes = notes_of(input.ground.loaded);
-  const auto checked = checked_with_progress(options.file, std::move(input.ground.loaded.mesh), self_intersections(input));
-  if (const auto* held = std::get_if<mesh::CheckedMesh>(&checked)) {
+  auto checked = checked_with_progress(options.file, std::move(input.ground.loaded.mesh), self_intersections(input));
+  std::optional<properties::WorstTick> worst;
+  if (auto* held = std::get_if<mesh::CheckedMesh>(&checked)) {
     note_large_fan(input, held->mesh(), notes);
     if (input.may_cross) note_seams(held->mesh(), notes);
+    worst = worst_tick(*held);
   }
   const auto* findings = std::get_if<mesh::Findings>(&checked);
   const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(input.words(*findings));
@@ -188,12 +200,14 @@ int check(const MeshFileOptions& options) {
             {"self_intersections", input.may_cross ? "allowed" : "refused"},
             {"notes", notes},
             {"faults", faults}};
+  if (worst) json["worst_tick"] = {{"looks", worst->looks}, {"moves", worst->moves}, {"unfinished", worst->is_unfinished}};
   for (const auto& [name, counted] : names_in(input)) json[name] = json_of(counted);
   write_json(options, json);
   if (options.json == "-") return findings == nullptr ? kHeld : kFailed;
   print(notes);
   for (const auto& [name, counted] : names_in(input))
     if (!counted.empty()) print({name + ": " + words_of(counted)});
+  if (worst) print({properties::words_of(*worst)});
   if (findings == nullptr) {
     const auto& held = std::get<mesh::CheckedMesh>(checked);
     std::printf("held: a %s of %zu faces%s\n", input.is_scene() ? "scene" : "mesh", held.mesh().triangles.size(),

@@ -73,7 +73,7 @@ enum {
   FORCESHADE_FREE = 0,      /* outside: no force */
   FORCESHADE_CONTACT = 1,   /* inside */
   FORCESHADE_INVALID = 2,   /* a coordinate is NaN or beyond 10^4 mm: no force */
-  FORCESHADE_UNFINISHED = 3 /* a contact whose god-object used up the moves of one tick; the next tick goes on from there */
+  FORCESHADE_UNFINISHED = 3 /* a contact whose god-object used up the moves or looks of a tick; the next tick goes on from there */
 };
 
 /* Handles. One that is all zero is never valid. A handle is worth nothing in another process. */

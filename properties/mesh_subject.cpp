@@ -16,6 +16,7 @@
 #include "properties/mesh_properties.h"
 #include "properties/spread.h"
 #include "properties/tick_changes.h"
+#include "properties/worst_tick.h"
 #include "rendering/mesh_rendering.h"
 
 namespace forceshade::properties {
@@ -171,6 +172,7 @@ std::vector<std::string> MeshSubject::parts() const {
                     " mJ more for each mm of path and N of force");
   }
   if (why_no_energy_bound(*mesh_).empty()) words.push_back(words_of(tick_changes(*mesh_, HandStep(), {}), HandStep()));
+  words.push_back(words_of(worst_tick(*mesh_)));
   for (const std::string& part : forceshade::words_of(mesh_->texture.map)) words.push_back("texture, " + part);
   return words;
 }

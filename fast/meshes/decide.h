@@ -119,8 +119,15 @@ struct ExactFace {
         n(cross(e1, e2)) {}
 };
 
+inline bool is_same_point(const float* a, const float* b) noexcept {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 // n·(p - a): on which side of the triangle's plane p is.
 [[gnu::noinline]] inline int exact_side_of(const Face& f, const float* p) noexcept {
+  // The commonest zero at a vertex of many triangles.
+  for (const auto& corner : f.corner)
+    if (is_same_point(corner.data(), p)) return 0;
   // The commonest zero: all in one plane across an axis.
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (f.corner[0][axis] == p[axis] && f.corner[1][axis] == p[axis] && f.corner[2][axis] == p[axis]) return 0;

@@ -35,18 +35,38 @@ class Flight {
   Flight(const Mesh& mesh, const Spot& from, const Point& g, const Offset& U, const float* p, const Stages& stages) noexcept
       : mesh_(mesh), from_(from), g_(g), U_(U), p_(p), stages_(stages) {}
 
-  // Looks at every triangle that the flight may meet.
+  // Looks at every triangle that the flight may meet before it lands.
   void run() noexcept {
-    const Vector3<double> end{static_cast<double>(p_[0]), static_cast<double>(p_[1]), static_cast<double>(p_[2])};
-    const auto back = [&](double to, double by) { return to - by * 0x1p-24; };
-    const Vector3<double> start{back(end.x, U_.U.x), back(end.y, U_.U.y), back(end.z, U_.U.z)};
-    mesh_.tree().along(start, end, [&](std::uint32_t f) {
-      if (!touches(mesh_, from_, f)) meet(f);
+    const Vector3<double> start = about_start(), end = about_end();
+    const Range x(start.x, end.x), y(start.y, end.y), z(start.z, end.z);
+    double share = HUGE_VAL;  // of the flight, within which nothing is known to be in the way
+    mesh_.tree().along(start, end, share, [&](std::uint32_t f) {
+      // A leaf's box holds much that no box of its triangles does, where these are slivers of several directions.
+      const auto& corner = mesh_.face(f).corner;
+      if (x.is_beside(corner, 0) || y.is_beside(corner, 1) || z.is_beside(corner, 2)) return;
+      ++looks_;
+      if (touches(mesh_, from_, f)) return;
+      meet(f);
+      if (landing_.part != Hit::Part::none) share = 1 - landing_.remaining.value + landing_.remaining.error + 0x1p-24;
     });
   }
 
+  // The ends, within 2^-36 mm.
+  Vector3<double> about_start() const noexcept {
+    const auto back = [&](float to, double by) { return static_cast<double>(to) - by * 0x1p-24; };
+    return {back(p_[0], U_.U.x), back(p_[1], U_.U.y), back(p_[2], U_.U.z)};
+  }
+  Vector3<double> about_end() const noexcept {
+    return {static_cast<double>(p_[0]), static_cast<double>(p_[1]), static_cast<double>(p_[2])};
+  }
+
+  // How many triangles it has looked at: no fewer than those that Looks counts.
+  int looks() const noexcept { return looks_; }
+
   // Where it lands before p; none where nothing is in the way.
   const Hit& landing() const noexcept { return landing_; }
+  // Where p leads to from the landing, if that is a vertex.
+  const Heading& onward() const noexcept { return onward_; }
   // p itself, where it lies on the surface.
   const Hit& end() const noexcept { return end_; }
 
@@ -90,6 +110,17 @@ class Flight {
   }
 
  private:
+  // That of the flight along an axis, and 2^-34 mm more: the ends are known within 2^-36 mm.
+  struct Range {
+    double low, high;
+    Range(double start, double end) noexcept
+        : low((start < end ? start : end) - 0x1p-34), high((start < end ? end : start) + 0x1p-34) {}
+    bool is_beside(const std::array<std::array<float, 3>, 3>& corner, std::size_t axis) const noexcept {
+      const auto a = static_cast<double>(corner[0][axis]), b = static_cast<double>(corner[1][axis]),
+                 c = static_cast<double>(corner[2][axis]);
+      return (a < low && b < low && c < low) || (a > high && b > high && c > high);
+    }
+  };
   // ((p - w)·x U)·e for each edge: n·U times the weight of the opposite corner where the line meets the plane.
   struct ExactPassing {
     std::array<FixedInteger<236>, 3> weight;  // of the corner, times the sign of n·U
@@ -118,6 +149,11 @@ class Flight {
     const Vector3<double> w = difference(p_, face.corner[0].data());
     const DoubleWithError at_p{dot(numbers.n, w), kAcross.error * numbers.area * size_of(w)};
     const DoubleWithError along{dot(numbers.n, U_.U), kAcross.error * numbers.area * U_.size};
+    // With sides = front a flight goes on wherever it comes from behind all triangles of a feature. If one of them lies
+    // otherwise, it meets that one there, too.
+    if (mesh_.sides() == mesh::Sides::front &&
+        stages_.sure(along.value > along.error && __builtin_fabs(at_p.value) > at_p.error))
+      return;
     // Where the flight goes through a vertex, it meets each triangle there in nothing else, but for those it lies in the plane
     // of.
     if (passed_ != kNoVertex && has_vertex(face, passed_) && stages_.sure(__builtin_fabs(along.value) > along.error)) return;
@@ -222,23 +258,28 @@ class Flight {
     if (is_blocked(hit)) landing_ = hit;
   }
 
-  // Sets the hit's side, too.
-  bool is_blocked(Hit& hit) const noexcept {
+  // If so, it sets the hit's side and the heading from there, too.
+  bool is_blocked(Hit& hit) noexcept {
     const bool is_one_sided = mesh_.sides() == mesh::Sides::front;
     if (hit.part == Hit::Part::triangle) return !is_one_sided || hit.side == mesh::Side::front;
-    const Aim from = aim(hit, true), onward = aim(hit, false);
-    if (onward == Aim::open || onward == from || (is_one_sided && from == Aim::back && onward == Aim::front)) return false;
+    const Aim from = aim(hit, true);
+    const Heading onward = heading(hit, false);
+    if (onward.aim == Aim::open || onward.aim == from || (is_one_sided && from == Aim::back && onward.aim == Aim::front))
+      return false;
+    onward_ = onward;
     hit.side = !is_one_sided && from == Aim::back ? mesh::Side::back : mesh::Side::front;
     return true;
   }
 
   // Where the flight's direction leads, or the one it comes from, at an edge or a corner.
-  Aim aim(const Hit& hit, bool is_opposite) const noexcept {
+  Aim aim(const Hit& hit, bool is_opposite) const noexcept { return heading(hit, is_opposite).aim; }
+  Heading heading(const Hit& hit, bool is_opposite) const noexcept {
     const Vector3<double> d = is_opposite ? Vector3<double>{-U_.U.x, -U_.U.y, -U_.U.z} : U_.U;
     const Direction direction{d, U_.size, &g_, p_, is_opposite};
     const Headings<Stages> headings(mesh_, direction, stages_);
     const HalfEdge h = 3 * hit.face + hit.corner;
-    return hit.part == Hit::Part::edge ? headings.aim_at_edge(h) : headings.at_vertex(mesh_.start(h)).aim;
+    if (hit.part == Hit::Part::edge) return {headings.aim_at_edge(h), {}};
+    return headings.at_vertex(mesh_.start(h));
   }
 
   // p, which lies in the triangle's plane, may lie in the triangle.
@@ -263,6 +304,8 @@ class Flight {
   // The part that p is in of a triangle in whose plane it lies, or none.
   static Hit part_at(const Mesh& mesh, std::uint32_t f, const float* p, const Stages& stages) noexcept {
     const Face& face = mesh.face(f);
+    for (std::uint32_t i = 0; i < 3; ++i)
+      if (is_same_point(face.corner[i].data(), p)) return {Hit::Part::corner, f, i, false, mesh::Side::front, {}};
     const Weights weights(FaceNumbers(face), difference(p, face.corner[0].data()));
     std::array<int, 3> inside;
     int zeros = 0;
@@ -287,6 +330,8 @@ class Flight {
   const float* p_;
   const Stages& stages_;
   Hit landing_, end_;
+  Heading onward_{};
+  int looks_ = 0;
   static constexpr std::uint32_t kNoVertex = 0xFFFFFFFF;
   std::uint32_t passed_ = kNoVertex;  // the last vertex that the flight was found to go through or to end in
 };

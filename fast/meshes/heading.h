@@ -19,6 +19,7 @@ struct Slide {
 struct Heading {
   Aim aim;
   Slide way;
+  int triangles = 0;  // that were looked at, at a vertex
 };
 
 // Beside an edge with two triangles, d being on neither; first, second: the signs of n·d.
@@ -130,7 +131,9 @@ class Headings {
     const bool is_at_rim = mesh_.twin(start) == kRim;
     int into_first_from_start = 0, into_last = -1;  // the latter: from the edge at hand into the triangle before it
     HalfEdge h = start;
+    int triangles = 0;
     do {
+      ++triangles;
       const auto [from_edge, from_other] = inward_from(h);
       if (h == start && !is_at_rim)
         into_first_from_start = from_edge;
@@ -145,7 +148,7 @@ class Headings {
     if (!is_at_rim && into_last <= 0 && into_first_from_start <= 0) offer({Slide::Along::edge, start, false});
     const Aim aim = aim_at_vertex(best, is_at_rim);
     if (best.along == Slide::Along::edge && along(best) <= 0) best = {};
-    return {aim, best};
+    return {aim, best, triangles};
   }
 
   // Whether `a` is steeper than `b`, or comes before it where both are alike.

@@ -30,6 +30,7 @@ struct Arrival {
   Slide pull{};
   Offset to_hand{};          // 2^24(p - g) there, where it is at hand
   double error_to_hand = 0;  // of a component of it; 0 where it is from offset_from()
+  int looks = 0;             // triangles that the tick has looked at: those of docs/god-object.md, or more
   int tries = 0;             // that the tick's detours and landings have taken: where sheets may cross
 };
 
@@ -202,7 +203,7 @@ class Rests {
   ExactFoot exact_foot(HalfEdge h) const noexcept {
     return ExactFoot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
   }
-  bool is_position(const float* point) const noexcept { return point[0] == p_[0] && point[1] == p_[1] && point[2] == p_[2]; }
+  bool is_position(const float* point) const noexcept { return is_same_point(point, p_.data()); }
 
   // The largest coordinate of p and of the mesh, in size; mm.
   double largest() const noexcept {

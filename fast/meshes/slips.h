@@ -2,8 +2,10 @@
 #pragma once
 // Slides that friction may hold, and what a rest keeps of them: rules 2a, 2b and 4a of docs/friction.md.
 
+#include <memory>
 #include <optional>
 
+#include "fast/meshes/looks.h"
 #include "fast/meshes/quick_slips.h"
 
 namespace forceshade::fast {
@@ -14,12 +16,32 @@ enum class Step { onward, rest, exhausted };
 template <class Stages>
 class Slips : protected Rests<Stages> {
  public:
-  static constexpr int kMostMoves = 256;
+  static constexpr int kMostMoves = 256, kMostLooks = 1 << 14;
 
  protected:
   // Moves `at`; all of it has to outlive this.
   FORCESHADE_INLINE Slips(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages) noexcept
       : Rests<Stages>(mesh, at.spot, p, stages), at_(at) {}
+
+  // The most moves of the tick. Once it has looked at so many triangles, these are the moves that it has made.
+  FORCESHADE_INLINE int most_moves() const noexcept { return at_.looks < kMostLooks ? kMostMoves : at_.moves; }
+
+  // How a flight begins, as far as it and what follows depend on that.
+  struct Beginning {
+    Spot spot;
+    int moves, looks, tries;
+    bool is_slipping;
+  };
+  FORCESHADE_INLINE Beginning beginning() const noexcept { return {spot_, at_.moves, at_.looks, at_.tries, at_.is_slipping}; }
+  void begin_again(const Beginning& from) noexcept {
+    spot_ = from.spot;
+    at_.moves = from.moves;
+    at_.looks = from.looks;
+    at_.tries = from.tries;
+    at_.is_slipping = from.is_slipping;
+    at_.pull = {};
+    at_.to_hand = {};
+  }
 
   // How p lies to a triangle.
   struct Facing {
@@ -46,6 +68,13 @@ class Slips : protected Rests<Stages> {
     return inside;
   }
 
+  // On which side of the edge h the foot of p lies: see Headings::inward().
+  FORCESHADE_INLINE int inward(const Facing& facing, HalfEdge h) const noexcept {
+    const std::uint32_t opposite = before(corner_of(h));
+    return sign_of(facing.weights.corner[opposite], stages_,
+                   [&] { return ExactWeights(mesh_.face(face_of(h)), p_.data()).corner[opposite].sign(); });
+  }
+
   // In a rough triangle, as far as binary64 can decide it from the parameters: see QuickSlips.
   FORCESHADE_INLINE typename QuickSlips<Stages>::Outcome slip_quickly_in(std::uint32_t f, const Facing& facing,
                                                                          const Coefficients& of) noexcept {
@@ -54,7 +83,7 @@ class Slips : protected Rests<Stages> {
     const std::array<std::uint32_t, 2> from = spot_.place == mesh::Place::triangle ? spot_.weight : weights_of_last_two(f);
     Quick quick(facing.numbers, facing.across, facing.weights, of, stages_);
     const int before = at_.moves;
-    const auto outcome = quick.run(from[0], from[1], at_.is_slipping, at_.moves, kMostMoves);
+    const auto outcome = quick.run(from[0], from[1], at_.is_slipping, at_.moves, most_moves());
     if (at_.moves != before)
       put({mesh::Place::triangle,
            spot_.side,
@@ -112,6 +141,11 @@ class Slips : protected Rests<Stages> {
     const std::uint32_t f = face_of(h), other = mesh_.twin(h) == kRim ? f : face_of(mesh_.twin(h));
     return mesh_.face(other).index() < mesh_.face(f).index() ? other : f;
   }
+  const Spot* spot_if_touching() const noexcept { return spot_.place == mesh::Place::free ? nullptr : &spot_; }
+  FORCESHADE_INLINE static DoubleWithError times(std::uint32_t weight, const DoubleWithError& a) noexcept {
+    return fast::times(static_cast<double>(weight), a);
+  }
+  static FixedInteger<25> integer(std::uint32_t weight) noexcept { return FixedInteger<25>(static_cast<std::int64_t>(weight)); }
   // Whether the god-object may leave the surface that way.
   bool is_own(Aim aim) const noexcept {
     return aim == Aim::open || aim == (spot_.side == mesh::Side::front ? Aim::front : Aim::back);
@@ -134,7 +168,7 @@ class Slips : protected Rests<Stages> {
                                                 const std::array<int, 3>& inside) noexcept {
     const Slide way{Slide::Along::triangle, 3 * f, false};
     if (friction.holds(at_.is_slipping)) return held(way, friction);
-    if (at_.moves == kMostMoves) return exhausted(way);
+    if (at_.moves == most_moves()) return exhausted(way);
     const std::uint32_t left = friction.share_left();
     const Weights& weights = facing.weights;
     const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
@@ -162,7 +196,7 @@ class Slips : protected Rests<Stages> {
                                                 bool is_towards_start, bool is_foot_inside) noexcept {
     const HalfEdge h = way.half;
     if (friction.holds(at_.is_slipping)) return held(way, friction);
-    if (at_.moves == kMostMoves) return exhausted(way);
+    if (at_.moves == most_moves()) return exhausted(way);
     const std::uint32_t left = friction.share_left();
     const std::uint32_t G = spot_.place == mesh::Place::edge ? spot_.weight[0] : is_towards_start ? kGrid : 0;
     const DoubleWithError along = weight_after(left, G, foot.along, foot.length);
@@ -245,7 +279,32 @@ class Slips : protected Rests<Stages> {
   using Rests<Stages>::put, Rests<Stages>::is_nearer, Rests<Stages>::rounded_in_triangle, Rests<Stages>::rounded_on_edge,
       Rests<Stages>::exact_foot, Rests<Stages>::largest;
 
+  // What the tick has looked at after a flight from g.
+  void count_looks(const Flight<Stages>& flight, const Point& g, const Beginning& before) noexcept {
+    constexpr int kFewLooks = 512;  // counting them exactly would take longer than the flight
+    const bool is_exact = counts_exactly_ || flight.looks() > kFewLooks;
+    at_.looks += is_exact ? exact_looks(flight, mesh_, g, p_.data(), kMostLooks) : flight.looks();
+    if (is_exact || has_doubt_) return;
+    has_doubt_ = true;
+    std::construct_at(&first_flight_, before);
+  }
+  void note_landing(std::uint32_t vertex, const Heading& onward) noexcept {
+    landed_at_ = vertex;
+    std::construct_at(&landed_, onward);
+  }
+
   Arrival& at_;
+  bool counts_exactly_ = false;    // the looks of every flight
+  bool has_doubt_ = false;         // a flight's looks are not counted exactly
+  std::uint32_t landed_at_ = ~0U;  // the vertex that the last flight landed at
+  // Set only after a flight, since most ticks have none: how the first one began that leaves a doubt, and where p leads to from
+  // the vertex landed at, each triangle of which that flight has looked at.
+  union {
+    Beginning first_flight_;
+  };
+  union {
+    Heading landed_;
+  };
 };
 
 }  // namespace forceshade::fast

@@ -27,6 +27,7 @@ class Walk : Slips<Stages> {
       for (const HalfEdge other : mesh_.face(face_of(spot_.half)).twin)
         if (other != kRim) mesh_.fetch_neighbours(face_of(other));
     at_.moves = 0;
+    at_.looks = 0;
     if constexpr (kHasSheets) at_.tries = 0;
     at_.is_finished = true;
     if constexpr (kHasFriction) {
@@ -36,14 +37,18 @@ class Walk : Slips<Stages> {
     if (spot_.place == mesh::Place::nowhere && start() == Step::rest) return;
     Step step = move();
     if (step == Step::onward) step = go_on();
+    if (step == Step::exhausted && at_.looks >= kMostLooks && fly_again() != Step::exhausted) return;
     if (step == Step::rest) return;
     at_.rest = spot_.place == mesh::Place::free ? Rest::none : Rest::at_spot;
     at_.is_finished = false;
   }
 
  private:
-  using typename Slips<Stages>::Facing;
-  using Slips<Stages>::at_, Slips<Stages>::kMostMoves;
+  using typename Slips<Stages>::Facing, typename Slips<Stages>::Beginning;
+  using Slips<Stages>::at_, Slips<Stages>::kMostLooks, Slips<Stages>::most_moves, Slips<Stages>::inward, Slips<Stages>::times,
+      Slips<Stages>::integer, Slips<Stages>::landed_, Slips<Stages>::landed_at_, Slips<Stages>::spot_if_touching;
+  using Slips<Stages>::beginning, Slips<Stages>::begin_again, Slips<Stages>::count_looks, Slips<Stages>::note_landing,
+      Slips<Stages>::first_flight_, Slips<Stages>::has_doubt_, Slips<Stages>::counts_exactly_;
   using Slips<Stages>::slip_in, Slips<Stages>::slip_quickly_in, Slips<Stages>::slip_along, Slips<Stages>::stay,
       Slips<Stages>::exhausted, Slips<Stages>::steepest;
   using Slips<Stages>::is_second_nearer, Slips<Stages>::first_beside, Slips<Stages>::is_own;
@@ -127,13 +132,6 @@ class Walk : Slips<Stages> {
 
   // ---- Moves.
 
-  // On which side of the edge h the foot of p lies: see Headings::inward().
-  FORCESHADE_INLINE int inward(const Facing& facing, HalfEdge h) const noexcept {
-    const std::uint32_t opposite = before(corner_of(h));
-    return sign_of(facing.weights.corner[opposite], stages_,
-                   [&] { return ExactWeights(mesh_.face(face_of(h)), p_.data()).corner[opposite].sign(); });
-  }
-
   FORCESHADE_INLINE Step move_in_triangle() noexcept {
     const std::uint32_t f = face_of(spot_.half);
     const Facing facing(mesh_.face(f), p_.data(), stages_);
@@ -197,7 +195,9 @@ class Walk : Slips<Stages> {
     const Vector3<double> w = difference(p_.data(), corner.corner[0]);
     const Direction direction{w, size_of(w), &corner, p_.data(), false};
     if (direction.size == 0) return rest(Rest::at_spot);
-    const Heading heading = Headings<Stages>(mesh_, direction, stages_).at_vertex(mesh_.start(spot_.half));
+    const std::uint32_t vertex = mesh_.start(spot_.half);
+    const Heading heading = landed_at_ == vertex ? landed_ : Headings<Stages>(mesh_, direction, stages_).at_vertex(vertex);
+    at_.looks += heading.triangles;
     if (is_own(heading.aim)) return fly();
     if (heading.way.along == Slide::Along::nothing) return rest(Rest::at_spot);
     if (heading.way.along == Slide::Along::edge) return slide_along(heading.way);
@@ -238,7 +238,7 @@ class Walk : Slips<Stages> {
     if constexpr (kHasFriction)
       if (const Coefficients of = mesh_.friction_on_edge(h); of.is_rough())
         if (const auto step = slip_along(way, foot, is_towards_start, is_foot_inside, of)) return *step;
-    if (at_.moves == kMostMoves) return Step::exhausted;
+    if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
     if (is_foot_inside) return slid(Rest::on_edge, rest_on_edge(h, spot_.side), first_beside(h));
     const HalfEdge end = is_towards_start ? h : next(h);
@@ -264,7 +264,7 @@ class Walk : Slips<Stages> {
     if (spot_.place == mesh::Place::triangle && to.weight[0] == spot_.weight[0] && to.weight[1] == spot_.weight[1] &&
         is_nearest_already(f, weights))
       return rest(Rest::at_spot);
-    if (at_.moves == kMostMoves) return Step::exhausted;
+    if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
     at_.plane = {facing.numbers.n, dot(facing.numbers.n, facing.w), weights.all.value, facing.numbers.area, size_of(facing.w)};
     return slid(facing.side == 0 ? Rest::at_goal : Rest::in_triangle, to, f);
@@ -272,7 +272,7 @@ class Walk : Slips<Stages> {
   // The same where q is not strictly inside.
   FORCESHADE_INLINE Step slide_out(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside) noexcept {
     const Weights& weights = facing.weights;
-    if (at_.moves == kMostMoves) return Step::exhausted;
+    if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
     // It leaves through the edge opposite to a corner whose weight falls to 0 on the way from G, the spot's, to q.
     const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
@@ -301,7 +301,7 @@ class Walk : Slips<Stages> {
     const DoubleWithError along = num(j), whole = times(G[i], weights.all) - shifted<24>(weights.corner[i]);
     if constexpr (!kHasSheets && !kHasFriction)  // whose slides have to be tested one by one
       if (inside[i] < 0 && facing.side == (spot_.side == mesh::Side::front ? -1 : 1) && at_.moves >= glide_from_ &&
-          glide<Stages>(*this, at_, edge, along, whole, static_cast<double>(G[i]), weights.all, kMostMoves, glide_from_))
+          glide<Stages>(*this, at_, edge, along, whole, static_cast<double>(G[i]), weights.all, most_moves(), glide_from_))
         return Step::rest;
     const Cell cell = GridParameters(whole).cell(along, stages_, [&] {
       const ExactWeights exact(mesh_.face(f), p_.data());
@@ -316,27 +316,20 @@ class Walk : Slips<Stages> {
       return slid_onward(to, f);
     return refuse({Slide::Along::triangle, 3 * f, false});
   }
-  FORCESHADE_INLINE static DoubleWithError times(std::uint32_t weight, const DoubleWithError& a) noexcept {
-    return fast::times(static_cast<double>(weight), a);
-  }
-  static FixedInteger<25> integer(std::uint32_t weight) noexcept { return FixedInteger<25>(static_cast<std::int64_t>(weight)); }
-
   // A rest at the spot instead of a move, which is counted already. way: the steepest.
   Step refuse(const Slide& way) noexcept {
     --at_.moves;
     if constexpr (kHasFriction) return stay(way);
     return rest(Rest::at_spot);
   }
-  Step refuse_flight() noexcept {
-    if constexpr (kHasFriction) return refuse(steepest());
-    return refuse(Slide{});
-  }
+  Step refuse_flight() noexcept { return refuse(kHasFriction ? steepest() : Slide{}); }
   [[gnu::noinline]] Step fly() noexcept {
-    if (at_.moves == kMostMoves) {
+    if (at_.moves == most_moves()) {
       if constexpr (kHasFriction)
         if (is_touching(spot_)) return exhausted(steepest());
       return Step::exhausted;
     }
+    const Beginning before = beginning();
     ++at_.moves;
     const Point g = point_of(mesh_, spot_);
     double largest = this->largest();
@@ -347,6 +340,7 @@ class Walk : Slips<Stages> {
     Flight<Stages> flight(mesh_, spot_, g, U, p_.data(), stages_);
     flight.run();
     const Hit& landing = flight.landing();
+    count_looks(flight, g, before);
     if (landing.part == Hit::Part::none) {
       if (flight.end().part == Hit::Part::none) return be_free();
       if (is_rough(flight.end())) return arrive(rounded_position(flight.end()));
@@ -361,6 +355,7 @@ class Walk : Slips<Stages> {
       return rest(Rest::at_goal, to);
     }
     const HalfEdge h = 3 * landing.face + landing.corner;
+    if (landing.part == Hit::Part::corner) note_landing(mesh_.start(h), flight.onward());
     const Spot to = landing.part == Hit::Part::corner ? spot_at_vertex(mesh_, h, landing.side)
                     : landing.part == Hit::Part::edge ? rounded_landing(h, flight.cell_on_edge(), landing.side)
                                                       : rounded_in_triangle(landing.face, flight.cells(), landing.side);
@@ -375,11 +370,19 @@ class Walk : Slips<Stages> {
     }
     return onward(to);
   }
+  // The moves from the first flight on whose looks are not counted exactly: they may be more than those of the definition, so
+  // that it is not known yet that the tick is to end.
+  [[gnu::noinline]] Step fly_again() noexcept {
+    if (!has_doubt_ || counts_exactly_) return Step::exhausted;
+    counts_exactly_ = true;
+    begin_again(first_flight_);
+    const Step step = fly();
+    return step == Step::onward ? go_on() : step;
+  }
   FORCESHADE_INLINE Step arrive(const Spot& to) noexcept {
     if (spot_.place != mesh::Place::free && !is_nearer(to)) return refuse_flight();
     return onward(to);
   }
-  const Spot* spot_if_touching() const noexcept { return spot_.place == mesh::Place::free ? nullptr : &spot_; }
   // The edge that the last slide went out through, and how p lies to the triangle that it left: that depends on p alone.
   struct {
     HalfEdge half = kRim;

@@ -167,7 +167,7 @@ struct GodObject {
   bool operator==(const GodObject&) const = default;
 };
 
-// `unfinished`: the god-object used up the moves of one tick; the next tick goes on from where it is.
+// `unfinished`: the god-object used up the moves or looks of one tick; the next tick goes on from where it is.
 enum class TickStatus : std::uint8_t { free, touching, unfinished, invalid };
 
 inline constexpr std::array<std::string_view, 4> kTickStatusNames{"free", "touching", "unfinished", "invalid"};

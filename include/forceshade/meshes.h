@@ -152,8 +152,8 @@ struct LargestFan {
   std::uint64_t triangles = 0;
 };
 LargestFan largest_fan(const TriangleMesh& mesh);
-// The most triangles at a vertex with which no tick there takes longer than 0.1 ms (docs/meshes.md, "Vertices of many
-// triangles").
+// The most triangles at a vertex with which a move of a tick from there takes no longer than some 0.1 ms (docs/meshes.md,
+// "Vertices of many triangles").
 inline constexpr std::uint64_t kLargestQuickFan = 1000;
 
 // The number of components that binary64 decided, and of those that it left to intervals of more bits.

@@ -47,7 +47,7 @@ struct Rounded {
   Status status = Status::free;
   Method method = Method::filter;
   float ulps_from_tie = 1;     // of the component nearest to a rounding tie; 0 for a tie, or too close for the filter to decide
-  bool is_unfinished = false;  // a god-object used up the moves of one tick, and the force is not that of rest
+  bool is_unfinished = false;  // a god-object used up the moves or looks of a tick, and the force is not that of rest
 };
 
 struct DecimalForce {

@@ -36,7 +36,7 @@ struct Evaluation {
   Eigen::Vector3f force{0, 0, 0};  // N; zero unless status is contact
   Status status = Status::free;
   Stage stage = Stage::binary64;
-  // True if a god-object used up the moves of one tick; the force is then that of the point which it has come to.
+  // True if a god-object used up the moves or looks of one tick; the force is then that of the point which it has come to.
   bool is_unfinished = false;
 };
 

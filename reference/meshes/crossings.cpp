@@ -91,6 +91,33 @@ bool Crossings::is_alone(const Vector& over, const Integer& scale, const Vector&
   return features_at(over, scale, reach).size() == 1 && (over == end || between(over, end, scale, reach).empty());
 }
 
+// A segment and a box are apart only if one of these shows it: an axis, or what is seen along it.
+std::size_t Crossings::looks(const Vector& g, const Vector& p, const Fraction& s) const {
+  const Vector u = p - g, stop = s.under * g + s.over * u;
+  const auto meets = [&](std::size_t i) {
+    const auto& [a, b, c] = surface_.triangles()[i].vertices;
+    std::array<std::array<Integer, 2>, 3> ends;  // of the box
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = [&](std::uint32_t v) -> const Integer& { return surface_.vertices()[v][axis]; };
+      const auto [low, high] = std::minmax({at(a), at(b), at(c)});
+      if ((g[axis] < low && stop[axis] < s.under * low) || (g[axis] > high && stop[axis] > s.under * high)) return false;
+      ends[axis] = {low, high};
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+      std::array<std::size_t, 2> sides{};  // how many corners lie on either side of the line
+      for (const Integer& at_j : ends[j])
+        for (const Integer& at_k : ends[k]) {
+          const Integer off = u[j] * (at_k - g[k]) - u[k] * (at_j - g[j]);
+          if (!off.is_zero()) ++sides[off < 0 ? 0 : 1];
+        }
+      if (sides[0] == 4 || sides[1] == 4) return false;
+    }
+    return true;
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(triangles_.met_by(Reach(g, p)), meets));
+}
+
 std::vector<Crossing> Crossings::between(const Vector& g, const Vector& p, const Integer& scale, const Reach& reach) const {
   const Vector u = p - g;
   std::vector<Crossing> found;

@@ -32,6 +32,9 @@ class Crossings {
   // the box around `ends`.
   bool is_alone(const Vector& over, const Integer& scale, const Vector& e, const std::array<Vector, 2>& ends) const;
 
+  // How many triangles have a box, along the axes, that a flight towards p meets from g to the share s of the way there.
+  std::size_t looks(const Vector& g, const Vector& p, const Fraction& s) const;
+
   // The features that a point lies in, in the same order: more than one only where sheets meet.
   std::vector<Feature> features_at(const Vector& p) const;
   // The point of the surface that is at p, in the first of them.

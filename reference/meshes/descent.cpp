@@ -27,7 +27,8 @@ struct Rested {  // at the point of the feature nearest to p
 struct Freed {};  // at p
 using End = std::variant<Stopped, Rested, Freed>;
 
-constexpr unsigned kMostTries = 256;  // with these, no further detour or landing of the tick begins
+constexpr unsigned kMostTries = 256;          // with these, no further detour or landing of the tick begins
+constexpr std::size_t kMostLooks = 1U << 14;  // with these, no further move of the tick begins
 
 Side side_of(DirectionKind way) {
   return way == DirectionKind::back ? Side::back : Side::front;
@@ -92,9 +93,10 @@ class Tick {
       const Vector u = p_ - g;
       if (is_zero(u)) return rests_at(at, side, TickStatus::touching);
       const Directions ways = directions(surface_, at.feature, u);
+      if (at.feature.place == Place::vertex) looks_ += surface_.fan(at.feature.index).triangles.size();
       const bool is_flight = ways.way == DirectionKind::open || (ways.way != DirectionKind::on && side_of(ways.way) == side);
       if (!is_flight && (!ways.is_nearer || sticks(ways.along, u))) return rests_at(at, side, TickStatus::touching);
-      if (moves_ == most_moves) return rests_at(at, side, TickStatus::unfinished);
+      if (moves_ == most_moves || looks_ >= kMostLooks) return rests_at(at, side, TickStatus::unfinished);
       const End end = unless_rough(is_flight ? fly(g) : slide(g, ways.along, side));
       if (std::holds_alternative<Freed>(end)) {
         ++moves_;
@@ -136,8 +138,14 @@ class Tick {
   }
 
  private:
-  // Rule 1.
-  End fly(const Vector& g) const {
+  // Rule 1. What it has looked at counts only for the moves after it.
+  End fly(const Vector& g) {
+    const End end = flight(g);
+    const auto* stopped = std::get_if<Stopped>(&end);
+    looks_ += crossings_.looks(g, p_, stopped != nullptr ? stopped->s : Fraction{1, 1});
+    return end;
+  }
+  End flight(const Vector& g) const {
     const Vector u = p_ - g;
     for (const Crossing& crossing : crossings_.between(g, p_)) {
       const Feature& feature = crossing.point.feature;
@@ -311,7 +319,8 @@ class Tick {
   const Sheets sheets_;
   std::array<float, 3> quantised_{};
   unsigned moves_ = 0;
-  unsigned tries_ = 0;  // of its detours and landings
+  unsigned tries_ = 0;     // of its detours and landings
+  std::size_t looks_ = 0;  // at triangles
   bool is_slipping_ = false;
 };
 

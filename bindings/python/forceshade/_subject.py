@@ -28,7 +28,7 @@ class Status(enum.IntEnum):
     INVALID = 2
     """A coordinate is NaN or beyond 10 000 mm: no force."""
     UNFINISHED = 3
-    """A contact whose god-object used up the moves of one tick; the next tick goes on from there. On meshes alone."""
+    """A contact whose god-object used up the moves or looks of one tick; the next tick goes on from there. On meshes alone."""
 
 
 ANSWER = np.dtype([("force", np.float32, (3,)), ("status", np.uint8)], align=True)

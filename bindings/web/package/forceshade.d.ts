@@ -8,7 +8,7 @@ export type Vector = ArrayLike<number>;
 export type LawName =
   "wall" | "cylinder" | "bump-cylinder" | "bump-1p" | "bump-2p" | "bump-3p" | "bump-1p-shaded" | "bump-2p-shaded" | "bump-3p-shaded";
 /** free: outside. contact: inside. invalid: a coordinate is NaN or beyond 10^4 mm; there is no force. unfinished: a contact whose
- * god-object used up the moves of one tick. */
+ * god-object used up the moves or looks of one tick. */
 export type Status = "free" | "contact" | "invalid" | "unfinished";
 
 /** A refusal of a call. result: the name of the C interface's result, "BAD_VALUE". */
