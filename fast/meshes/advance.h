@@ -18,7 +18,7 @@ FORCESHADE_INLINE void set_force(const std::optional<std::array<float, 3>>& forc
     tick.status = mesh::TickStatus::invalid;
 }
 
-// What a tick has of where it arrived.
+// The part of a tick that follows from where it arrived.
 template <class Stages>
 FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const HandAndGoal& ends, float stiffness,
                               mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {

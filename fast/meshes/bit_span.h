@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How many bits an exact number can take: the number on which the compiler runs the longest expressions of the shaded force,
+// The bits that an exact number can take: the number on which the compiler runs the longest expressions of the shaded force,
 // once, to prove that the last stage's numbers hold them.
 
 #include <algorithm>
@@ -110,8 +110,8 @@ inline constexpr ShadedCase kShadedCases[]{
     {kWayAtSpot, kGridSpan, across_edge(kWayAtSpot, kWeightSpan)},
 };
 
-// Where friction takes a part of the force: what presses, at the point of the grid, and its directions; and r - q less the
-// fraction 1/(2^24 length), which is added to the root.
+// Cases in which friction takes a part of the force: what presses, at the point of the grid, and its directions; and r - q less
+// the fraction 1/(2^24 length), which is added to the root.
 inline constexpr ShadedCase kPulledCases[]{
     {kFootInTriangle, square(kFaceNormalSpan), interpolated(kWeightSpan)},
     {kFootInTriangle, square(kFaceNormalSpan), by_edges(kWeightSpan)},

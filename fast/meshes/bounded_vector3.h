@@ -14,7 +14,7 @@ namespace forceshade::fast {
 // numbers that are not negative.
 inline constexpr double kSlackOfSum = 1 + 0x1p-48;
 
-// What the errors of the factors add to that of their product.
+// The share of the factors' errors in the error of their product.
 FORCESHADE_INLINE double handed_on(const DoubleWithError& a, const DoubleWithError& b) noexcept {
   return __builtin_fabs(a.value) * b.error + (__builtin_fabs(b.value) + b.error) * a.error;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which runs of triangles a segment or a ball may meet: boxes over triangles that lie together in memory, eight to a box.
+// The runs of triangles that a segment or a ball may meet: boxes over triangles that lie together in memory, eight to a box.
 //
 // The answer may hold triangles that are not met, and leaves out none that is: a box holds its triangles exactly, for its sides
 // are coordinates of their corners, and every test is widened by more than its roundings.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the god-object decides, as signs of polynomials: in binary64 with a bound of the error, and in exact integers where the
+// The god-object's decisions, as signs of polynomials: in binary64 with a bound of the error, and in exact integers where the
 // value does not exceed the bound. Zeros are common on parts with flat faces, and go to the integers straight.
 //
 // Each polynomial is written once, as a template. The compiler runs it on RoundingBound for the constant of its bound, the
@@ -21,7 +21,7 @@
 
 namespace forceshade::fast {
 
-// Which decisions binary64 may take, and what is noted about them. `sure`: whether the number's sign, or another property of
+// Tells which decisions binary64 may take, and notes them. `sure`: the number's sign, or another property of
 // it, is proved. `note`: that another stage takes a decision. A kind of its own counts in tests.
 struct FilteredStages {
   static constexpr bool kFilter = true;
@@ -88,7 +88,7 @@ FORCESHADE_INLINE constexpr T third_weight(const T& all, const T& first, const T
 }
 inline constexpr RoundingBound kThird = third_weight(kArea, kInside, kInside);  // its unit is the sum of theirs
 
-// How p lies to a triangle's plane.
+// The position of p relative to a triangle's plane.
 struct Plane {
   Vector3<double> n;    // the triangle's normal
   double across, all;   // n·(p - a), a being a corner; n·n

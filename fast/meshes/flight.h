@@ -7,7 +7,7 @@
 
 namespace forceshade::fast {
 
-// Where a flight meets the surface: inside a triangle, on its edge `corner`, or at its corner.
+// A place where a flight meets the surface: inside a triangle, on its edge `corner`, or at its corner.
 struct Hit {
   enum class Part { none, triangle, edge, corner } part = Part::none;
   std::uint32_t face = 0, corner = 0;
@@ -60,12 +60,12 @@ class Flight {
     return {static_cast<double>(p_[0]), static_cast<double>(p_[1]), static_cast<double>(p_[2])};
   }
 
-  // How many triangles it has looked at: no fewer than those that Looks counts.
+  // The number of triangles that it has looked at: no fewer than those that Looks counts.
   int looks() const noexcept { return looks_; }
 
-  // Where it lands before p; none where nothing is in the way.
+  // The place where it lands before p; Part::none if nothing is in the way.
   const Hit& landing() const noexcept { return landing_; }
-  // Where p leads to from the landing, if that is a vertex.
+  // The ways that p leads from the landing, if that is a vertex.
   const Heading& onward() const noexcept { return onward_; }
   // p itself, where it lies on the surface.
   const Hit& end() const noexcept { return end_; }
@@ -89,13 +89,13 @@ class Flight {
     return cells;
   }
 
-  // What is left of the flight at a hit, as num/den with den > 0.
+  // The part of the flight that is left at a hit, as num/den with den > 0.
   struct Fraction {
     FixedInteger<304> num, den;
   };
   Fraction left_at_landing() const noexcept { return remaining(landing_); }
 
-  // Where it lands on an edge: the cell of the edge's half in landing().face, as the weight of the half's end.
+  // The cell in which it lands on an edge: that of the edge's half in landing().face, as the weight of the half's end.
   Cell cell_on_edge() const noexcept {
     stages_.note(Stage::wide);
     const std::uint32_t i = landing_.corner, j = after(i);
@@ -154,7 +154,7 @@ class Flight {
     if (mesh_.sides() == mesh::Sides::front &&
         stages_.sure(along.value > along.error && __builtin_fabs(at_p.value) > at_p.error))
       return;
-    // Where the flight goes through a vertex, it meets each triangle there in nothing else, but for those it lies in the plane
+    // A flight through a vertex meets each triangle there in nothing else, but for those it lies in the plane
     // of.
     if (passed_ != kNoVertex && has_vertex(face, passed_) && stages_.sure(__builtin_fabs(along.value) > along.error)) return;
     const int forward = sign_of(along, stages_, [&] { return dot(ExactFace(face).n, exact_offset_from(g_, p_)).sign(); });
@@ -271,7 +271,7 @@ class Flight {
     return true;
   }
 
-  // Where the flight's direction leads, or the one it comes from, at an edge or a corner.
+  // The side that the flight's direction leads to, or the one it comes from, at an edge or a corner.
   Aim aim(const Hit& hit, bool is_opposite) const noexcept { return heading(hit, is_opposite).aim; }
   Heading heading(const Hit& hit, bool is_opposite) const noexcept {
     const Vector3<double> d = is_opposite ? Vector3<double>{-U_.U.x, -U_.U.y, -U_.U.z} : U_.U;

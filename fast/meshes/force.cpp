@@ -118,7 +118,7 @@ std::optional<Force3> shaded_force(const Mesh& mesh, const Arrival& arrival, con
   return each([&](const DoubleWithError& one) { return round_to_binary32(factor * one); }, way.vector);
 }
 
-// Whether a component of the triangle's normal is surely 0, as it is wherever the triangle, seen along that axis, is on a line
+// True if a component of the triangle's normal is surely 0, as it is wherever the triangle, seen along that axis, is on a line
 // which is parallel to an axis or has the slope 1. axis_1, axis_2: the other two.
 bool is_normal_zero(const Face& f, std::size_t axis_1, std::size_t axis_2) noexcept {
   const auto &a = f.corner[0], &b = f.corner[1], &c = f.corner[2];

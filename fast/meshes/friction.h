@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What friction decides where the god-object would slide: whether it is held, how far it slips, and whether it slips on
+// Decides for friction where the god-object would slide: whether it is held, how far it slips, and whether it slips on
 // (docs/friction.md). At its point g the hand pulls it by t along the surface and presses it by z across: p is off by t along
 // the slide and by z at a right angle to it.
 
@@ -70,10 +70,10 @@ class Friction {
   FORCESHADE_INLINE bool holds(bool is_slipping) const noexcept {
     return order(kGrid, is_slipping ? of_.dynamic_friction : of_.static_friction) <= 0;
   }
-  // Whether what slips goes on to do so, though it rests: t > μd z/2.
+  // True if a god-object that slips goes on to do so, though it rests: t > μd z/2.
   FORCESHADE_INLINE bool slips_on() const noexcept { return order(2 * kGrid, of_.dynamic_friction) > 0; }
 
-  // Whether a slip that leaves this share of the way comes nearer to p for sure, by more than the rounding of its end can take
+  // True if a slip that leaves this share of the way surely comes nearer to p, by more than the rounding of its end can take
   // away: a third of the square of the longest side of the grid's part (docs/friction.md). all: what the load is multiplied by;
   // longest: the square of the longest side of the triangle, or of the edge, or more.
   FORCESHADE_INLINE bool surely_brings_nearer(std::uint32_t left, double all, double longest) const noexcept {
@@ -81,8 +81,8 @@ class Friction {
     return stages_.sure(3 * gone * (load_.pull.value - load_.pull.error) > (1 + 0x1p-20) * longest * all);
   }
 
-  // Where it is not held: how much of the way to p's nearest point it stays behind, in units of 2^-24, which is less than 2^24:
-  // the most with which (share t)² <= (μd z)².
+  // The part of the way to p's nearest point that it stays behind if it is not held, in units of 2^-24, which is less than
+  // 2^24: the most with which (share t)² <= (μd z)².
   FORCESHADE_INLINE std::uint32_t share_left() const noexcept {
     if (of_.dynamic_friction == 0) return 0;
     if (of_.dynamic_friction < HUGE_VALF) {
@@ -127,7 +127,7 @@ class Friction {
   const Exact& exact_;
 };
 
-// Where the god-object is after it has gone all but `left` of the way from the weight G/2^24 to that of p's nearest point,
+// The god-object's weight after it has gone all but `left` of the way from the weight G/2^24 to that of p's nearest point,
 // q/all: over all.
 FORCESHADE_INLINE DoubleWithError weight_after(std::uint32_t left, std::uint32_t G, const DoubleWithError& q,
                                                const DoubleWithError& all) noexcept {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which way the surface leads from a point of it, and on which side of it a direction points: docs/god-object.md, "Directions".
+// Finds the way that the surface leads from a point of it, and the side of it to which a direction points:
+// docs/god-object.md, "Directions".
 
 #include "fast/meshes/decide.h"
 
 namespace forceshade::fast {
 
-// Where a direction points, seen from a point of the surface.
+// The side to which a direction points, seen from a point of the surface.
 enum class Aim { on, open, front, back };
 
 // The steepest way along the surface.
@@ -28,13 +29,13 @@ FORCESHADE_INLINE Aim aim_between(const Mesh& mesh, HalfEdge h, int first, int s
   return (is_narrow ? first > 0 && second > 0 : first > 0 || second > 0) ? Aim::front : Aim::back;
 }
 
-// How a direction d at an edge lies to a triangle there: the signs of n·d, and of (e x d)·n, which is positive where d leads
-// from the edge into the triangle.
+// The position of a direction d at an edge relative to a triangle there: the signs of n·d, and of (e x d)·n, positive where d
+// leads from the edge into the triangle.
 struct Beside {
   int side = 0, inward = 0;
 };
 
-// Where d points from a point inside the edge h. second: of the triangle beyond the edge; at the rim there is none.
+// The side to which d points from a point inside the edge h. second: of the triangle beyond the edge; at the rim there is none.
 FORCESHADE_INLINE Aim aim_beside(const Mesh& mesh, HalfEdge h, const Beside& first, const Beside& second) noexcept {
   if (first.side == 0 && first.inward >= 0) return Aim::on;
   if (mesh.twin(h) == kRim) return Aim::open;
@@ -58,7 +59,7 @@ struct Direction {
   }
 };
 
-// Where one direction at a point leads, on the triangles and edges there.
+// The ways that one direction at a point leads, on the triangles and edges there.
 template <class Stages>
 class Headings {
  public:
@@ -151,7 +152,7 @@ class Headings {
     return {aim, best, triangles};
   }
 
-  // Whether `a` is steeper than `b`, or comes before it where both are alike.
+  // True if `a` is steeper than `b`, or comes before it where both are alike.
   bool is_better(const Slide& a, const Slide& b) const noexcept {
     int sign = 0;
     if (a.along == Slide::Along::triangle && b.along == Slide::Along::triangle) {

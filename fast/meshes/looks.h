@@ -57,7 +57,7 @@ class Looks {
         }
     }
   };
-  // Whether the box meets the way. They are apart if, along an axis, both ends of the way are on one side of the box; or if,
+  // True if the box meets the way. They are apart if, along an axis, both ends of the way are on one side of the box; or if,
   // seen along an axis, all corners of the box are on one side of the way's line. If neither is so, they meet: these are all
   // the separating axes of a box and a segment. Every number below is within kAbout of the true one, where it is a coordinate,
   // and sums of products within kAbout times the sum of the sizes. What binary64 leaves in doubt is decided in integers.

@@ -19,7 +19,7 @@ namespace forceshade::fast {
 
 class HeightMapField;
 
-// How two triangles meet along an edge, seen from in front: n1·(d - a) is > 0, 0 or < 0 (docs/god-object.md).
+// The angle of two triangles along an edge, seen from in front: n1·(d - a) is > 0, 0 or < 0 (docs/god-object.md).
 enum class EdgeAngle : std::uint32_t { narrow, flat, wide };
 
 // A half-edge is 3·face + i: the edge from corner i of the face to corner i + 1. Faces are numbered as they lie in memory.
@@ -115,7 +115,7 @@ class Mesh {
     const Coefficients b = friction_in_triangle(face_of(twin(h)));
     return {std::max(a.static_friction, b.static_friction), std::max(a.dynamic_friction, b.dynamic_friction)};
   }
-  // Whether materials have a stiffness of their own; then that of a face, if its material does. N/mm.
+  // True if materials have a stiffness of their own; then that of a face, if its material does. N/mm.
   bool has_stiffness() const noexcept { return has_stiffness_; }
   std::optional<float> stiffness_in_triangle(std::uint32_t f) const noexcept { return material_of(f).stiffness; }
   // The normals of the three corners of face f; empty where the mesh has none.
@@ -131,7 +131,7 @@ class Mesh {
   std::size_t bytes() const noexcept;
 
  private:
-  // Where there is a material.
+  // The face's material, on a mesh that has materials.
   FORCESHADE_INLINE const mesh::Material& material_of(std::uint32_t f) const noexcept {
     return materials_[material_of_face_.empty() ? 0 : material_of_face_[f]];
   }

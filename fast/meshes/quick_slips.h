@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What friction decides in a triangle, in binary64 and from the grid's parameters alone: nearly every tick in contact is that.
+// Decides for friction in a triangle, in binary64 and from the grid's parameters alone, as nearly every tick in contact does.
 // With (k, l) the parameters of the god-object's point g, and Q those of p's nearest point q of the plane, the pull is
 // |c1 e1 + c2 e2| with c = Q - (k, l), in units of 2^-24 mm; this needs neither g nor p - g. Where a decision is not sure,
 // slips.h takes it from g.
@@ -18,7 +18,7 @@ template <class C, class T>
 FORCESHADE_INLINE constexpr auto pull_squared(const C& c1, const C& c2, const Gram<T>& of) noexcept {
   return c1 * (c1 * of.first + c2 * of.mixed) + c2 * (c1 * of.mixed + c2 * of.second);
 }
-// What a step of the grid adds to the square of the distance from p: a step along the edge whose square is `own`. c: where the
+// The change of the square of the distance from p in a step of the grid along the edge whose square is `own`. c: where the
 // step begins.
 template <class C, class T>
 FORCESHADE_INLINE constexpr auto gain_by_step(const C& own_c, const C& other_c, const T& own, const T& mixed) noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the force at a rest is made of: the way from the hand's position p to r, normals, edges and weights, in the numbers of
+// The parts of the force at a rest: the way from the hand's position p to r, normals, edges and weights, in the numbers of
 // any stage. r follows from the goal that the god-object went for, which may be another point than p.
 
 #include <array>
@@ -81,9 +81,9 @@ class RestNumbers {
   const Mesh& mesh() const noexcept { return mesh_; }
   const Spot& spot() const noexcept { return spot_; }
   Rest rest() const noexcept { return rest_; }
-  // Whether the way, or what of it presses, is a foot's: at a right angle to the triangle or edge.
+  // True if the way, or what of it presses, is a foot's: at a right angle to the triangle or edge.
   bool is_at_foot() const noexcept { return (rest_ != Rest::at_spot || is_pulled()) && ends_.are_one(); }
-  // Whether friction takes a part of the force: then q is p's nearest point of the plane or line along which the hand pulls.
+  // True if friction takes a part of the force: then q is p's nearest point of the plane or line along which the hand pulls.
   bool is_pulled() const noexcept { return rest_ == Rest::at_spot && pull_.along != Slide::Along::nothing; }
 
   Way3<N> way() const noexcept {

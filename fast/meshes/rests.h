@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where a god-object comes to rest and what its state keeps of that: rules 3 and 4 of docs/god-object.md.
+// Finds where a god-object comes to rest, and rounds it to a state: rules 3 and 4 of docs/god-object.md.
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,8 @@
 
 namespace forceshade::fast {
 
-// How the exact point r of a rest, which decides the force, follows from the state and from p, the goal of the walk.
+// The way in which the exact point r of a rest, which decides the force, follows from the state and from p, the goal of the
+// walk.
 enum class Rest {
   none,         // free
   at_spot,      // r = g: the state itself
@@ -103,7 +104,7 @@ class Rests {
     return {mesh::Place::triangle, side, 3 * f, {k, l}, {}};
   }
 
-  // Whether the spot, whose parameters are those of q rounded, is q.
+  // True if the spot, whose parameters are those of q rounded, is q.
   FORCESHADE_INLINE bool is_nearest_already(std::uint32_t f, const Weights& weights) const noexcept {
     for (std::size_t i = 0; i < 2; ++i) {
       const int sign = compare_with_halves(weights.corner[i + 1], weights.all, 2 * spot_.weight[i], stages_, [&] {
@@ -128,7 +129,7 @@ class Rests {
     return cell.floor + (is_upper ? 1 : 0);
   }
 
-  // Whether the rounded point is nearer to p.
+  // True if the rounded point is nearer to p.
   [[gnu::noinline]] bool is_nearer(const Spot& to) const noexcept {
     const Point here = point_of(mesh_, spot_), there = point_of(mesh_, to);
     const auto length = [&](const Point& point) -> DoubleWithError {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How large a predicate and its rounding error can be: the number on which the compiler runs a predicate's own text, once, to
+// Bounds a predicate and its rounding error: the number on which the compiler runs a predicate's own text, once, to
 // find the constant of its error bound.
 
 namespace forceshade::fast {

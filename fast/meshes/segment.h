@@ -30,7 +30,7 @@ class Segment {
   using End = Vector3<FixedInteger<kEnd>>;
   Segment(const End& from, const End& to, const FixedInteger<kScale>& scale) noexcept : from_(from), to_(to), scale_(scale) {}
 
-  // How far along the way it meets a feature, as num/den from 0 to 1.
+  // The share of the way at which it meets a feature, as num/den from 0 to 1.
   struct Fraction {
     FixedInteger<2 * kEnd + 142> num, den;
   };
@@ -59,7 +59,7 @@ class Segment {
     meets(Hit::Part::triangle, 0, where);
   }
 
-  // Where it goes through the triangle's plane, its ends being on either side.
+  // The place where it goes through the triangle's plane, its ends being on either side.
   Fraction through(const Face& f) const noexcept {
     const ExactFace face(f);
     return between(dot(face.n, from_ - corner(f, 0)), dot(face.n, to_ - corner(f, 0)));

@@ -10,8 +10,8 @@
 
 namespace forceshade::fast {
 
-// advance() in binary64 first, which raises `stage` to the last one that it needs. Its code takes long to compile, so there is one
-// copy.
+// advance() in binary64 first, which raises `stage` to the last one that it needs. Its code takes long to compile, so there is
+// one copy.
 void advance_filtered(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
                       mesh::Contact contact, Stage& stage, mesh::Tick& tick) noexcept;
 
@@ -71,7 +71,7 @@ class MeshSession final : public TickSession {
   }
   // The ball's radius leaves room for these roundings.
   FORCESHADE_INLINE bool is_in_ball(const std::array<float, 3>& p) const noexcept { return off_centre(p) < square_; }
-  // Whether the god-object is free and the ball proves that it still is when it has followed the hand to p.
+  // True if the god-object is free and the ball proves that it still is when it has followed the hand to p.
   FORCESHADE_INLINE bool stays_free(const std::array<float, 3>& p) const noexcept {
     return at_.spot.place == mesh::Place::free && is_in_ball(p);
   }

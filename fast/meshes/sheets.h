@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where a god-object goes, on a mesh whose sheets may cross each other, when its own way is blocked (docs/god-object.md,
+// Finds where a god-object goes, on a mesh whose sheets may cross each other, when its own way is blocked (docs/god-object.md,
 // "Meshes that intersect themselves").
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace forceshade::fast {
 
-// How many tries a detour or a landing has left: points of the grid that it may consider, lines and sheets that it may look at.
+// The tries that a detour or a landing has left: points of the grid that it may consider, lines and sheets that it may look at.
 class Tries {
  public:
   static constexpr int kMost = 256;  // of one detour or landing
@@ -37,7 +37,7 @@ class Sheets : Ways<Stages> {
 
   Sheets(const Mesh& mesh, const float* p, const Stages& stages) noexcept : Ways<Stages>(mesh, stages), p_(p) {}
 
-  // Whether a flight from g that met the surface in `hit`, `left`/`all` of it being left there, may be rounded to c.
+  // True if a flight from g that met the surface in `hit`, `left`/`all` of it being left there, may be rounded to c.
   bool is_apart(const Point& g, const Hit& hit, const FixedInteger<304>& left, const FixedInteger<304>& all,
                 const Spot& c) const noexcept {
     const Place end = place_at(c);
@@ -134,7 +134,7 @@ class Sheets : Ways<Stages> {
     return std::nullopt;
   }
 
-  // Where the god-object goes instead of to e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
+  // The god-object's goal in place of e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
   std::optional<Spot> detour(const Spot& from, const Spot& e, std::uint32_t carrier, const Block& block,
                              Tries& tries) const noexcept {
     Nearest best;
@@ -208,7 +208,7 @@ class Sheets : Ways<Stages> {
     return found;
   }
 
-  // Whether a direct way from g to c is clear; sets c's side.
+  // True if a direct way from g to c is clear; sets c's side.
   bool arrives(const Place& g, const Spot* from, Spot& c) const noexcept {
     const Place end = place_at(c);
     const ExactOffset u = offset(g.exact, end.exact);

@@ -10,7 +10,7 @@
 
 namespace forceshade::fast {
 
-// What a move leads to: another one, a rest, or the end of the tick's moves.
+// The consequence of a move: another one, a rest, or the end of the tick's moves.
 enum class Step { onward, rest, exhausted };
 
 template <class Stages>
@@ -26,7 +26,7 @@ class Slips : protected Rests<Stages> {
   // The most moves of the tick. Once it has looked at so many triangles, these are the moves that it has made.
   FORCESHADE_INLINE int most_moves() const noexcept { return at_.looks < kMostLooks ? kMostMoves : at_.moves; }
 
-  // How a flight begins, as far as it and what follows depend on that.
+  // The beginning of a flight, as far as it and the next moves depend on it.
   struct Beginning {
     Spot spot;
     int moves, looks, tries;
@@ -43,7 +43,7 @@ class Slips : protected Rests<Stages> {
     at_.to_hand = {};
   }
 
-  // How p lies to a triangle.
+  // The position of p relative to a triangle.
   struct Facing {
     FaceNumbers numbers;
     Vector3<double> w;       // p less the first corner
@@ -128,7 +128,7 @@ class Slips : protected Rests<Stages> {
     return Step::exhausted;
   }
 
-  // Whether the triangle beyond the edge h is the steeper way: both lead inward.
+  // True if the triangle beyond the edge h is the steeper way: both lead inward.
   [[gnu::noinline]] bool is_second_nearer(HalfEdge h) const noexcept {
     const Point corner = Point::at(mesh_.start_point(h));
     const Vector3<double> w = difference(p_.data(), corner.corner[0]);
@@ -146,7 +146,7 @@ class Slips : protected Rests<Stages> {
     return fast::times(static_cast<double>(weight), a);
   }
   static FixedInteger<25> integer(std::uint32_t weight) noexcept { return FixedInteger<25>(static_cast<std::int64_t>(weight)); }
-  // Whether the god-object may leave the surface that way.
+  // True if the god-object may leave the surface that way.
   bool is_own(Aim aim) const noexcept {
     return aim == Aim::open || aim == (spot_.side == mesh::Side::front ? Aim::front : Aim::back);
   }
@@ -279,7 +279,7 @@ class Slips : protected Rests<Stages> {
   using Rests<Stages>::put, Rests<Stages>::is_nearer, Rests<Stages>::rounded_in_triangle, Rests<Stages>::rounded_on_edge,
       Rests<Stages>::exact_foot, Rests<Stages>::largest;
 
-  // What the tick has looked at after a flight from g.
+  // The looks of the tick after a flight from g.
   void count_looks(const Flight<Stages>& flight, const Point& g, const Beginning& before) noexcept {
     constexpr int kFewLooks = 512;  // counting them exactly would take longer than the flight
     const bool is_exact = counts_exactly_ || flight.looks() > kFewLooks;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the god-object is, by the mesh's own numbering: what include/forceshade/mesh.h states by the file's.
+// The god-object's place by the mesh's own numbering: include/forceshade/mesh.h states it by the file's.
 
 #include <algorithm>
 
@@ -103,7 +103,7 @@ inline float stiffness_at(const Mesh& mesh, const Spot& spot, float usual) noexc
   return largest;
 }
 
-// Whether the triangle holds the spot.
+// True if the triangle holds the spot.
 inline bool touches(const Mesh& mesh, const Spot& spot, std::uint32_t face) noexcept {
   switch (spot.place) {
     case mesh::Place::vertex: {

@@ -88,7 +88,7 @@ class Walk : Slips<Stages> {
     if constexpr (kHasFriction) at_.is_slipping = true;
     return onward(to);
   }
-  // Where another sheet is in the way; none where it is clear. The move is counted already.
+  // The step around a sheet that is in the way; nothing where it is clear. The move is counted already.
   [[gnu::noinline]] std::optional<Step> diverted(const Spot& to, std::uint32_t f) noexcept {
     const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
     const auto block = sheets.block(spot_, to, f);
@@ -205,7 +205,7 @@ class Walk : Slips<Stages> {
     return slide_in(f, Facing(mesh_.face(f), p_.data(), stages_));
   }
 
-  // Whether a move that ends there is no rest. At a vertex it makes no difference: that is a point of the grid.
+  // True if a move that ends there is no rest. At a vertex it makes no difference: that is a point of the grid.
   FORCESHADE_INLINE bool is_rough(HalfEdge h) const noexcept {
     if constexpr (kHasFriction) return mesh_.friction_on_edge(h).is_rough();
     return false;

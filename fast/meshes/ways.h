@@ -15,7 +15,7 @@ namespace forceshade::fast {
 template <class Stages>
 class Ways {
  public:
-  // Where a way is blocked, from 0 to 1 along it; 1 where its end lies on another feature, too.
+  // The place where a way is blocked, from 0 to 1 along it; 1 where its end lies on another feature, too.
   struct Block {
     typename GridSegment::Fraction s;
     HalfEdge half = 0;  // as Spot::half
@@ -59,7 +59,7 @@ class Ways {
     return {dot(numbers.n, w), numbers.area * (kAcross.error * size_of(w) + 8 * kAbout)};
   }
 
-  // Whether a way between two such points surely passes the triangle by: both are beyond the plane through one of its edges
+  // True if a way between two such points surely passes the triangle by: both are beyond the plane through one of its edges
   // that is at a right angle to it.
   bool surely_passes_by(const Face& face, const FaceNumbers& numbers, const Vector3<double>& from,
                         const Vector3<double>& to) const noexcept {
@@ -100,15 +100,15 @@ class Ways {
     return {to.x - from.x, to.y - from.y, to.z - from.z};
   }
 
-  // Whether a move in direction u may not go on at a point of the feature.
+  // True if a move in direction u may not go on at a point of the feature.
   bool is_blocked(const FeatureKey& key, HalfEdge half, const ExactOffset& u) const noexcept {
     const Aim from = aim_at(key, half, opposite(u)), onward = aim_at(key, half, u);
     const bool leaves = mesh_.sides() == mesh::Sides::front && from == Aim::back && onward == Aim::front;
     return onward != Aim::open && onward != from && !leaves;
   }
 
-  // Where a way between two points, which are good to kAbout, meets a triangle, as far as binary64 can decide it. Inwards and
-  // outwards: through its inside, from its front or to it.
+  // The meeting of a way between two points, which are good to kAbout, and a triangle, as far as binary64 decides it. Inwards
+  // and outwards: through its inside, from its front or to it.
   enum class Meeting { none, inwards, outwards, unknown };
   // inside: a triangle that the way lies in, and so meets no triangle with which that has a vertex in common.
   Meeting meeting(const Face& face, const Vector3<double>& from, const Vector3<double>& to, const Face* inside) const noexcept {
@@ -137,10 +137,10 @@ class Ways {
     if (!stages_.sure(is_through)) return Meeting::unknown;
     return is_inwards ? Meeting::inwards : Meeting::outwards;
   }
-  // Whether a way may not go on where it meets a triangle in its inside.
+  // True if a way may not go on where it meets a triangle in its inside.
   bool is_blocked(Meeting meeting) const noexcept { return meeting == Meeting::inwards || mesh_.sides() == mesh::Sides::both; }
 
-  // Whether nothing blocks the way to c, whose place is `to`.
+  // True if nothing blocks the way to c, whose place is `to`.
   bool is_clear(const Place& from, const Place& to, const Spot& c, const Face* inside) const noexcept {
     const ExactOffset u = offset(from.exact, to.exact);
     if (is_zero(u)) return true;

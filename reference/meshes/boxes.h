@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which features a straight way may meet: boxes of binary64 numbers around points in exact numbers, and a tree of them. Only
+// Finds the features that a straight way may meet: boxes of binary64 numbers around exact points, and a tree of them. Only
 // what is proved to be apart is left out; exact numbers decide the rest.
 
 #include <array>
@@ -21,7 +21,7 @@ struct Box {
   bool is_apart(const Box& other) const;
 };
 
-// What features are searched for: those that may have a point of a box, or of a straight way.
+// The region in which features are searched for: those that may have a point of a box, or of a straight way.
 class Reach {
  public:
   explicit Reach(const Box& box) : box_(box) {}

@@ -23,7 +23,7 @@ std::optional<Crossing> with_vertex(const Vector& vertex, std::size_t index, con
   return Crossing{std::move(s), {{Place::vertex, index}, {}}};
 }
 
-// Where both lines have one point in common: g + s u = a + t e, with u x e not 0.
+// The one point that both lines have in common: g + s u = a + t e, with u x e not 0.
 std::optional<Crossing> with_edge(const Vector& e, const Vector& a, std::size_t index, const Vector& g, const Vector& u) {
   const Vector across = cross(u, e), w = a - g;
   if (is_zero(across) || !dot(w, across).is_zero()) return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<Crossing> with_edge(const Vector& e, const Vector& a, std::size_t 
   return Crossing{std::move(s), {{Place::edge, index}, {std::move(t), {}}}};
 }
 
-// Where the line passes through the plane inside the triangle. The weights of the corners a, b, c at that point are in the
+// The point where the line passes through the plane inside the triangle. The weights of the corners a, b, c there are in the
 // ratio of the determinants of u with the sides opposite to them, as they are seen from g; these add up to normal·u.
 std::optional<Crossing> with_triangle(const Surface& surface, std::size_t index, const Vector& g, const Vector& u,
                                       const Integer& scale) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where a straight flight meets the surface.
+// Finds where a straight flight meets the surface.
 
 #include <optional>
 #include <vector>
@@ -28,11 +28,12 @@ class Crossings {
   // triangle's plane, or along an edge, only the points at which it meets that triangle's border, or that edge's ends. So the
   // first point of every part of the flight that is in the surface is one of them, unless that part begins at g.
   std::vector<Crossing> between(const Vector& g, const Vector& p) const;
-  // Whether the point `over`/`scale` of the surface is in one feature alone, and there is nothing such from it to e. It is in
+  // True if the point `over`/`scale` of the surface is in one feature alone, and there is nothing such from it to e. It is in
   // the box around `ends`.
   bool is_alone(const Vector& over, const Integer& scale, const Vector& e, const std::array<Vector, 2>& ends) const;
 
-  // How many triangles have a box, along the axes, that a flight towards p meets from g to the share s of the way there.
+  // The number of triangles that have a box, along the axes, that a flight towards p meets from g to the share s of the way
+  // there.
   std::size_t looks(const Vector& g, const Vector& p, const Fraction& s) const;
 
   // The features that a point lies in, in the same order: more than one only where sheets meet.

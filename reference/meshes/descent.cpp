@@ -14,7 +14,7 @@ using mesh::Side;
 using mesh::Sides;
 using mesh::TickStatus;
 
-// How a flight or a slide ends.
+// The end of a flight or a slide.
 struct Stopped {  // on the surface, not at rest
   SurfacePoint x;
   Side side;
@@ -214,7 +214,8 @@ class Tick {
     return along.place == Place::edge ? surface_.edges()[along.index].triangles[0] : along.index;
   }
 
-  // Where a flight or a slide that does not end free meets the surface, on which side, and where its end is rounded to.
+  // The point where a flight or a slide that does not end free meets the surface, its side, and the point its end is rounded
+  // to.
   SurfacePoint point_of(const End& end) const {
     if (const auto* stopped = std::get_if<Stopped>(&end)) return stopped->x;
     return foot(surface_, std::get<Rested>(end).feature, p_);
@@ -228,7 +229,7 @@ class Tick {
     return std::holds_alternative<Stopped>(end) ? rounded_towards(surface_, point, p_) : rounded_inside(point);
   }
 
-  // Whether no other sheet is between the point that a flight ends in and the point of the grid.
+  // True if no other sheet is between the point that a flight ends in and the point of the grid.
   bool may_land(const Vector& g, const End& end) const {
     const GridPoint c = grid_point_of(end);
     const auto* stopped = std::get_if<Stopped>(&end);

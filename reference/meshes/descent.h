@@ -9,7 +9,7 @@
 
 namespace forceshade::reference::meshes {
 
-// What a god-object moves on. All of it has to outlive who holds this.
+// The surface that a god-object moves on. All of it has to outlive the holder of this.
 struct Ground {
   const Surface& surface;
   const Crossings& crossings;
@@ -18,7 +18,7 @@ struct Ground {
   const SurfaceMaterials& materials;           // where ways are tested, none is rough
 };
 
-// Where the god-object rests: r, exactly, and D = r - p, p being the hand's position. D = D_n + D_t, where D_t is along the
+// A rest of the god-object: r, exactly, and D = r - p, p being the hand's position. D = D_n + D_t, where D_t is along the
 // surface, and 0 where friction does not hold the god-object.
 struct Rest {
   SurfacePoint r;

@@ -10,7 +10,7 @@ namespace {
 
 using mesh::Place;
 
-// Whether u's projection is strictly inside the half-plane or the sector that the triangle is at a point of its border.
+// True if u's projection is strictly inside the half-plane or the sector that the triangle is at a point of its border.
 bool projection_is_inside(const Triangle& triangle, const Feature& feature, const Vector& u) {
   if (feature.place == Place::edge) {
     const auto side = std::ranges::find(triangle.edges, feature.index) - triangle.edges.begin();

@@ -6,7 +6,7 @@
 
 namespace forceshade::reference::meshes {
 
-// What a direction u at a point can do: it lies on the surface, passes it at the rim, or points to one side.
+// The kinds of a direction u at a point: it lies on the surface, passes it at the rim, or points to one side.
 enum class DirectionKind { on, open, front, back };
 
 // With v the unit direction along the surface that has the largest u·v.

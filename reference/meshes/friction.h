@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What friction decides (docs/friction.md): whether it holds the god-object, and how far it lets it slip.
+// Decides for friction (docs/friction.md): whether it holds the god-object, and how far it lets it slip.
 
 #include "reference/meshes/surface.h"
 

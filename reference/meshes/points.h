@@ -17,7 +17,7 @@ SurfacePoint exactly(const GridPoint& point);
 // The point nearest to p of a triangle's plane, of an edge's line, or the vertex.
 SurfacePoint foot(const Surface& surface, const Feature& feature, const Vector& p);
 
-// Whether it is inside its feature, its border excluded.
+// True if it is inside its feature, its border excluded.
 bool is_inside(const SurfacePoint& point);
 
 // from + λ (to - from), with 2^24 λ, both points of the plane of one triangle or the line of one edge as foot() gives them.

@@ -165,7 +165,7 @@ std::optional<Reached> Sheets::detour(const Reached& from, const GridPoint& e, s
   return best.best();
 }
 
-// Whether a way of the given square is as long as eight of the longest steps of the triangle's grid. Shorter ones are not gone.
+// True if a way of the given square is as long as eight of the longest steps of the triangle's grid. Shorter ones are not gone.
 bool Sheets::is_long_enough(const Fraction& square, std::size_t triangle) const {
   Integer longest = 0;
   for (const Vector& side : surface_.triangles()[triangle].sides) longest = std::max(longest, Integer(dot(side, side)));

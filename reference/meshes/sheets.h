@@ -10,22 +10,22 @@
 
 namespace forceshade::reference::meshes {
 
-// Where a way is blocked: s from 0 to 1 along it, excluding 0; 1 where its end lies on another feature, too.
+// The place where a way is blocked: s from 0 to 1 along it, excluding 0; 1 where its end lies on another feature, too.
 struct Block {
   Fraction s;
   Feature feature;
 };
 
-// Where a detour ends.
+// The end of a detour.
 struct Reached {
   GridPoint at;
   mesh::Side side;
 };
 
-// How many tries a detour or a landing has left: points of the grid, lines and sheets.
+// The tries that a detour or a landing has left: points of the grid, lines and sheets.
 class Tries {
  public:
-  // Whether there is one more, which is then taken.
+  // Takes one more; false if there is none.
   bool take() {
     if (taken_ == kMost) return false;
     ++taken_;
@@ -45,13 +45,13 @@ class Sheets {
   Sheets(const Surface& surface, const Crossings& crossings, mesh::Sides sides, const Vector& p)
       : surface_(surface), crossings_(crossings), sides_(sides), p_(p) {}
 
-  // Whether a move in direction u may not go on at a point of the feature.
+  // True if a move in direction u may not go on at a point of the feature.
   bool is_blocked(const Feature& feature, const Vector& u) const;
 
   // The first place at which the straight way from g to c is blocked.
   std::optional<Block> block(const Vector& g, const GridPoint& c) const;
 
-  // Whether a flight from g that has met the surface in x, at `over`/`scale`, may be rounded to c: no other feature is at x or
+  // True if a flight from g that has met the surface in x, at `over`/`scale`, may be rounded to c: no other feature is at x or
   // at c, and none is crossed from one to the other.
   bool is_apart(const Vector& g, const Vector& over, const Integer& scale, const GridPoint& c) const;
 
@@ -60,7 +60,7 @@ class Sheets {
   std::optional<Reached> landing(const Vector& g, const std::optional<Reached>& from, const SurfacePoint& x,
                                  Tries& tries) const;
 
-  // Where the god-object goes instead of to e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
+  // The god-object's goal in place of e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
   std::optional<Reached> detour(const Reached& from, const GridPoint& e, std::size_t carrier, const Block& block,
                                 Tries& tries) const;
 

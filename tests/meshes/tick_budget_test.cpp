@@ -178,7 +178,7 @@ TEST(tick_budget, is_two_to_the_fourteenth_triangles) {
   }
 }
 
-// What one tick takes: looks and moves, each of which looks at a triangle or two more.
+// The work of one tick: looks and moves, each of which looks at a triangle or two more.
 struct Cost {
   int looks = 0, moves = 0;
   double microseconds = 0;

@@ -37,7 +37,7 @@ TEST(worst_tick, is_unfinished_among_needles_and_in_a_valley_of_fans) {
   }
 }
 
-// Where the flight that lands at the vertex looks at all triangles, and so does the tick there.
+// The flight that lands at the vertex looks at all triangles, and so does the tick there.
 TEST(worst_tick, is_at_the_vertex_of_most_triangles) {
   const WorstTick worst = found_on(tests::pole(1000, 5));
   EXPECT_GE(worst.looks, 2000);

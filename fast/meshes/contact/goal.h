@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a contact rule gives in real time: the point that the god-object went for; and that point beside the hand's position.
+// A contact rule's answer in real time: the point that the god-object went for; and that point beside the hand's position.
 
 #include <array>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a shading scheme gives in real time.
+// The answer of a shading scheme in real time.
 
 #include "fast/meshes/rest_numbers.h"
 

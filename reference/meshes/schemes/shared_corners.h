@@ -14,7 +14,7 @@ class SharedCorners : public Scheme {
   Direction direction(const Rest& rest) const final;
 
  protected:
-  // Whether two triangles at a vertex have the same corner there.
+  // True if two triangles at a vertex have the same corner there.
   virtual bool are_same(std::size_t first, std::size_t second, std::size_t vertex) const = 0;
   // N, times the sum of the weights and a constant of the scheme, of a triangle at the point with these weights of its corners.
   virtual Vector interpolated(std::size_t triangle, const std::array<Integer, 3>& weights) const = 0;
