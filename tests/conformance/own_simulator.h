@@ -115,6 +115,8 @@ struct Defect {
   std::function<void(World&, const Step&)> stepped = {};
   bool takes_any_force = false;
   SimulatorCapabilities::Reports reports = SimulatorCapabilities::Reports::force;
+  double smallest_radius = 0;            // m, declared as the next one is
+  std::optional<double> speed_cap = {};  // m/s
 };
 
 class OwnSimulator final : public SimulatorUnderTest {
@@ -127,6 +129,8 @@ class OwnSimulator final : public SimulatorUnderTest {
       world_.ground = Ground(scene);
     if (defect_.opened) defect_.opened(world_);
     its_.reports = defect_.reports;
+    its_.smallest_radius = defect_.smallest_radius;
+    its_.speed_cap = defect_.speed_cap;
     its_.refusal = world_.refusal;
     world_.now = beginning();
   }

@@ -48,6 +48,23 @@ export function refusesWrongArguments(library, ForceshadeError) {
         assert.ok(error.message.length > 0 && error.message.length < 300 && !error.message.includes("\0"), error.message);
       }
 
+  // Where WebAssembly takes the lowest 32 bits of a number; the largest that these hold is no matter of the range.
+  const wholeNumbers = () => [
+    ["triangles", (value) => mesh({ triangles: [0, 1, value] })],
+    ["materialOfTriangle", (value) => mesh({ materials: [{}], materialOfTriangle: [value] })],
+    ["columns", (value) => map({ columns: value })],
+    ["rows", (value) => map({ rows: value })],
+    ["object", (value) => scene.object(value)],
+    ...["index", "parameter"].flatMap((key) =>
+      [0, 1].map((at) => [key, (value) => path.resume({ ...state, [key]: at === 0 ? [value, 0] : [0, value] })])),
+  ];
+  for (const [what, call] of wholeNumbers())
+    try {
+      call(0xffffffff);
+    } catch (error) {
+      assert.doesNotMatch(error.message, /expected whole numbers/, what);
+    }
+
   for (const [words, call] of [
     [/^law: expected one of wall, cylinder, .*, got the text "nope"$/, () => library.law("nope")],
     [/^law: expected one of wall, .*, got undefined$/, () => library.law()],
@@ -76,6 +93,13 @@ export function refusesWrongArguments(library, ForceshadeError) {
     [/^state: expected a state, as state\(\) answers it, got undefined$/, () => path.resume()],
     [/^side: expected one of front, back, got the text "left"$/, () => path.resume({ ...state, side: "left" })],
     [/^feature: expected a text, got undefined$/, () => library.has()],
+    [/^translation: expected an array of 3 numbers, got an array of 4$/, () => scene.step([0, 0, 0], [{ ...pose, translation: [0, 0, 0, 0] }])],
+    [/^rotation: expected an array of 4 numbers, got an array of 3$/, () => scene.step([0, 0, 0], [{ ...pose, rotation: [1, 0, 0] }])],
+    [/^edge: expected a text without NUL, got the text "tile\\u0000"$/, () => map({ edge: "tile\0" })],
+    [/^law: expected one of .*, got the text "x{40}…"$/, () => library.law("x".repeat(41))],
+    [/^law: expected one of .*, got the text "x{40}"$/, () => library.law("x".repeat(40))],
+    ...wholeNumbers().flatMap(([what, call]) =>
+      [2 ** 32, -1, 0.5, NaN].map((value) => [new RegExp(`^${what}: expected whole numbers from 0, got the number ${value}$`), () => call(value)])),
   ])
     assert.throws(call, (error) => error instanceof ForceshadeError && error.result === "BAD_VALUE" && words.test(error.message), String(call));
 

@@ -188,7 +188,8 @@ def test_a_thread_that_rounds_otherwise(bump):
 
     def use():
         libm.fesetround(0x800)  # upwards, on x86
-        for call in (bump.forces, bump.answers, session.steps):
+        states = np.zeros(1, forceshade.STATE)
+        for call in (bump.forces, bump.answers, session.steps, lambda at: bump.advance(states, at)):
             refused(forceshade.Error, "expected the arithmetic of IEEE 754, rounded to nearest", call, [[0, 0, -1]])
         refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.Session, bump)
         refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.Law, "wall", stiffness=1)
