@@ -8,7 +8,9 @@
 #include <limits>
 
 #include "forceshade/subjects.h"
+#include "properties/conformance/report/figures.h"
 #include "properties/conformance/report/page.h"
+#include "tests/conformance/made_judgement.h"
 #include "tests/support/has.h"
 #include "tests/support/html.h"
 #include "tests/support/temporary_directory.h"
@@ -147,6 +149,37 @@ TEST(conformance_page, shows_a_mesh_with_its_edges_and_a_height_map_from_above) 
   const std::string of_map = page_of(run_of(map, 300, right_one), map, Pictures::all);
   EXPECT_TRUE(has(of_map, "from above: <i>x</i> and <i>y</i>"));
   EXPECT_FALSE(has(of_map, "The lines are"));
+}
+
+TEST(conformance_page, says_each_number_of_a_judgement_where_it_belongs) {
+  Conformance found;
+  found.identity = properties::subject_of(kBump)->identity();
+  found.judgement = made_judgement();
+  const std::string page = page_of(found, kBump, Pictures::all);
+  for (const char* part :
+       {"Of 100 answers, 40 are the exact force rounded to binary32",
+        "3 answers at positions that the definition did not decide are not judged. 1 answer for which the definition’s "
+        "god-object did not come to rest are not judged.",
+        "5\u202Fulp<br>0.5\u202FN<br>25\u202F%", "All 100 answers that were judged.",
+        "A position for each of 2\u202F048 of 3\u202F000 wrong answers, and for all 40 right ones"})
+    EXPECT_TRUE(has(page, part)) << part;
+  // The bins of both distributions in their order, below their bars.
+  const auto labels = [&](const char* id) {
+    const std::size_t begin = page.find(std::string("id=\"") + id), end = page.find("</svg>", begin);
+    std::string all;
+    for (const std::string& label : tests::matches(page.substr(begin, end - begin), "<tspan[^>]*>([^<]*)</tspan>"))
+      all += label + ' ';
+    return all;
+  };
+  EXPECT_TRUE(has(labels("errors-ulp"), " 0 4 32 2 8  2 11  2 14 "));
+  EXPECT_TRUE(has(labels("errors-newton"), " 0 10 -3  10 -2  10 -1  10 0  10 1  10 2  10 3  10 4  10 5  more "))
+      << labels("errors-newton");
+}
+
+// One in two of more than 2000.
+TEST(conformance_page, says_how_many_samples_of_a_recording_it_draws) {
+  for (const auto& [count, said] : {std::pair(2000, "All 2\u202F000 samples"), {2001, "One in 2 of 2\u202F001 samples"}})
+    EXPECT_TRUE(has(course_figure(1, std::vector<TimedForce>(static_cast<std::size_t>(count))), said)) << said;
 }
 
 }  // namespace

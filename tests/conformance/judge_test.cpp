@@ -9,6 +9,7 @@
 
 #include "forceshade/subjects.h"
 #include "properties/conformance/judgement_text.h"
+#include "tests/conformance/made_judgement.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::conformance {
@@ -156,6 +157,23 @@ TEST(judgement, is_said_in_words_with_a_case_to_paste_and_as_json) {
     EXPECT_NE(words.find(part), std::string::npos) << part << "\n" << words;
   for (const char* part :
        {"\"schema\": \"forceshade judgement 1\"", "\"held\": false", "\"wrong\": 1", "\"2.51374520880613724883", "mine.csv:3"})
+    EXPECT_NE(json.find(part), std::string::npos) << part << "\n" << json;
+}
+
+TEST(judgement, says_each_of_its_numbers_where_it_belongs) {
+  const Identity identity = identity_of(LawId::bump_2p, {15.24F, 25.4F, 0.5F});
+  const std::string words = words_of(made_judgement(), identity, {}), json = json_of(made_judgement(), identity, {}).dump();
+  for (const char* part :
+       {"bump-2p: correctly rounded 40 of 100 (40 %)\n", "not judged, because the definition was not decided: 3\n",
+        "not judged, because the definition's god-object did not come to rest: 1\n",
+        "ulp from it: 0: 40; 1: 5; 2 to 3: 6; 4 to 7: 7; no number: 42\n", "wrong, aimed at surface: 56 of 90 (62.22 %)\n",
+        "wrong, aimed at tie: 4 of 10 (40 %)\n", "the largest error in ulp: 5 ulp, 0.5 N, 25 % of the force\n",
+        "FAILED: 50 of 100 (50 %) within the tolerance"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << "\n" << words;
+  for (const char* part :
+       {R"("undecided":3,"unfinished":1)", R"({"ulp":"4 to 7","cases":7})", R"({"ulp":"no number","cases":42})",
+        R"({"at_most":"1e-45","cases":40},{"at_most":"1e-3","cases":10},{"at_most":"1e5","cases":8})",
+        R"({"at_most":null,"cases":42})", R"("surface":{"cases":90,"wrong":56,"beyond_tolerance":47})"})
     EXPECT_NE(json.find(part), std::string::npos) << part << "\n" << json;
 }
 

@@ -51,7 +51,7 @@ std::string words_of(const std::string& html) {
 TEST(report, has_each_number_in_its_place) {
   Certificate certificate = tests::made_certificate_with_sweeps();
   SubjectResult &failed = certificate.subjects[0], &few = certificate.subjects[1], &map = certificate.subjects[2];
-  failed.mismatches = 2;
+  failed.mismatches = 4;
   failed.counterexamples = {"at 1", "at 2"};
   failed.spread.mismatches = 3;
   failed.spread.counterexamples = {"with K = 3"};
@@ -70,20 +70,20 @@ TEST(report, has_each_number_in_its_place) {
   few.seeds = {3};
   map.unit_directions = false;
   map.energy.clear();
-  map.points_by_instruction_set.erase("avx2");
+  few.points_by_instruction_set.erase("avx2");
   certificate.sweeps.results[1].mismatches = 1;
   certificate.sweeps.counterexamples = {"at 3"};
   const std::string words = words_of(to_html(certificate, Pictures::none));
   const std::string kappa = "3 × 10−7 ulp / x = 1.5; ";
   for (const std::string& part : std::vector<std::string>{
            "forceshade 0.1.0: certificate of the fast path\nFailed\n"
-           "Among 2 000 to 1 000 000 points per subject, and of 500 to 250 000 per subject with other parameters, 5 answers of "
+           "Among 2 000 to 1 000 000 points per subject, and of 500 to 250 000 per subject with other parameters, 7 answers of "
            "the fast path differ from the exact force rounded to binary32 (nearest, ties to even).\n"
            "A counterexample was found to: continuity of bump-2p.\n"
            "Exhaustive sweeps over 3 000 inputs found 1 wrong answer.\nIt opens no device.\n",
            "\nsubject|standing|parameters|points|mismatches|binary64|double-double|wide|equivalence|continuity|unit normals|"
            "passivity|closest call|\n"
-           "bump-2p|failed|R = 15.24 mm; w = 25.4 mm; K = 0.5 N/mm|1 000 000 / and 250 000|2 / and 3|5|6|7|held / 11 cases|"
+           "bump-2p|failed|R = 15.24 mm; w = 25.4 mm; K = 0.5 N/mm|1 000 000 / and 250 000|4 / and 3|5|6|7|held / 11 cases|"
            "failed / 12 cases|held / 13 cases|held / 1 case|" +
                kappa + "z = -0.25|\n" +
                "cylinder|too little to drive|R = 15.24 mm; w = 25.4 mm; K = 0.5 N/mm|2 000 / and 500|0 / and 0|668|666|666|"
@@ -100,7 +100,7 @@ TEST(report, has_each_number_in_its_place) {
            "\nExhaustive sweeps\nlaw|swept|radii, mm|sweeps|inputs|mismatches|\n"
            "bump-2p|the surface at every x of the bump|15.24|1|1 000|0|\nwall|every z, on a chosen x|any|1|2 000|1|\n",
            "every instruction set of the machine: 2.5 s.\n",
-           "\nCounterexamples\nbump-2p: first 2 of 2 wrong answers\nat 1\nat 2\n"
+           "\nCounterexamples\nbump-2p: first 2 of 4 wrong answers\nat 1\nat 2\n"
            "bump-2p: with other parameters, first 1 of 3 wrong answers\nwith K = 3\nbump-2p: continuity\na jump\n"
            "Exhaustive sweeps\nat 3\n",
            "\nThe build that was checked\nversion|0.1.0|\nrevision|c0ffee|\ncompiler|GNU 12.2.0|\n"
@@ -109,6 +109,22 @@ TEST(report, has_each_number_in_its_place) {
                std::string(64, 'a') +
                "|\nprocessor|a processor|\ndate|2026-01-31T23:59:59Z|\nseed|3 and 7|\ntime taken|1.5 s|\n"})
     EXPECT_TRUE(has(words, part)) << part << "\nin\n" << words;
+}
+
+// The points of one subject among several count, whichever it is.
+TEST(report, says_that_points_were_compared_where_one_subject_has_some) {
+  for (const std::size_t with : {0, 1, 2}) {
+    Certificate certificate = tests::made_certificate_with_sweeps();
+    for (std::size_t i = 0; i < certificate.subjects.size(); ++i) {
+      SubjectResult& its = certificate.subjects[i];
+      its.mismatches = its.spread.mismatches = 0;
+      its.points = i == with ? 700 : 0;
+      its.spread.points = i == with ? 50 : 0;
+    }
+    const std::string words = words_of(to_html(certificate, Pictures::none));
+    EXPECT_TRUE(has(words, "At every one of 0 to 700 points per subject, and of 0 to 50 per subject with other parameters, "))
+        << with << words;
+  }
 }
 
 TEST(report, says_how_far_sweeps_went_and_what_they_swept) {

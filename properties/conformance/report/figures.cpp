@@ -145,7 +145,7 @@ std::string course_figure(int number, const std::vector<TimedForce>& course) {
        {"the measured size less the exact one",
         panel("course-off", "The size of the measured force less that of the exact one, over time",
               "$course using 1:4" + line + kMeasured + "'")}},
-      (step == 1 ? "All " : "Each " + grouped(step) + "th of ") + properties::plural(course.size(), "sample") +
+      (step == 1 ? "All " : "One in " + grouped(step) + " of ") + properties::plural(course.size(), "sample") +
           ", after the fit where there is one: without the sensor’s offset and at the position of its lag.");
 }
 
