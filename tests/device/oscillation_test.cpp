@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "device/simulated/simulated.h"
 #include "tests/device/servo_loop_fixture.h"
@@ -93,13 +94,14 @@ TEST(oscillation, gives_the_force_back_after_some_seconds_of_quiet) {
     const float out = 0.3F * std::sin(2 * static_cast<float>(M_PI) * 40 * 0.001F * static_cast<float>(tick));
     gain = watch.next({0, 0, out}, {0, 0, 1 - out});
   }
-  rest(400);
-  EXPECT_NEAR(gain, 0.7, 1e-3);
-  const double before = gain;
-  rest(1000);
-  EXPECT_GT(gain, before + 0.1);
-  EXPECT_LT(gain, 0.95);
-  rest(1500);
+  // Half a second as it is, and then a fifth in a second, smoothed by 10 ms. The last swing ends with the first tick at rest.
+  int rested = 0;
+  for (const auto& [ticks, expected] : {std::pair(400, 0.7), {499, 0.7}, {601, 0.718}, {1401, 0.878}, {1901, 0.978}}) {
+    rest(ticks - rested);
+    rested = ticks;
+    EXPECT_NEAR(gain, expected, 0.003) << ticks;
+  }
+  rest(500);
   EXPECT_EQ(gain, 1);
 }
 

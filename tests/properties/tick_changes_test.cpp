@@ -115,6 +115,8 @@ TEST(tick_changes, on_a_flat_sheet_the_force_changes_by_the_step) {
     ASSERT_TRUE(changes.is_own);
     EXPECT_NEAR(changes.force.bound, kHand.step, 1e-3);
     EXPECT_NEAR(changes.turn.bound, 0, 0.01);
+    EXPECT_GT(changes.force.bound, kHand.step) << "by the grid of the state and the rounding of the force";
+    EXPECT_GT(changes.turn.bound, 0) << "by these, too";
     EXPECT_GE(changes.force.found, 0.99 * kHand.step);
   }
 }
@@ -186,6 +188,19 @@ TEST(tick_changes, what_was_found_happens_there) {
   const TickChanges again = tick_changes(rendering, kHand, {});
   EXPECT_EQ(again.force.found, changes.force.found);
   EXPECT_EQ(words_of(again, kHand), words_of(changes, kHand));
+}
+
+TEST(tick_changes, are_said_to_be_no_smaller_than_they_are) {
+  TickChanges changes;
+  changes.force.bound = 1.23401;
+  changes.force.found = 0.5;
+  changes.turn.bound = 12.3401;
+  changes.turn.found = 0.25;
+  changes.moves = 7;
+  EXPECT_EQ(words_of(changes, kHand),
+            "between two ticks in contact, no more than 1 mm deep, the hand 0.1 mm further (100 mm/s at 1000 ticks a second): "
+            "at most "
+            "1.235 N and 12.35 degrees; found: 0.5 N, 0.25 degrees, and 7 moves of one tick");
 }
 
 TEST(tick_changes, a_longer_step_has_no_smaller_bound) {
