@@ -3,10 +3,15 @@
 
 #include "forceshade/run.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -318,6 +323,59 @@ TEST(record, keeps_the_ticks_where_the_table_cannot_be_made) {
   const std::string kept = said.substr(at + 19, end - at - 19);
   EXPECT_TRUE(kept.starts_with(path + ".partial-")) << kept;
   EXPECT_EQ(recorder::Recording(kept).extent().samples, 1U);
+}
+
+// Another process that has locked a file, as SQLite locks one that it reads or writes.
+class Locker {
+ public:
+  explicit Locker(const std::string& path) {
+    std::array<int, 2> locked{};
+    EXPECT_EQ(::pipe(locked.data()), 0);
+    process = ::fork();
+    if (process == 0) {
+      struct flock lock {};
+      lock.l_type = F_RDLCK;
+      const bool is_held = ::fcntl(::open(path.c_str(), O_RDWR), F_SETLK, &lock) == 0;
+      if (::write(locked[1], "", 1) == 1 && is_held) ::pause();
+      ::_exit(0);
+    }
+    char one = 0;
+    EXPECT_EQ(::read(locked[0], &one, 1), 1);
+    for (const int end : locked) ::close(end);
+  }
+  ~Locker() {
+    ::kill(process, SIGKILL);
+    ::waitpid(process, nullptr, 0);
+  }
+  Locker(const Locker&) = delete;
+  Locker& operator=(const Locker&) = delete;
+
+  pid_t process = 0;
+};
+
+// Whoever has a recording open that has its end only reads it.
+TEST(record, takes_the_place_of_one_that_nobody_writes) {
+  for (const bool has_end : {false, true}) {
+    const tests::TemporaryDirectory directory;
+    const std::string path = directory.file("run.fsr");
+    {
+      recorder::Recorder before(path, {{"law", "wall"}}, recorder::Recorder::Options{});
+      before.push({.tick = 0});
+      if (has_end) before.close("stopped");
+    }
+    const Locker other(path);
+    std::string words;
+    try {
+      Record record(path, {{"law", "cylinder"}}, false, true);
+      record.close("stopped");
+    } catch (const recorder::RecordingError& error) {
+      words = error.what();
+    }
+    EXPECT_EQ(
+        words,
+        has_end ? "" : path + ": cannot replace the recording: the process " + std::to_string(other.process) + " writes it");
+    EXPECT_EQ(recorder::Recording(path).metadata().at("law"), has_end ? "cylinder" : "wall");
+  }
 }
 
 }  // namespace
