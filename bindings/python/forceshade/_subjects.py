@@ -236,6 +236,8 @@ def _materials(
     listed: Sequence[Mapping[str, Any]] = [] if friction is None else [{"friction": friction}]
     numbers: list[int] = []
     if materials is not None:
+        if not isinstance(materials, (tuple, list)) or len(materials) != 2:
+            raise TypeError("materials: expected a pair (list, numbers), the number of its material for each triangle")
         listed, given = materials
         array = np.asarray(given)
         if array.ndim != 1 or array.dtype.kind not in "iu" or (array < 0).any() or (array >= len(listed)).any():
