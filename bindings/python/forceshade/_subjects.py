@@ -231,13 +231,11 @@ def _materials(
     friction: Friction | None, materials: File | Materials | None
 ) -> tuple[list[tuple[float | None, float, float]], list[int]]:
     """A list of (stiffness, static, dynamic), and the number in it of each triangle; no numbers where all have the first."""
-    if isinstance(materials, (str, os.PathLike)):
+    if materials is not None and (not isinstance(materials, (tuple, list)) or len(materials) != 2):
         raise TypeError("a file of materials is for a mesh file; expected a pair (list, numbers) for arrays")
     listed: Sequence[Mapping[str, Any]] = [] if friction is None else [{"friction": friction}]
     numbers: list[int] = []
     if materials is not None:
-        if not isinstance(materials, (tuple, list)) or len(materials) != 2:
-            raise TypeError("materials: expected a pair (list, numbers), the number of its material for each triangle")
         listed, given = materials
         array = np.asarray(given)
         if array.ndim != 1 or array.dtype.kind not in "iu" or (array < 0).any() or (array >= len(listed)).any():

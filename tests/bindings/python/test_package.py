@@ -116,8 +116,8 @@ def test_meshes_may_have_friction_and_materials(tmp_path):
             forceshade.Mesh(corners, faces, stiffness=0.5, friction=wrong)
     with pytest.raises(ValueError, match="0 to 1"):
         forceshade.Mesh(corners, faces, stiffness=0.5, materials=(listed[0], [0, 1, 2, 1]))
-    for wrong in ([{"friction": 1}], ([{"friction": 1}],), 3):
-        with pytest.raises(TypeError, match="materials: expected a pair"):
+    for wrong in ([{"friction": 1}], ([{"friction": 1}],), 3, "soft.toml"):
+        with pytest.raises(TypeError, match="expected a pair"):
             forceshade.Mesh(corners, faces, stiffness=0.5, materials=wrong)
     with pytest.raises(ValueError, match="another contact rule"):
         forceshade.Mesh(corners, faces, stiffness=0.5, friction=1, contact="direct")

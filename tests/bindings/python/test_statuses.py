@@ -26,7 +26,7 @@ ROUGH = forceshade.Mesh(*TETRAHEDRON, stiffness=0.5, shading="none", friction=(0
 BUMP = forceshade.Law("bump-2p", stiffness=0.5)
 
 
-def walk(subject, ticks=1):
+def walk(ticks=1):
     """Positions of SHAPE, for so many ticks; about the tetrahedron, with some that are invalid."""
     random = np.random.default_rng(4)
     at = np.full((*SHAPE, 3), 3, np.float32)
@@ -63,7 +63,7 @@ CALLS = {
 @pytest.mark.parametrize("call", CALLS)
 def test_lie_wherever_their_arrays_lie(call):
     subject, answer = CALLS[call]
-    (at,) = walk(subject)
+    (at,) = walk()
     forces, statuses = one_by_one(subject, at)
     assert set(statuses.ravel()) >= {1, 2}
     arrays = (layouts(SHAPE, np.float32, (3,)), layouts(SHAPE, np.float32, (3,)), layouts(SHAPE, np.uint8))
@@ -79,7 +79,7 @@ def test_of_paths_lie_wherever_their_arrays_lie():
     for places in itertools.product(range(5), range(5), range(5)):
         states, sessions = np.zeros(SHAPE, forceshade.STATE), [Session(ROUGH) for _ in range(48)] if sum(places) == 12 else None
         copied = states.copy()
-        for at in walk(ROUGH, 3):
+        for at in walk(3):
             placed, out, status = (
                 list(layouts(SHAPE, *of))[place]
                 for of, place in zip([(np.float32, (3,)), (np.float32, (3,)), (np.uint8,)], places)
@@ -95,7 +95,7 @@ def test_of_paths_lie_wherever_their_arrays_lie():
 def test_of_a_slipping_path_are_kept_in_its_state():
     states, session = np.zeros((), forceshade.STATE), Session(ROUGH)
     slipping = 0
-    for at in walk(ROUGH, 150):
+    for at in walk(150):
         p = np.nan_to_num(at[0, 0], nan=1)
         force = ROUGH.advance(states, p)
         assert same_bits(force, session.step(*p)) and session.state.slipping == states["slipping"]
