@@ -18,6 +18,7 @@
 #include "recorder/settings.h"
 #include "study/apparatus/bumps.h"
 #include "study/apparatus/certificates.h"
+#include "study/apparatus/latest_tick.h"
 #include "study/apparatus/motion.h"
 #include "study/experiments/protocol.h"
 #include "study/experiments/session_folder.h"
@@ -187,6 +188,18 @@ TEST(apparatus, motion_is_that_of_all_parts_and_says_how_it_was_made) {
     for (auto sample = motion->next(); sample; sample = motion->next()) times.push_back(sample->time);
     EXPECT_EQ(times, (std::vector<double>{1, 1.25, 1.5, 2, 2.25, 2.5, 10, 10.25, 10.5}));
   }
+}
+
+TEST(apparatus, a_loop_ends_at_the_tick_after_somebody_asked) {
+  std::atomic<bool> asked = false, stop = false;
+  LatestTick latest(asked, stop);
+  EXPECT_FALSE(latest.latest());
+  latest.push({.tick = 1});
+  EXPECT_FALSE(stop);
+  asked = true;
+  latest.push({.tick = 2});
+  EXPECT_TRUE(stop);
+  EXPECT_EQ(latest.latest()->tick, 2U);
 }
 
 }  // namespace
