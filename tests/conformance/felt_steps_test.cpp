@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a deviation each invariant of a simulator's steps allows: an exact motion is changed in one thing, by a hundredth
+// The deviation that each invariant of a simulator's steps allows: an exact motion is changed in one thing, by a hundredth
 // less than what is allowed and by a hundredth more.
 
 #include <gtest/gtest.h>
@@ -96,13 +96,13 @@ TEST(felt_steps, are_within_what_is_allowed_or_beyond_it) {
       EXPECT_EQ(its.value > its.allowed, share > 1) << change.invariant << ": " << its.words;
       EXPECT_TRUE(share < 1 || tests::has(its.words, change.words)) << its.words;
     }
-  // Where a step begins or ends in contact, or no more than 1 mm above it, there may be a force.
+  // A step that begins or ends in contact, or no more than 1 mm above it, may have a force.
   for (const auto& [before, now] : {std::pair(0.00099, 0.002), {0.002, 0.00099}, {0.00099, 0.00099}}) {
     Motions run = Bench(open).run_anew(drop);
     pushed_at(before, now)(run, kLoad);
     EXPECT_EQ(felt(kAir, run, kInTheAir).value, 0);
   }
-  // What gives way is looked at where it ends.
+  // A body that gives way is looked at where it ends.
   for (const Constraint constraint : {Constraint::soft, Constraint::penalty}) {
     Motions run = Bench(open).run_anew(slide);
     sinks(constraint, kStep)(run, 0.05);
@@ -110,7 +110,7 @@ TEST(felt_steps, are_within_what_is_allowed_or_beyond_it) {
   }
 }
 
-// What a simulator says in its own units and as an impulse is in m and N here.
+// A simulator's own units and its impulse become m and N.
 TEST(felt_steps, are_read_in_the_units_of_the_scene) {
   using Reports = SimulatorCapabilities::Reports;
   const auto said = nlohmann::ordered_json::parse(

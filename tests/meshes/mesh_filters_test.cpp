@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What binary64 decides of slips, ways and forces is right for every number that is within the errors it was given, up to
+// Decisions of binary64 on slips, ways and forces are right for every number that is within the errors it was given, up to
 // their ends: each decision is taken again for numbers that lie there.
 
 #include <gtest/gtest.h>
@@ -70,7 +70,7 @@ struct Slip {
   double second() const { return 0x1p24 * weights.corner[2].value / weights.all.value; }
   double pull_at(double at_k, double at_l) const { return pull_squared(first() - at_k, second() - at_l, gram()); }
   Gram<double> gram() const { return {dot(face.e1, face.e1), dot(face.e1, face.e2), dot(face.e2, face.e2)}; }
-  // How far the end of the first slip is inside of the triangle, in steps of the grid.
+  // The distance from the end of the first slip to the triangle's border, in steps of the grid.
   double inside_at_end() const {
     const double pressure = 0x1p24 * std::fabs(across.value) / std::sqrt(weights.all.value),
                  share = static_cast<double>(of.dynamic_friction) * pressure / std::sqrt(pull_at(k, l)),
@@ -184,7 +184,7 @@ TEST(mesh_filters, slips_are_sure_of_what_holds_up_to_the_ends_of_the_errors) {
 
 using Crossing = Ways<FilteredStages>::Meeting;
 
-// Where a way goes through a triangle, if that is so for points beside its ends, too.
+// The meeting of a way and a triangle, if ways between points beside its ends meet it in the same way.
 Crossing crossing(const Face& face, const Vector3<double>& from, const Vector3<double>& to) {
   constexpr double kRounding = 1e-14;
   const FaceNumbers numbers(face);
