@@ -168,8 +168,8 @@ class Recorder::Writer {
     for (;;) {
       system::step();
       if (chunk_.empty()) {
-        chunk_.resize(kLongestChunk);
-        chunk_.resize(ring_.pop(chunk_.data(), kLongestChunk));
+        chunk_.resize(std::min(ring_.read_available(), kLongestChunk));
+        chunk_.resize(ring_.pop(chunk_.data(), chunk_.size()));
         if (chunk_.empty()) return;
       }
       try {
