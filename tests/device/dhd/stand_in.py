@@ -17,7 +17,7 @@ class Run:
     def __init__(self, program, library, command, *words, cwd=None):
         with tempfile.TemporaryDirectory() as folder:
             report, log = os.path.join(folder, "report"), os.path.join(folder, "log")
-            whole = [sys.executable, program, "dhd", "--library", library, "--report", report, "--log", log, *words, "--", *command]
+            whole = [sys.executable, "-SEB", program, "dhd", "--library", library, "--report", report, "--log", log, *words, "--", *command]
             done = subprocess.run(whole, cwd=cwd, text=True, capture_output=True)
             self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
             self.verdict, self.faults, self.session, self.log = None, {}, None, []

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 
-from stand_in import Checks, StandIn, skip_without_websockets
+from stand_in import Checks, ForkedStandIn, StandIn, skip_without_websockets
 
 skip_without_websockets()
 import websockets  # noqa: E402
@@ -49,7 +49,7 @@ PATIENT = ("--longest-gap", "3600000", "--assume", "idle-after=never")
 
 def run(act, *words):
     """What the act returned, and the faults."""
-    with StandIn(program, *PATIENT, *words) as stand_in:
+    with ForkedStandIn(program, *PATIENT, *words) as stand_in:
         result = asyncio.run(session(stand_in.address, act))
         code, report = stand_in.verdict()
         checks.expect(code == (1 if report["faults"] else 0), f"exit code {code} with {report['faults']}")
