@@ -3,10 +3,15 @@
    ending_table prints as next_state(). tests/proofs/phantom_test.sh runs this, also with what is wrong: docs/phantom.md says what is shown. */
 #include "ending.pml"
 #define T 3              /* frames for which an order is obeyed */
-#ifndef OBEYS_FOR_EVER
-#define OBEYS_FOR_EVER false
-#define PORT_STAYS false /* open, when the process of the driver ends */
-#endif
+/* What is wrong is a number in the environment of the checker, which so is compiled once; 0 or none: nothing is. */
+c_code {
+  \#include <stdlib.h>
+  static int wrong;
+  __attribute__((constructor)) static void read_wrong(void) { const char* its = getenv("WRONG"); wrong = its ? atoi(its) : 0; }
+}
+#define OBEYS_FOR_EVER c_expr { wrong == 1 }
+#define PORT_STAYS c_expr { wrong == 2 }             /* open, when the process of the driver ends */
+#define STAYS c_expr { wrong == 3 + now.state }      /* the watch, in this state whatever it sees */
 byte state = held, age = T, since = 0;                   /* of the newest order; frames since the loop's process is gone */
 bool ordered = false, force = false;                     /* some force: by the loop; felt by the arm */
 bool lives = true, linked = true, still = false;         /* the loop's process, its end of the packets; it does nothing any more */
@@ -44,7 +49,8 @@ active proctype watch() {
   :: state != over ->
      if :: due = true :: skip fi;
      if :: looks >= 2 -> late = true :: looks < 2 -> late = false :: late = true fi;
-     atomic { before = state; next_state(state, !linked, due, closed, late); looks = (state == before -> looks + (looks < 2) : 0);
+     atomic { before = state; if :: STAYS :: else -> next_state(state, !linked, due, closed, late) fi;
+              looks = (state == before -> looks + (looks < 2) : 0);
               asked = asked || state == closing; interrupts = interrupts || state == interrupting }
   :: state == over -> break
   od;
