@@ -5,8 +5,8 @@ python=$1 folder=$2
 "$python" -m mypy --version > /dev/null 2>&1 || { echo "skipped: mypy is not installed"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-"$python" -m mypy --strict --cache-dir "$scratch/cache" "$folder/forceshade"
-cat > "$scratch/program.py" << 'END'
+cd "$scratch"
+cat > program.py << 'END'
 import numpy as np
 import forceshade
 
@@ -15,13 +15,12 @@ force: tuple[float, float, float] = law.force(0, np.float32(0.1), -1.5)
 forces = law.forces(np.zeros((5, 3), np.float32), out=np.empty((5, 3), np.float32))
 status: forceshade.Status = forceshade.Session(law).status
 END
-cd "$scratch"
-MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache program.py
 # A mistake is one: a keyword that does not exist, a law that does not exist.
-for mistake in 's/stiffness=0.5/stifness=0.5/' 's/"wall"/"walls"/'; do
-  sed "$mistake" program.py > mistake.py
-  if MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache mistake.py; then
-    echo "expected mypy to find the mistake of $mistake"
-    exit 1
-  fi
+sed 's/stiffness=0.5/stifness=0.5/' program.py > misspelt.py
+sed 's/"wall"/"walls"/' program.py > no_law.py
+MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache -p forceshade -m program -m misspelt -m no_law > found && status=0 || status=$?
+cat found
+for mistake in misspelt no_law; do
+  [ $status = 1 ] && grep -q "^$mistake.py:4: error" found || { echo "expected mypy to find the mistake of $mistake.py"; exit 1; }
 done
+[ "$(grep -c error: found)" = 2 ] || { echo "expected mypy to find these two alone"; exit 1; }
