@@ -5,9 +5,9 @@ shim=${2:+$(realpath "$2")}
 . "$(dirname "$0")/../apps/expect.sh"
 
 certify() { "$forceshade" certify "$@"; }
-# One second of work for one thread, in units that take about 30 ms.
-what=(--law wall,bump-2p-shaded --points 200000 --cases 200)
-plan() { certify plan "${what[@]}" --units 40 --lease 2 --out "$1" > "$1.txt" || exit 1; }
+# Half a second of work for one thread, in units that take about 30 ms.
+what=(--law wall,bump-2p-shaded --points 100000 --cases 100)
+plan() { certify plan "${what[@]}" --units 20 --lease 2 --out "$1" > "$1.txt" || exit 1; }
 # Only in a process of its own: a command substitution, or with &.
 work() { exec "$forceshade" certify work "$@" --threads 1; }
 # same_bytes NAME: the evidence and every result are those of one process.
@@ -19,7 +19,7 @@ same_bytes() {
 }
 
 plan one
-expect 1 "0 of 44 units done" -- certify status one
+expect 1 "0 of 24 units done" -- certify status one
 expect 0 "the plan is complete" -- work one
 same_bytes one
 # Without a plan.
@@ -28,7 +28,7 @@ cmp direct/evidence.json one-merged/evidence.json || { echo "FAILED: certify wit
 
 # Three at once, each killed after a while, until those that are left end.
 plan killed
-for round in 1 2 3 4; do
+for round in 1 2; do
   for delay in 0.06 0.09 0.13; do (work killed > /dev/null 2>&1 & pid=$!; sleep $delay; kill -9 $pid 2> /dev/null; wait $pid 2> /dev/null); done
   certify merge killed --out "killed-$round" > killed.txt 2>&1  # at any time
   if grep -q incomplete killed.txt; then grep -q '"complete": false' "killed-$round/evidence.json" || { echo "FAILED: it does not say that it is incomplete"; exit 1; }; fi
@@ -50,7 +50,7 @@ same_bytes stopped
 plan full
 if unshare -m true 2> /dev/null && [ "$(id -u)" = 0 ]; then
   unshare -m bash -c '
-    mount -t tmpfs -o size=150k,nr_inodes=30 none full/results && mkdir full/results/0
+    mount -t tmpfs -o size=80k,nr_inodes=18 none full/results && mkdir full/results/0
     "$0" certify work full --threads 1; echo $? > code; cp -r full/results/0 kept' "$forceshade" > full.txt 2>&1
   same 2 "$(cat code)"
   grep -q "No space left on device" full.txt || { echo "FAILED: $(cat full.txt)"; exit 1; }
@@ -96,7 +96,7 @@ sed -i 's/"library_digest": "0/"library_digest": "1/; t; s/"library_digest": "./
 expect 2 "the plan is for another build of the library" -- certify status other
 expect 2 "one/plan.json: is there already" -- certify plan --law wall --out one
 expect 2 "no/plan.json" -- work no
-certify plan "${what[@]}" --seed 2 --units 40 --out seed > /dev/null; rm -r seed/results; cp -r one/results seed
+certify plan "${what[@]}" --seed 2 --units 20 --out seed > /dev/null; rm -r seed/results; cp -r one/results seed
 expect 2 "the digest of the plan" -- certify merge seed --out no
 
 # Sweeps: the same units as without a plan.
