@@ -4,11 +4,11 @@
 python_options=-SE
 . "$(dirname "$0")/expect.sh"
 renderers=$examples/renderers
-conform() { "$forceshade" conform --law wall --points 1000 --answer-timeout 120 "$@"; }
+conform() { "$forceshade" conform --law wall --points 256 --answer-timeout 120 "$@"; }
 
 # A right one, its files, and a scene that it does not render.
-expect 0 "a wall in Python 1 renders wall: correctly rounded 1000 of 1000 (100 %)
-held: 1000 of 1000 (100 %) within the tolerance, correctly rounded
+expect 0 "a wall in Python 1 renders wall: correctly rounded 256 of 256 (100 %)
+held: 256 of 256 (100 %) within the tolerance, correctly rounded
 held: the same path twice gives the same bits, 1500 cases
 held: a reset equals a fresh start, 1500 cases" -- conform --command "$renderers/wall.py" --json wall.json
 expect 0 '"applicable": true' -- cat wall.json
@@ -37,13 +37,13 @@ in_its_units milli.py '"N"' '"mN"' "(0, 0, stiffness *" "(0, 0, 1000 * stiffness
 in_its_units impulse.py '"answers": "force"' '"answers": "impulse"' '"rate_Hz": None' '"rate_Hz": 1000' "(0, 0, stiffness *" "(0, 0, 0.001 * stiffness *"
 in_its_units closest.py '"answers": "force"' '"answers": "closest point"' "return (0, 0, stiffness * -z if z <= -(2.0**-30) else 0)" \
   "return (x, y, 0 if z <= -(2.0**-30) else z)" "return (0, 0, 0)" "return (x, y, z)"
-for its in upside metres; do expect 0 "correctly rounded 1000 of 1000" -- conform --command "python3 $its.py"; done
+for its in upside metres; do expect 0 "correctly rounded 256 of 256" -- conform --command "python3 $its.py"; done
 for its in milli impulse closest; do
   expect 2 "expected at least 1 ulp, or N or %" -- conform --command "python3 $its.py"
 done
 for its in milli impulse closest; do expect 0 "within the tolerance, 1 ulp" -- conform --command "python3 $its.py" --tolerance "1 ulp"; done
 in_its_units near.py '"domain_mm": 10000' '"domain_mm": 20' "<= 10_000" "<= 20"
-expect 0 "correctly rounded 1000 of 1000" -- conform --command "python3 near.py"
+expect 0 "correctly rounded 256 of 256" -- conform --command "python3 near.py"
 in_its_units shy.py '"claims": "definition"' '"claims": "invariants"' "stiffness * -z if" "0.7 * stiffness * -z if"
 expect 0 "does not claim the definition, with which it was not compared" -- conform --command "python3 shy.py"
 
@@ -106,9 +106,9 @@ expect 1 "closed its output" -- "$forceshade" conform --law wall --command "exec
 greets "exit 0"; wrong "ended without an answer" "sh greets.sh"
 greets "cat"; wrong 'answered without a list "answers"' "sh greets.sh"
 greets "echo x; sleep 100"; wrong "wrote" "sh greets.sh"
-greets "read line; echo '{\"answers\":[]}'; cat"; wrong "answered 1000 positions with 0 entries" "sh greets.sh"
-greets "read line; printf '{\"answers\":['; for i in \$(seq 999); do printf 1,; done; echo '1]}'"; wrong "the renderer's answer 0 is 1;" "sh greets.sh"
-greets "read line; printf '{\"answers\":['; for i in \$(seq 999); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
+greets "read line; echo '{\"answers\":[]}'; cat"; wrong "answered 256 positions with 0 entries" "sh greets.sh"
+greets "read line; printf '{\"answers\":['; for i in \$(seq 255); do printf 1,; done; echo '1]}'"; wrong "the renderer's answer 0 is 1;" "sh greets.sh"
+greets "read line; printf '{\"answers\":['; for i in \$(seq 255); do printf '\"zz\",'; done; echo '\"zz\"]}'"; wrong "24 hexadecimal digits" "sh greets.sh"
 mutated 'print(json.dumps(answer), flush=True)' 'print(json.dumps(answer) + "\n" + json.dumps(answer), flush=True)'
 finds "" "" "wrote without having been asked"
 expect 1 "a line of more than 16777216 bytes" -- conform --command "yes | tr -d '\\n'"

@@ -77,7 +77,7 @@ wrong("a code alone", 'its open() returned -1"', OPEN="*hello = NULL; return -1"
 wrong("no hello", "its open() returned 0 and no hello", OPENED="*hello = NULL")
 wrong("a hello that is not there", KILLED, OPENED="*hello = (const char*)16")
 wrong("a hello without an end", KILLED + "|bad_alloc", OPENED="char* text = mmap(NULL, 8192, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0); memset(text, '{', 4096); munmap(text + 4096, 4096); *hello = text; mprotect(text + 4096, 1, PROT_NONE)")
-wrong("a hello of 100 MB", "a line of more than 16777216 bytes", OPENED="char* text = calloc(100000001, 1); memset(text, '{', 100000000); *hello = text")
+wrong("a hello of 17 MB", "a line of more than 16777216 bytes", OPENED="char* text = calloc(17000001, 1); memset(text, '{', 17000000); *hello = text")
 for name, hello, words in (
     ("no JSON", '"I render walls"', NO_OBJECT), ("another version", r'"{\"forceshade\":\"conform 9\"}"', 'speaks "conform 9"; expected "conform 1"'),
     ("no kind", r'"{\"forceshade\":\"conform 1\"}"', 'has no key "kind"'), ("two lines", r'"{}\n{}"', NO_OBJECT), ("an empty text", '""', NO_OBJECT),
@@ -96,7 +96,7 @@ right("closes its standard streams", OPEN="close(0); close(1); close(2)")
 right("another folder", OPEN='chdir("/")')
 wrong("writes to every stream", NO_OBJECT + "|" + UNASKED, OPEN='for (int i = 3; i < 20; ++i) write(i, "x\\n", 2)')
 wrong("closes every stream", "ended without an answer", ANSWER="for (int i = 0; i < 100; ++i) close(i)")
-wrong("a flood of words", LATE, ANSWER='for (;;) fputs("working\\n", stdout)')
+wrong("a flood of words", LATE, ANSWER='for (int i = 0; i < 1000000; ++i) fputs("working\\n", stdout); for (;;) pause()')
 
 # How it ends.
 for where in ("ENTRY", "OPEN", "ANSWER", "CLOSE"):
