@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The energy that a closed loop of a recording may give the hand, the cost of one that the definition makes costly, and where a loop
-// may begin: cases beside both sides of what is allowed.
+// The energy that a closed loop of a recording may give the hand, the cost of one that the definition makes costly, and where a
+// loop may begin: cases beside both sides of what is allowed.
 
 #include <gtest/gtest.h>
 
