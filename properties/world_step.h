@@ -17,7 +17,7 @@ struct ContactOfTick {
   Eigen::Vector3f force;
 };
 
-// The account of one tick (docs/scenes.md, "Energy"), mJ.
+// The account of one tick (properties/mesh_energy.md, "Energy"), mJ.
 class WorkOfTick {
  public:
   // The hand's positions in the tick and in the next one, mm.

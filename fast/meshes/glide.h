@@ -9,7 +9,7 @@ namespace forceshade::fast {
 // True if a slide to an edge ends nearer to p by more than the rounding takes away. weight: of the corner opposite to the
 // edge, at the slide's start; n_n, e_e: the squares of the triangle's normal and of the edge. The slide's length d is at
 // least the start's distance from the edge, weight/2^24·|n|/|e|. It brings the square of the distance to p down by d² at
-// least, and the rounding up by (|e|/2^24)²/4 at most (docs/speed.md, "Why a tick on a mesh is fast").
+// least, and the rounding up by (|e|/2^24)²/4 at most.
 FORCESHADE_INLINE bool is_surely_nearer(double weight, double n_n, double e_e) noexcept {
   return 4 * weight * weight * n_n > (1 + 0x1p-40) * (e_e * e_e);
 }

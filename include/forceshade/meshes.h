@@ -152,7 +152,7 @@ struct LargestFan {
   std::uint64_t triangles = 0;
 };
 LargestFan largest_fan(const TriangleMesh& mesh);
-// The most triangles at a vertex with which a move of a tick from there takes no longer than some 0.1 ms (docs/meshes.md,
+// The most triangles at a vertex with which a move of a tick from there takes no longer than some 0.1 ms (docs/speed.md,
 // "Vertices of many triangles").
 inline constexpr std::uint64_t kLargestQuickFan = 1000;
 

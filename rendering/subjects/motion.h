@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The motion of an object from a CSV file of poses (docs/scenes.md, "The file of poses").
+// The motion of an object from a CSV file of poses (docs/scenes.md, "Motions in the file").
 
 #include <string>
 
