@@ -92,7 +92,7 @@ TEST(passivity_controller, has_force_again_for_a_hand_that_pushes) {
   }
 }
 
-// The table of docs/safety.md: a simulated Premium 1.5 whose hand strokes to and fro for 20 s; it feels a force
+// The table of device/passivity.md: a simulated Premium 1.5 whose hand strokes to and fro for 20 s; it feels a force
 // one sample late.
 TEST(passivity_controller, alters_ordinary_strokes_little) {
   struct Case {
