@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# readme_test.sh FORCESHADE SOURCE: a reader can type the commands of the README twice, as they are printed. So that this takes
-# seconds, the nine laws become one where a certificate is made, and the height map a plane; properties have fewer cases, and
-# loops do not wait for the clock. The second time, certificates have less evidence, and are made after the runs that need them.
+# readme_test.sh FORCESHADE SOURCE: a reader can type the commands of the README, and the first of docs/using.md, twice, as they are
+# printed. So that this takes seconds, the nine laws become one where a certificate is made, and the height map a plane; properties have
+# fewer cases, and loops do not wait for the clock. The second time, certificates have less evidence, and are made after the runs that need them.
 set -u
 . "$(dirname "$0")/page.sh"
 forceshade=$(realpath "$1") source=$(realpath "$2")
@@ -14,12 +14,14 @@ for folder in examples recordings; do ln -s "$source/$folder" $folder; done
 printf 'render = "height-map"\n[[part]]\nshape = "plane"\nslope_x = 0.25\n' > ramp.toml
 
 # The blocks of shell commands, without those of the scripts, which build and test everything, and without the mouse, which needs a display.
-page_blocks sh < "$source/README.md" | grep -v '^scripts/\|^export ' |
-  grep -v -- '--device mouse' |
-  sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --free-run/' -e '/ certify \| drive /s/examples\/leather\.toml/ramp.toml/' -e 's/ --cases 10000 / --cases 100 /' > commands
+{ cat "$source/README.md"; cd "$source/docs" && sed -n '/^## First commands/,/^## Options/p' using.md; } | page_blocks sh |
+  grep -v '^scripts/\|^export ' | grep -v -- '--device mouse' |
+  sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --free-run/' \
+    -e '/ certify \| drive /s/examples\/leather\.toml/ramp.toml/' -e 's/ --cases 10000 / --cases 100 /' \
+    -e '/ conform /s/$/ --points 256/' > commands
 setting=$(grep '^export PATH=' "$source/README.md") && eval "$setting" || { echo "FAILED: the README sets no PATH"; exit 1; }
 count=$(grep -c '\(^\|| \)forceshade ' commands)
-[ "$count" -ge 14 ] || { echo "FAILED: found only $count commands in the README"; exit 1; }
+[ "$count" -ge 14 ] || { echo "FAILED: found only $count commands in the pages"; exit 1; }
 
 for time in first second; do
   if [ $time = second ]; then
