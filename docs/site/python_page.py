@@ -84,7 +84,7 @@ def signature_of(thing, name):
         found = re.match(rf"{thing.__name__}\((.*)\) -> (.*)", thing.__doc__)
         return f"{name}({found[1]}) -> {found[2]}"
     words, has_star = [], False
-    parameters = [each for each in signature.parameters.values() if each.name != "self"]
+    parameters = [each for each in signature.parameters.values() if each.name not in ("self", "cls")]
     for at, each in enumerate(parameters):
         if each.kind is each.KEYWORD_ONLY and not has_star:
             words.append("*")
@@ -188,6 +188,7 @@ def class_part(thing, key, source):
             yield code(f"{name}: {plain(member.fget.__annotations__['return'])}    # read-only")
             yield from markdown_of(documentation_of(member, f"{key}.{name}"))
         else:
+            member = getattr(member, "__func__", member)  # of a class method
             yield code(signature_of(member, name))
             yield from markdown_of(documentation_of(member, f"{key}.{name}"), parameters_of(member))
 
