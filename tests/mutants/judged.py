@@ -75,7 +75,7 @@ class Judge:
         self.tests = sorted((test for test in self.tests if test.reached), key=lambda test: test.seconds)
 
     def fails(self, test, numbers):
-        """Whether the test notices that these mutants are active."""
+        """Returns true if the test notices that these mutants are active."""
         with tempfile.NamedTemporaryFile(dir=self.folder) as file:
             active = bytearray(len(self.mutants))
             for number in numbers:
@@ -128,6 +128,8 @@ class Judge:
         with concurrent.futures.ThreadPoolExecutor(CORES) as pool:
             for mutant, names in pool.map(self.alone, [m for m in self.mutants if m.number in reached]):
                 tried[mutant.number] = names
+                if len(tried) % 100 == 0:
+                    say(f"{len(tried)} of {len(reached)} are tried alone")
                 if mutant.number not in self.killed_by:
                     left.append(mutant)
         say(f"{len(self.killed_by)} of {len(self.mutants)} are caught by quick tests, {len(self.mutants) - len(reached)} are reached by none; "
