@@ -45,7 +45,7 @@ class CMakeModule(build_ext):
         shutil.copy2(made, target)
 
 
-# What is only made on the way to the wheel goes into the build folder, not among the sources.
+# Files that are only made on the way to the wheel go into the build folder, not among the sources.
 scratch = BUILD / "wheel"
 scratch.mkdir(parents=True, exist_ok=True)
 version = re.search(r"project\(forceshade VERSION ([0-9.]+)", (SOURCES / "CMakeLists.txt").read_text())

@@ -12,7 +12,7 @@ trap 'rm -rf "$scratch"' EXIT
 chmod -R a+rX "$scratch"  # linkchecker gives up the rights of root
 linkchecker --no-status --output csv "$scratch/site/index.html" > "$scratch/links" 2> "$scratch/errors" ||
   { grep -v '^#' "$scratch/links" | cut -d';' -f1,2,4; exit 1; }
-# What cannot fail shows nothing: a link that leads nowhere is found.
+# A check that cannot fail shows nothing: a link that leads nowhere is found.
 sed 's|href="docs/index.html"|href="docs/nowhere.html"|' "$scratch/site/index.html" > "$scratch/site/broken.html"
 ! linkchecker --no-status "$scratch/site/broken.html" > /dev/null 2>&1 || { echo "a broken link is not found"; exit 1; }
 grep -q 'forceshade_certificate_covers' "$scratch/site/api/forceshade_8h.html" || { echo "a function lacks in the reference"; exit 1; }
@@ -27,12 +27,12 @@ if command -v chromium > /dev/null; then
 else
   echo "skipped: the search of the site, since chromium is not there (Debian package chromium)"
 fi
-# What cannot fail shows nothing: a method without a docstring is refused.
+# A check that cannot fail shows nothing: a method without a docstring is refused.
 mkdir "$scratch/build"
 cp -rL "$build/python" "$scratch/build"
 sed -i '/"""Goes back to the beginning of a path."""/d' "$scratch/build/python/forceshade/_sessions.py"
 ! "$source/scripts/site" "$scratch/undocumented" "$scratch/build" > "$scratch/said" 2>&1 || { echo "a method without a docstring is not found"; exit 1; }
 grep -qx 'Session.reset has no docstring' "$scratch/said" || { cat "$scratch/said"; exit 1; }
-# Where the package is not built, its page is left out.
+# If the package is not built, its page is left out.
 "$source/scripts/site" "$scratch/without" "$scratch/nowhere" | grep -q '^no reference of the package for Python'
 ! grep -rl python-reference "$scratch/without" || { echo "there are links to a page that is left out"; exit 1; }

@@ -330,15 +330,19 @@ TEST(structure, a_comment_begins_with_a_noun_or_a_verb) {
   for (const std::string& folder : top_folders())
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
       const std::string extension = entry.path().extension();
-      if (extension != ".h" && extension != ".cpp" && extension != ".inl") continue;
+      const bool is_cpp = extension == ".h" || extension == ".cpp" || extension == ".inl",
+                 is_script = extension == ".py" || extension == ".sh" || extension == ".cmake" || extension == ".g" ||
+                             folder == "scripts" || entry.path().filename() == "CMakeLists.txt";
+      if (!is_cpp && !is_script) continue;
+      const std::string mark = is_cpp ? "//" : "#";
       std::ifstream file(entry.path());
       bool is_within = false;  // a comment of several lines
       for (std::string line; std::getline(file, line);) {
         const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
-        const bool is_comment = line.compare(begin, 2, "//") == 0;
+        const bool is_comment = line.compare(begin, mark.size(), mark) == 0;
         if (is_comment && !is_within) {
           for (const std::string& word : openers)
-            EXPECT_FALSE(line.substr(begin).starts_with("// " + word + " ")) << entry.path() << ": " << line;
+            EXPECT_FALSE(line.substr(begin).starts_with(mark + " " + word + " ")) << entry.path() << ": " << line;
         }
         is_within = is_comment;
       }

@@ -20,7 +20,7 @@ aliases = {}  # of types, that the modules use among themselves: Rounding
 
 
 class Source:
-    """What the source of a module says that the module, once imported, does not."""
+    """The words of a module's source that the imported module does not have."""
 
     def __init__(self, module):
         tree = ast.parse(inspect.getsource(module))
@@ -150,7 +150,7 @@ def code(text):
 
 
 def members_of(thing):
-    """What the class has of its own, and of bases that are not public themselves."""
+    """The class's own members, and those of bases that are not public themselves."""
     found = {}
     for base in thing.__mro__:
         is_public = getattr(forceshade, base.__name__, None) is base

@@ -37,7 +37,7 @@ INSIDE = (MX * NX + MY * NY) + MZ * NZ;
 all = all_; second = second_; other = other_;
 others rel= second + other; third rel= all - others;
 THIRD = ALL - (SECOND + OTHER);
-# What friction decides by parameters (fast/meshes/quick_slips.h): ck and cl are theirs, ee, ef and ff the products of the edges
+# Friction's decisions by parameters (fast/meshes/quick_slips.h): ck and cl are theirs, ee, ef and ff the products of the edges
 # a and b, whose errors the piece length bounds.
 ck = ck_; cl = cl_; lift = lift_;
 ee = ee_; ef = ef_; ff = ff_;
@@ -49,12 +49,12 @@ twice rel= along_k + along_k; gain rel= ee - twice;
 GAIN = EE - ((ck * EE + cl * EF) + (ck * EE + cl * EF));
 way_1 rel= ck * ax; way_2 rel= cl * bx; way_12 rel= way_1 + way_2; way_n rel= lift * nx; way rel= way_12 + way_n;
 WAY = (ck * AX + cl * BX) + lift * NX;
-# Of two differences: a triangle's normal.
+# A product of two differences: a triangle's normal.
 #! piece normal
 { |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |ax - AX| <= 1b-53 /\ |ay - AY| <= 1b-53 /\ |az - AZ| <= 1b-53
 /\ |bx| <= 1 /\ |by| <= 1 /\ |bz| <= 1 /\ |bx - BX| <= 1b-53 /\ |by - BY| <= 1b-53 /\ |bz - BZ| <= 1b-53
 -> nx - NX in ? }
-# Of an offset and a difference; of two differences; of two offsets.
+# Products of an offset and a difference; of two differences; of two offsets.
 #! piece along
 { |ax| <= 1 /\ |ay| <= 1 /\ |az| <= 1 /\ |ax - AX| <= 1b-52 /\ |ay - AY| <= 1b-52 /\ |az - AZ| <= 1b-52
 /\ |bx| <= 1 /\ |by| <= 1 /\ |bz| <= 1 /\ |bx - BX| <= 1b-53 /\ |by - BY| <= 1b-53 /\ |bz - BZ| <= 1b-53
@@ -104,7 +104,7 @@ WAY = (ck * AX + cl * BX) + lift * NX;
 /\ |cx| <= 1 /\ |cy| <= 1 /\ |cz| <= 1 /\ |cx - CX| <= 1b-53 /\ |cy - CY| <= 1b-53 /\ |cz - CZ| <= 1b-53
 /\ |dx| <= 1 /\ |dy| <= 1 /\ |dz| <= 1 /\ |dx - DX| <= 1b-53 /\ |dy - DY| <= 1b-53 /\ |dz - DZ| <= 1b-53
 -> inside - INSIDE in ? }
-# What is left of n·n without the weights of two corners, whose sizes and errors the pieces area and inside bound.
+# The rest of n·n without the weights of two corners, whose sizes and errors the pieces area and inside bound.
 #! piece third
 { |all| <= 12.0001 /\ |second| <= 12.0001 /\ |other| <= 12.0001 /\ |all - ALL| <= 128b-53 /\ |second - SECOND| <= 140b-53
 /\ |other - OTHER| <= 140b-53 -> third - THIRD in ? }

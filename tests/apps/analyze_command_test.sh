@@ -80,7 +80,7 @@ if command -v gnuplot > /dev/null; then
 fi
 rm hand/radius.csv
 
-# Who answered is said, and people and virtual participants are not taken together.
+# The pages say who answered, and people and virtual participants are not taken together.
 mkdir models people
 sed '1s/$/,answered_by,device,certified/; 2,$s/$/,virtual participant,simulated:premium-1.5,no/' hand/matching.csv > models/matching.csv
 sed '1s/$/,answered_by,device,certified/; 2,$s/$/,person,phantom,yes/; s/^A/P/; s/^B/Q/' hand/matching.csv > people/matching.csv
@@ -95,7 +95,7 @@ PATH=/nonexistent expect 0 "" -- analyze models --bootstrap 100 --out of-models
 expect 0 "2 virtual participants, 18 matching" -- cat of-models/report.html
 expect 0 ",virtual participant" -- cat of-models/tables.csv
 
-# What is refused: file, line and column, and nothing is left behind.
+# Refusals name the file, line and column, and nothing is left behind.
 sed '4s/A,3/A,x/' hand/matching.csv > broken/matching.csv
 expect 2 'broken/matching.csv:4: column 2 (trial): expected a whole number from 1 to 1000000, got "x"' -- analyze broken --out none
 expect 2 'empty: expected matching.csv, classification.csv or both, found neither' -- analyze empty --out none

@@ -44,7 +44,7 @@ judged() {
   local output; output=$(node "$judge" "$packages" "$@" 2> /dev/null) || { echo "FAILED: $*:"; echo "$output"; exit 1; }
   echo "$1: $output"
 }
-# Of all together the legacy validator warns (38) that some participants have runs that others lack, which is true of them: B-2 was
+# On all together the legacy validator warns (38) that some participants have runs that others lack, which is true of them: B-2 was
 # interrupted more often.
 "$forceshade" experiment export $sessions --bids nobody || exit 1
 judged "$PWD/nobody" legacy-warning=113 legacy-warning=38

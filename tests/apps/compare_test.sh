@@ -49,7 +49,7 @@ expect 1 "114 wrong of 200" -- "$vectors/check.py" made/bump-2p.json
 expect 0 '"id":5000' -- "$forceshade" vectors --law wall --points 5000
 expect 2 "--out: expected" -- "$forceshade" vectors --law wall --out vectors.csv
 
-# What cannot be judged.
+# Tables that cannot be judged.
 for tolerance in 4 "4 mN" "1.5 ulp" "-1 N" nan; do
   expect 2 "--tolerance: expected a number with ulp (a whole one), N or %" -- compare --forces mine.csv --tolerance "$tolerance"
 done

@@ -73,7 +73,7 @@ sed -i 's/stiffness \* -z if/stiffness * -z * (1 + random.choice([0, 2e-7])) if/
 expect 1 "without having moved otherwise" -- conform --command "python3 noisy.py" --tolerance "1e-3 N"
 expect 1 "FAILED: a hand at rest feels a force at rest" -- conform --command "python3 noisy.py" --tolerance "1e-3 N"
 
-# What is no renderer at all. A program that greets and then does the rest of the words.
+# Programs that are no renderer at all. A program that greets and then does the rest of the words.
 hello='{"forceshade":"conform 1","kind":"renderer","name":"n","version":"1","memory":"none","answers":"force","claims":"definition"'
 hello=$hello',"length_unit":"mm","force_unit":"N","frame":["x","y","z"],"domain_mm":10000,"rate_Hz":null,"loop_energy_mJ":0}'
 greets() { printf '%s\n' "read line; echo '$hello'; $1" > greets.sh; }
@@ -125,7 +125,7 @@ mutated "        else:
 expect 1 "did not answer within 1 s" -- "$forceshade" conform --law wall --points 100 --command "python3 mutated.py" --answer-timeout 1
 mutated "            return  # goodbye" "            sys.exit(5)"
 finds "" "" "ended with exit code 5"
-# Of tests/conformance/planted_defects.md: number_18_memory_is_never_given_back and number_27_half_of_a_message.
+# Two of tests/conformance/planted_defects.md: number_18_memory_is_never_given_back and number_27_half_of_a_message.
 try "        elif \"positions\" in asked:" "        elif \"positions\" in asked:
             import mmap; kept = locals().get(\"kept\", []) + [mmap.mmap(-1, 2**20) for _ in asked[\"positions\"]]" "Cannot allocate memory"
 try "print(json.dumps(answer)" "print(json.dumps(answer)[:16384]" "expected a JSON object in one line"
@@ -136,7 +136,7 @@ expect 1 "" -- conform --command "for i in 1 2 3; do setsid sh -c 'exec -a $mark
 expect 1 "" -- conform --command "setsid setsid bash -c 'exec -a $mark sleep 1000' > /dev/null 2>&1 & sleep 0.2; kill -9 \$\$"
 same "" "$(pgrep -f $mark || true)"
 
-# What cannot be tried.
+# Words that cannot be tried.
 expect 2 "--command" -- "$forceshade" conform --law wall
 expect 2 "--tolerance: expected" -- conform --command true --tolerance 4
 expect 2 "--answer-timeout" -- conform --command true --answer-timeout 0

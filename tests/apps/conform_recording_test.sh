@@ -180,7 +180,7 @@ python3 -c 'print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
 for i in range(60): print(f"{i / 1000},{i % 11},{i % 7},{-i % 13},0,0,{-0.5 * (i % 13)}")' > pulls.csv
 expect 1 "there is no fit" -- wall pulls.csv --fit --tolerance "1 %"
 
-# What cannot be read.
+# Recordings that cannot be read.
 expect 2 "pz_m: expected columns" -- "$forceshade" conform --recording "$clean" --columns t=time_s,x=px,y=py,z=pz_m,fx=fx,fy=fy,fz=fz --length-unit m --force-unit mN
 expect 2 '--columns: has no fz' -- "$forceshade" conform --recording "$clean" --columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy
 expect 2 '--length-unit: expected one of mm, cm, m, in, because the column px does not end in its unit' -- \

@@ -131,7 +131,7 @@ expect 3 "the vendor's licence is missing" -- phantom FORCESHADE_HD_LIBRARY="$st
 expect 2 "phantom[:NAME]" -- "$forceshade" drive --law wall --uncertified --device phantom:
 expect 2 "--rate" -- drive --law wall --uncertified --rate 5
 
-# What is there already is replaced only with --overwrite, whatever option names it, and is refused before any work.
+# A file that exists is replaced only with --overwrite, whatever option names it, and is refused before any work.
 echo old > kept
 for option in "force --law wall --input in.csv --out" "energy --law bump-1p --depth 1 --json" "polygons --theta-critical 40 --json" \
   "geometry --json" "drive --law wall --uncertified --device null --seconds 0.01 --free-run --json" \

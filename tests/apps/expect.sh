@@ -8,7 +8,7 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/.bin"
 cd "$scratch"
 checks=0
-# Where python3 is a script that looks for the program, as pyenv's is, each start of it takes ten times as long. A test whose programs need
+# If python3 is a script that looks for the program, as pyenv's is, each start of it takes ten times as long. A test whose programs need
 # the standard library alone starts them with python_options=-SE, which halves the rest.
 if grep -q 'python3\|\.py' "$here/${0##*/}"; then
   python=${python:-$(python3 -c "import sys; print(sys.executable)")}

@@ -71,7 +71,7 @@ for index, name in enumerate(("open", "answer", "close")):
 wrong("a function that is none", KILLED, TABLE="{sizeof kTable, wall_open, (void*)16, wall_close}")
 right("a table of a later header", TABLE="{1000, wall_open, wall_answer, wall_close}")
 
-# What it says.
+# Its words.
 wrong("a reason", "its open() returned 4: no licence found", OPEN='*hello = "no licence found"; return 4')
 wrong("a code alone", 'its open() returned -1"', OPEN="*hello = NULL; return -1")
 wrong("no hello", "its open() returned 0 and no hello", OPENED="*hello = NULL")
@@ -90,7 +90,7 @@ wrong("seven answers", "FAILED: ", ANSWER="if (count > 7) count = 7")
 wrong("not a number of one", "FAILED: any position gets a finite force", ANSWER="if (positions[0] != positions[0]) { answers[0] = positions[0]; return 0; }")
 wrong("a stiffness that grows", "FAILED: the same path twice", ANSWER="*(float*)state *= 1.001f")
 
-# What it prints and reads: its standard streams are not those of the protocol.
+# Its printing and reading: its standard streams are not those of the protocol.
 right("prints and reads", ENTRY='puts("loaded"); fflush(stdout)', OPEN=r'dprintf(1, "{\"answers\":[]}\n")', ANSWER=r'printf("%zu\n", count); getchar()', CLOSE='puts("bye")')
 right("closes its standard streams", OPEN="close(0); close(1); close(2)")
 right("another folder", OPEN='chdir("/")')
@@ -98,7 +98,7 @@ wrong("writes to every stream", NO_OBJECT + "|" + UNASKED, OPEN='for (int i = 3;
 wrong("closes every stream", "ended without an answer", ANSWER="for (int i = 0; i < 100; ++i) close(i)")
 wrong("a flood of words", LATE, ANSWER='for (int i = 0; i < 1000000; ++i) fputs("working\\n", stdout); for (;;) pause()')
 
-# How it ends.
+# Its end.
 for where in ("ENTRY", "OPEN", "ANSWER", "CLOSE"):
     wrong("exit() in " + where, EARLY, **{where: "exit(0)"})
     wrong("_exit() in " + where, EARLY, **{where: "_exit(0)"})

@@ -1,4 +1,4 @@
-"""What a process may do instead of what it has to, whatever its protocol. Modules that few of them need are loaded by these."""
+"""Deeds of a process in place of what it has to do, whatever its protocol. Modules that few of them need are loaded by these."""
 
 import os
 import signal

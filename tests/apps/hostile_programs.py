@@ -1,4 +1,4 @@
-"""What the tables of hostile programs and files share: cases, and a program that answers right but in one thing."""
+"""The common parts of the tables of hostile programs and files: cases, and a program that answers right but in one thing."""
 
 import json
 import os
@@ -90,7 +90,7 @@ def text(value):
 
 
 def lines():
-    """What conform writes, without a buffer of its own."""
+    """The output of conform, without a buffer of its own."""
     return map(json.loads, os.fdopen(0, "rb", buffering=0, closefd=False))
 
 

@@ -39,7 +39,7 @@ def with_mark(mark):
 
 
 def fault_of(forceshade, name, number):
-    """What is wrong with the verdict about this one, or None."""
+    """The fault of the verdict about this one, or None."""
     case, mark = CASES[name], f"hostile_{os.getpid()}_{number}"
     with tempfile.TemporaryDirectory() as scratch, open(os.path.join(scratch, "printed"), "w+b") as printed:
         run = subprocess.Popen([forceshade] + case.run(mark, scratch), stdin=subprocess.DEVNULL, stdout=printed, stderr=subprocess.STDOUT,

@@ -42,7 +42,7 @@ expect 0 "held" -- mesh check standard.off --unit mm
 expect 2 "--unit" -- mesh check cube.off
 expect 2 "expected one of mm, m, in; got \"cm\"" -- mesh check cube.off --unit cm
 
-# What is no mesh: 1, with the faces; in JSON, too.
+# Files that are no mesh: 1, with the faces; in JSON, too.
 printf 'OFF\n4 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 0\n3 0 1 2\n3 1 0 3\n' > folded.off
 expect 1 "faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1" -- mesh check folded.off --unit mm
 expect 1 "FAILED: " -- mesh check folded.off --unit mm
@@ -86,7 +86,7 @@ expect 0 "some were unfinished for that reason" -- mesh check needles.off --unit
 expect 0 '"unfinished": true' -- mesh check needles.off --unit mm --json
 
 mkdir folder.off
-# What cannot be read: 2, with file and line or byte; no byte of a file reaches a terminal as a command.
+# Files that cannot be read: 2, with file and line or byte; no byte of a file reaches a terminal as a command.
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 \033[2J 0\n3 0 1 2\n' > escape.off
 expect 2 'escape.off: line 5: expected a coordinate, got "\x1b[2J"' -- mesh check escape.off --unit mm
 printf 'v 0 0\0 0\n' > zero.obj

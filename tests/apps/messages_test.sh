@@ -81,7 +81,7 @@ expect 2 'ends in .csv or .npy, which is the format of the file that is written,
 expect 0 "" -- "$forceshade" geometry --json x.txt
 same "" "$(find . -name 'x.*' ! -name x.txt)"
 
-# What is missing for drive: every law, and for a mesh a command that can be pasted, with its options and folder.
+# Drive names what is missing: every law, and for a mesh a command that can be pasted, with its options and folder.
 expect 0 "the certificate has 2000 points for wall; driving needs at least 1000000; and the certificate has 2000 points for bump-2p;" \
   -- "$forceshade" certify --law wall,bump-2p --points 2000 --cases 20 --out few
 expect 0 "to gather it: forceshade certify --law wall,bump-2p --radius 15.24 --width 25.4 --stiffness 0.5 --points 1000000" -- \
@@ -192,7 +192,7 @@ same "forceshade: standard input: line 1: expected a coordinate, got the end of 
   "$(echo 'v 1 2' | "$forceshade" mesh check - --unit mm 2>&1)"
 expect 2 "standard input: is empty; expected at least one face" -- "$forceshade" mesh check - --unit mm
 
-# What is wrong with a face names its line; a binary file has none.
+# A fault of a face names its line; a binary file has none.
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' > flat.obj
 for file in flat.obj -; do
   name=$([ $file = - ] && echo "standard input" || echo $file)

@@ -23,7 +23,7 @@ cannot_load() { expect 1 "the renderer failed: \"it cannot be loaded: " -- confo
 yes "no object" | head -n 1000 > text.so; cannot_load text.so
 head -c 3000 wall.so > half.so; expect 1 "the renderer was killed by signal 7" -- conform --object half.so  # dlopen maps what is not there
 
-# What it allocates in an answer is counted with its time, and nothing else.
+# Its allocations in an answer are counted with its time, and nothing else.
 allocates() {  # PER ANSWER, OBJECT
   expect 0 "allocations in an answer, on average: $1 times, " -- conform --object "$2" --timing --json timed.json --overwrite
   fits "$examples/../docs/conformance-schema.json" timed.json

@@ -72,7 +72,7 @@ printf 'x_mm,y_mm,z_mm\n0,0,up\n' > bad.csv
 expect 2 "bad.csv:2: column 3 (z_mm): expected a number" -- "$forceshade" plot $mesh --input bad.csv --out other
 [ ! -e other ] || { echo "FAILED: a folder is left behind"; exit 1; }
 
-# What is missing, wrong, or no mesh.
+# Files that are missing, wrong, or no mesh.
 expect 2 "--unit is required beside --mesh: expected mm, m or in" -- "$forceshade" force --mesh cube.off --input path.csv
 expect 2 "expected --law, --height-map, --mesh or --scene, got none" -- "$forceshade" force --input path.csv
 expect 2 "--sides: expected one of front, both" -- "$forceshade" force $mesh --sides back --input path.csv

@@ -42,7 +42,7 @@ laws() {
   echo "$checks checks"
 }
 
-# How many answers of the edge scheme are within the tolerance.
+# The number of answers of the edge scheme are within the tolerance.
 within() {
   "$forceshade" conform --mesh roof.off --unit mm --sides front --shading edge --points 2000 --tolerance "1e-3 N" \
     --command "$python $renderers/edge_scheme_as_printed.py $1" | sed -n 's/^FAILED: \([0-9]*\) of .*/\1/p'

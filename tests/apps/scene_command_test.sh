@@ -4,7 +4,7 @@
 cp -r "$examples/scenes" scenes
 table="--scene scenes/table.toml"
 
-# What is in it, before it is rendered.
+# Its contents, before it is rendered.
 expect 0 "held: a scene of 42 faces" -- "$forceshade" mesh check scenes/table.toml
 expect 0 "objects: board (2 faces), box (12 faces), knob (28 faces)" -- "$forceshade" mesh check scenes/table.toml
 expect 0 "groups: knob/side (16 faces), knob/top (6 faces), knob/bottom (6 faces)" -- "$forceshade" mesh check scenes/table.toml
@@ -56,7 +56,7 @@ expect 0 "" -- "$forceshade" recording verify run.fsr
 expect 0 "" -- "$forceshade" recording recompute run.fsr $table
 sed 's/\[0.4, 0.3\]/[0.4, 0.2]/' scenes/table.toml > scenes/other.toml
 expect 2 "run.fsr: digest is " -- "$forceshade" recording recompute run.fsr --scene scenes/other.toml
-# What a certificate quotes is the scene, beside which its text means the same.
+# A certificate quotes the scene, beside which its text means the same.
 python3 -c 'import json, sys; sys.stdout.write(json.load(open(sys.argv[1]))["subjects"][0]["subject_file"])' \
   certificate/certificate.json > scenes/quoted.toml
 same 'scene = "table.toml"
@@ -71,7 +71,7 @@ if python3 -c "import numpy" 2> /dev/null; then
     --command "python3 $examples/renderers/god_object_epsilon.py"
 fi
 
-# What is wrong.
+# Faults of a scene.
 sed 's/"0.1mm"/-1/' scenes/table.toml > scenes/crossing.toml
 for command in "mesh check scenes/crossing.toml" "force --scene scenes/crossing.toml"; do
   code=2; [ "${command%% *}" = force ] || code=1

@@ -21,7 +21,7 @@ expect 1 "WORSE: 2 got worse, 0 got better" -- compare held.json found.json
 expect 0 "better: what is reported agrees with the motion: FAILED became held" -- compare found.json held.json
 expect 0 "not worse: 0 got worse, 0 got better" -- compare found.json found.json
 
-# What it declares is demanded.
+# Its declaration is demanded.
 refuses() {
   changed "$exact" "$1" "$2"
   expect 1 "$3" -- conform --simulator "python3 -S mutated.py"

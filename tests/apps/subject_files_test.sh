@@ -48,7 +48,7 @@ expect 2 'got "bump-2q"; the nearest is bump-2p' -- "$forceshade" properties --l
 expect 2 'got ""' -- "$forceshade" properties --law wall,
 expect 2 'got "wall,bump-2p"' -- "$forceshade" force --law wall,bump-2p
 
-# What is wrong is said with the file and its line.
+# A fault is reported with the file and its line.
 refused() {
   local text=$1 words=$2
   printf "$text" > refused.toml

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the vector instructions of a loop cost on the processor that runs this, in cycles: alone, and beside instructions that fill the
+"""The cost of a loop's vector instructions on the processor that runs this, in cycles: alone, and beside instructions that fill the
 pipes which multiply, those which add, or all of them. A cycle is a third of an imul that waits for the one before.
 
 Each instruction is run many times with independent results: its form, without its memory operand, which is a load of its own. What it

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the package for Python adds: a call, batches in and out of the cache beside numpy.copyto, and a whole program.
+"""The cost of the package for Python: a call, batches in and out of the cache beside numpy.copyto, and a whole program.
 
 No test, but figures for docs/python.md; run it on an idle machine, beside forceshade_c_bench, which has C++'s times:
 PYTHONPATH=build/release/python python3 tests/bench/python_bench.py

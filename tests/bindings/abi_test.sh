@@ -14,7 +14,7 @@ compare() {  # 0 where it is the same, 4 to 15 where it is not (abidiff(1)); oth
   return $code
 }
 compare "$description" "the library" || { echo "the binary interface has changed:"; cat "$scratch/said"; exit 1; }
-# What a change is: a type of a parameter, a member that a struct loses, a function that is gone.
+# A change is a type of a parameter, a member that a struct loses, a function that is gone.
 changed() {  # what, the sed expression
   sed "$2" "$description" > "$scratch/changed.abi"
   ! cmp -s "$description" "$scratch/changed.abi" || { echo "nothing was changed: $1"; exit 1; }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests in Python count."""
+"""Counts checks of the tests in Python."""
 
 
 class Checks:

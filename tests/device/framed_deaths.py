@@ -19,7 +19,7 @@ STOPPED = "stopped"
 
 
 class Death:
-    """Who dies, of which signal; or an event of the stand-in's in the place of a signal."""
+    """The process that dies, and its signal; or an event of the stand-in's in the place of a signal."""
 
     def __init__(self, who, number=None, name="", options=()):
         self.who, self.number, self.options = who, number, options
@@ -36,7 +36,7 @@ DEATHS = {
 
 
 def is_timeless(kind, death):
-    """Who stands still is missed after a time, and it is the device's own watchdog that ends the force of a client of DHD that is gone."""
+    """A process that stands still is missed after a time, and the device's own watchdog ends the force of a DHD client that is gone."""
     return death.number != signal.SIGSTOP and "unplugged=block" not in death.options and not (kind == "dhd" and death.number == signal.SIGKILL)
 
 
@@ -95,7 +95,7 @@ def most_ms(kind, death):
 
 
 def is_in_order(death, late, end, words, faults):
-    """Whether the arm was let go at all, the client ended as it should, and the stand-in blames it for nothing but its death."""
+    """Returns true if the arm was let go, the client ended as it should, and the stand-in blames it for nothing but its death."""
     if late is None and death.who != "program":
         return False
     if death.who != "client":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How long the machine itself stood still, as a virtual machine does whose host is busy. A process on each processor, of higher priority
+"""Measures how long the machine itself stood still, as a virtual machine does whose host is busy. A process on each processor, of higher priority
 than any other, is to be woken every ms, and notes by how much it was later."""
 
 import atexit

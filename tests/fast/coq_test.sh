@@ -30,7 +30,7 @@ coqc gappa_rewritings.v || { echo "FAILED: $here/gappa_rewritings.v"; exit 1; }
 # The ends of Gappa's intervals as its proof for Coq has them.
 ends() { sed -nE 's/ \{[^}]*\}//g; s/^  .* in \[(.*), (.*)\]$/\1\n\2/p' "$1"; }
 
-# Why a piece is not accepted; nothing if it is.
+# The reason why a piece is not accepted; nothing if it is.
 refusal() {  # script without its ending, piece
   local end rest
   piece "$fast/$1.g" "$2" | "$gappa" -Bcoq >proof.v 2>gappa.log || true

@@ -43,7 +43,7 @@ piece() {  # script, name
     }' "$1"
 }
 
-# What Gappa prints of a piece, one line for each: "piece: expression in [low, high]", the ends to the six digits that Gappa prints of
+# Gappa's output for a piece, one line for each: "piece: expression in [low, high]", the ends to the six digits that Gappa prints of
 # them (their 60-bit fractions differ from run to run in the last places), or "piece: Error: ...".
 intervals() {  # piece; Gappa's output comes from the standard input
   sed -E 's/-?[0-9]+(b-?[0-9]+)? \{([^,]*),[^}]*\}/\2/g' | sed -n "s/^  *\(.* in \[.*\]\)\$/$1: \1/p; s/^Error.*/$1: &/p"

@@ -74,7 +74,7 @@ for file in $evaluating; do
 done
 echo "the preprocessor refuses -ffast-math, -Ofast and -ffinite-math-only in every file that evaluates"
 tried=$evaluating
-# Which files are tried by default: every one where g++ contracts. Only g++ has macros for the parts of -ffast-math.
+# The files that are tried by default: every one where g++ contracts. Only g++ has macros for the parts of -ffast-math.
 if [[ $compiler = *clang* && $sets != every_flag_set ]]; then tried=law; fi
 for file in $tried; do
   case $file in *_avx2) needs=avx2 ;; *_avx512) needs=avx512dq ;; *) needs=fma ;; esac

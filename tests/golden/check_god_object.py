@@ -55,7 +55,7 @@ def neighbours(f):
 
 
 def is_nearest(f, exact):
-    """Whether the binary32 f is `exact` rounded to the nearest, ties to even."""
+    """True if the binary32 f is `exact` rounded to the nearest, ties to even."""
     others, is_even = neighbours(f)
     own = abs(Q(f) - exact)
     return all(own < abs(other - exact) or own == abs(other - exact) and is_even for other in others)
@@ -202,7 +202,7 @@ class Surface:
         return sorted(found.items(), key=lambda one: one[0])
 
     def blocks(self, corners, u):
-        """Whether motion along u must stop there."""
+        """True if motion along u must stop there."""
         if corners is None:
             return True
         back = [-c for c in u]
@@ -284,7 +284,7 @@ def nearest_on_feature(surface, state, p):
 
 
 def is_minimum(surface, corners, u):
-    """Whether no direction along the surface leads towards u. A direction in a sector or half-plane is a sum of its sides, with
+    """True if no direction along the surface leads towards u. A direction in a sector or half-plane is a sum of its sides, with
     parts that are not negative, so it suffices to try the sides."""
     for f in surface.faces_at(corners):
         face = [surface.points[v] for v in surface.faces[f]]

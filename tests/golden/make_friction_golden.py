@@ -112,7 +112,7 @@ class RoughMesh(Mesh):
         return dot(tangential, tangential), dot(normal, normal)
 
     def goes_on_slipping(self, place, g, p):
-        """Whether a rest at g keeps the bit, if it was set."""
+        """True if a rest at g keeps the bit, if it was set."""
         u = minus(p, g)
         if not any(u):
             return False
@@ -378,7 +378,7 @@ class RoughPaths(Paths):
         self.first = PLANS[scene.name][1]
 
     def refused_after(self, start, offsets, entry=()):
-        """Whether a path from no state has a refused move."""
+        """True if a path from no state has a refused move."""
         state, before = NOWHERE, Counter(self.mesh.reached)
         for position in (*entry, *(plus(start, offset) for offset in offsets)):
             state = self.mesh.tick(state, in_units(bounded(position)))[0]

@@ -216,7 +216,7 @@ class Mesh:
         return ('v', held[0][0]) if len(held) == 1 else ('e', held[0][0], held[1][0], held[1][1])
 
     def sectors(self, place):
-        """What the surface looks like near a place: sectors, half-planes or one plane, from the place as origin."""
+        """The surface near a place: sectors, half-planes or one plane, from the place as origin."""
         if place[0] == 't':
             a, b, c = (self.w[v] for v in self.triangles[place[1]])
             return [Sector(place[1], minus(b, a), minus(c, a), True, True)]

@@ -59,7 +59,7 @@ grep -q '^refused: no certificate of this build covers bump-1p, 600 mil' "$scrat
 yes 2 | sed 'n;s/.*//' | "$scratch/programs/session" "$scratch/mine.toml" "$scratch/certificates" simulated:premium-1.5 "$scratch/P01" \
   > "$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the session did not come to its end"; }
 "$prefix/bin/forceshade" recording verify "$scratch/P01" > "$scratch/log" || { cat "$scratch/log"; exit 1; }
-# What drives a device links nothing of the exact side.
+# A program that drives a device links nothing of the exact side.
 ! ldd "$scratch/programs/drive" | grep -E 'gmp|mpfr|mpfi|CGAL' || fail "the program that drives links a library of the exact side"
 for program in drive session; do
   ! nm -C "$scratch/programs/$program" | grep -E 'CGAL::|rc::|forceshade::reference' || fail "$program holds exact code"
@@ -92,7 +92,7 @@ libraries=$(dirname "$pc")
 # shellcheck disable=SC2086
 "$compiler" -std=c++20 $flags "$source/plugin_loader.cpp" -o "$scratch/plugin_loader" -ldl
 "$scratch/plugin_loader" "$scratch/plugin.so"
-# What is left are templates of the C++ library with types of this one.
+# The rest are templates of the C++ library with types of this one.
 ! nm -D -C --defined-only "$scratch/plugin.so" | grep -E '^[0-9a-f]+ . ((vtable|typeinfo|typeinfo name) for )?forceshade::' ||
   fail "the plugin shows functions of the libraries in it"
 

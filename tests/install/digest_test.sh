@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the digest of the real-time library depends on: the compiled code and nothing else. Without optimisation, because that
+# The digest of the real-time library depends on the compiled code and nothing else. Without optimisation, because that
 # compiles in a quarter of the time, and without a compiler cache, which would hide a difference.
 set -eu
 source=$1 compiler=$2 command=$3

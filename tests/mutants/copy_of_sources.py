@@ -84,7 +84,7 @@ class Copy:
         return self.run(["prlimit", f"--cpu={limit}", *command])
 
     def fails(self, test):
-        """Why the test does not pass, or nothing."""
+        """The reason why the test does not pass, or nothing."""
         made = self.make(test)
         if made.returncode != 0:
             print(next((line for line in made.stdout.splitlines() if "error" in line.lower()), "no error is printed"))

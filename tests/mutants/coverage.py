@@ -1,4 +1,4 @@
-"""Which test programs run a line, measured with gcov."""
+"""Finds the test programs that run a line, measured with gcov."""
 import json
 import pathlib
 import subprocess

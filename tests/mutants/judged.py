@@ -1,4 +1,4 @@
-"""Which mutants the tests catch: each alone in the quickest tests that reach it, then those that are left together in the others."""
+"""Finds the mutants that the tests catch: each alone in the quickest tests that reach it, then those that are left together in the others."""
 import concurrent.futures
 import json
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the package for Python share."""
+"""Fixtures of the tests of the package for Python."""
 
 import csv
 import os

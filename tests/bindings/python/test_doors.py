@@ -18,7 +18,7 @@ from test_conform import DECLARES
 RENDERERS = ROOT / "examples" / "renderers"
 ASKED = ["--law", "wall", "--stiffness", "0.5", "--seed", "7", "--points", "5000"]
 
-# What is wrong: words of examples/renderers/wall.py and of wall.c, and those in their place.
+# Planted faults: words of examples/renderers/wall.py and of wall.c, and those in their place.
 WRONG_IN = {
     "nothing": ([], []),
     "the last bit": ([("stiffness * -z", "stiffness * -z * (1 + 2.0**-23)")], [("stiffness * -z", "(float)((double)stiffness * -z * (1 + 0x1p-23))")]),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is refused, and the sentence that says why."""
+"""Refusals, and the sentence that says why."""
 
 import copy
 import ctypes

@@ -47,7 +47,7 @@ fi
 cmake -S "$scratch/unpacked" -B "$scratch/compiled" -G Ninja -DBUILD_TESTING=OFF -DPython3_EXECUTABLE="$python" > "$scratch/configured"
 ninja -C "$scratch/compiled" -n forceshade_python | tail -n 1
 
-# What cmake --install puts below its prefix.
+# The files that cmake --install puts below its prefix.
 cmake --install "$build" --component python3-forceshade --prefix "$scratch/prefix"
 PYTHONPATH=$(dirname "$(dirname "$(find "$scratch/prefix" -name 'py.typed')")")
 export PYTHONPATH

@@ -16,7 +16,7 @@ here = os.path.dirname(os.path.abspath(__file__))
 # Only the deed that is about lateness is judged for it.
 PATIENT = ["--assume", "longest-gap=3600000"]
 WORDS = {"after-cut": ["--event", "force-button@2"], "after-unplug": ["--event", "unplug@2", "--assume", "unplugged=stale"], "gap": []}
-# What a deed cannot be done without.
+# The deeds that a deed needs before it.
 COMES_WITH = {"uncalibrated-force": {"after-cut"}}
 
 
@@ -49,7 +49,7 @@ def faults():
 
 
 def says(code, *assumptions, events=()):
-    """What a client prints."""
+    """The output of a client."""
     whole = "import sys\nsys.path.insert(0, %r)\nfrom client import *\n" % here + textwrap.dedent(code)
     words = list(PATIENT)
     for one in assumptions:

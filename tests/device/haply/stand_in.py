@@ -58,7 +58,7 @@ class StandIn:
 
 
 class Forked:
-    """What Popen has, of a process that runs main(words) of the stand-in with the modules that this process has read."""
+    """The part of Popen for a process that runs main(words) of the stand-in with the modules that this process has read."""
 
     def __init__(self, main, words):
         read, write = os.pipe()

@@ -48,7 +48,7 @@ PATIENT = ("--longest-gap", "3600000", "--assume", "idle-after=never")
 
 
 def run(act, *words):
-    """What the act returned, and the faults."""
+    """The result of the act, and the faults."""
     with ForkedStandIn(program, *PATIENT, *words) as stand_in:
         result = asyncio.run(session(stand_in.address, act))
         code, report = stand_in.verdict()
@@ -272,7 +272,7 @@ async def idles(client):
 
 
 async def drops(client):
-    """How many of ten are answered before one that has a force, which is sent until it is."""
+    """The number of ten that are answered before one that has a force, which is sent until it is."""
     await client.ask(force(ZERO))
     await at_once(client, 10, force(ZERO))
     count = 0
