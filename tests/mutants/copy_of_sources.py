@@ -42,6 +42,16 @@ def sources():
     return [path for path in listing.stdout.decode().split("\0") if path and (ROOT / path).is_file()]
 
 
+def write_source(root, path, content):
+    """Writes a file of the sources below root, unless it has this content there."""
+    target = root / path
+    if target.exists() and target.read_bytes() == content:
+        return
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_bytes(content)
+    target.chmod((ROOT / path).stat().st_mode)
+
+
 class Copy:
     def __init__(self, root, flags="-O1"):
         self.root, self.build, self.flags = root, root / "build", flags
@@ -56,12 +66,7 @@ class Copy:
                   "-DFORCESHADE_UNITE=OFF", f"-DFORCESHADE_MUTANTS={with_mutants}"], check=True)
 
     def write(self, path, content):
-        target = self.root / path
-        if target.exists() and target.read_bytes() == content:
-            return
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_bytes(content)
-        target.chmod((ROOT / path).stat().st_mode)
+        write_source(self.root, path, content)
 
     def run(self, command, **options):
         return subprocess.run([str(word) for word in command], cwd=self.root, text=True, errors="replace",

@@ -10,7 +10,7 @@ import shlex
 import subprocess
 import sys
 
-from copy_of_sources import CORES, ROOT, sources
+from copy_of_sources import CORES, ROOT, sources, write_source
 from sites import Site, sites_of
 
 FLAGS = "-O1 -DNDEBUG -w -Wno-narrowing"
@@ -36,44 +36,34 @@ class Tree:
     def __init__(self, root):
         self.root, self.sources, self.build = root, root / "tree", root / "build"
 
-    def write(self, path, content):
-        target = self.sources / path
-        if target.exists() and target.read_bytes() == content:
-            return
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_bytes(content)
-        target.chmod((ROOT / path).stat().st_mode)
-
-    def configure(self, build, *options):
-        made = subprocess.run(["cmake", "-G", "Ninja", "-S", self.sources, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
+    def configure(self, source, build, *options):
+        made = subprocess.run(["cmake", "-G", "Ninja", "-S", source, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
                                f"-DCMAKE_CXX_FLAGS_RELEASE={FLAGS}", "-DFORCESHADE_MUTANTS=OFF", *options], capture_output=True, text=True)
         if made.returncode != 0:
             sys.exit(made.stdout + made.stderr)
 
     def find(self, wanted):
         """The sites of the wanted files, each from a compilation that reads it."""
-        for path in sources():
-            self.write(path, (ROOT / path).read_bytes())
-        self.configure(self.root / "one_by_one", "-DFORCESHADE_UNITE=OFF")
+        self.configure(ROOT, self.root / "one_by_one", "-DFORCESHADE_UNITE=OFF")
         commands = {}
         for entry in json.loads((self.root / "one_by_one" / "compile_commands.json").read_text()):
             path = pathlib.Path(entry["file"])
-            if path.is_relative_to(self.sources):
-                commands.setdefault(str(path.relative_to(self.sources)), entry["command"])
+            if path.is_relative_to(ROOT) and not path.is_relative_to(self.root):
+                commands.setdefault(str(path.relative_to(ROOT)), entry["command"])
         left, found = set(wanted), {}
         while left:
             read_by = {}  # the compilation that each file is looked for in
             for name in sorted(left):
                 compilation = name if name in commands else next(
                     (other for other in sorted(commands, key=lambda other: pathlib.Path(other).parts[0] != pathlib.Path(name).parts[0])
-                     if f'#include "{name}"' in (self.sources / other).read_text()), None)
+                     if f'#include "{name}"' in (ROOT / other).read_text()), None)
                 if compilation is not None:
                     read_by.setdefault(compilation, set()).add(name)
             if not read_by:
                 break
             with concurrent.futures.ProcessPoolExecutor(CORES) as pool:
-                work = {pool.submit(sites_of, arguments_of(commands[compilation]) + [str(self.sources / compilation)], self.sources, left):
-                        names for compilation, names in read_by.items()}
+                work = {pool.submit(sites_of, arguments_of(commands[compilation]) + [str(ROOT / compilation)], ROOT, left): names
+                        for compilation, names in read_by.items()}
                 for done in concurrent.futures.as_completed(work):
                     for name, sites in done.result()[0].items():
                         found.setdefault(name, sites)
@@ -82,8 +72,11 @@ class Tree:
         return found
 
     def write_mutants(self, found, refused, keeps):
-        """Numbers the mutants of the sites (those that `keeps` picks, and no refused one), and writes the files with them."""
+        """Numbers the mutants of the sites (those that `keeps` picks, and no refused one), and writes the sources with them."""
         mutants, number = [], 0
+        for path in sources():
+            if path not in found:
+                write_source(self.sources, path, (ROOT / path).read_bytes())
         for name in sorted(found):
             by_site = collections.defaultdict(list)
             for index, site in enumerate(found[name]):
@@ -98,7 +91,7 @@ class Tree:
             first, newline, rest = body.partition(b"\n")
             if not first.startswith(b"//"):
                 sys.exit(f"{name}:1: expected a comment, in whose place a line can be written")
-            self.write(name, f'#include "{self.sources}/tests/mutants/chosen.h"'.encode() + newline + rest)
+            write_source(self.sources, name, f'#include "{self.sources}/tests/mutants/chosen.h"'.encode() + newline + rest)
         return mutants
 
     def compile(self, targets):

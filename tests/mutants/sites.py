@@ -104,7 +104,7 @@ class Finder:
     def __init__(self, file):
         self.file = file
 
-    def visit(self, cursor, parent=None):
+    def visit(self, cursor):
         kind = cursor.kind
         if kind in NOT_ENTERED or self.is_constant(cursor):
             return
@@ -124,27 +124,20 @@ class Finder:
             children = [child for child in children if not child.kind.is_expression() or kind == Kind.MEMBER_REF_EXPR and
                         child.extent.start.offset == cursor.extent.start.offset]
         for child in children:
-            self.visit(child, cursor)
+            self.visit(child)
 
     def is_constant(self, cursor):
-        """Variables that the compiler computes, and `if constexpr` with its condition alone."""
-        if cursor.kind not in (Kind.VAR_DECL, Kind.FUNCTION_DECL):
-            return False
-        if cursor.kind == Kind.FUNCTION_DECL:
-            return "consteval" in self.file.words(cursor.extent.start.offset, cursor.location.offset).split()
-        before = self.file.words(cursor.extent.start.offset, cursor.location.offset).split()
-        return "constexpr" in before or "constinit" in before
+        """True for variables and functions that the compiler alone evaluates."""
+        words = {Kind.VAR_DECL: {"constexpr", "constinit"}, Kind.FUNCTION_DECL: {"consteval"}}.get(cursor.kind)
+        return bool(words) and not words.isdisjoint(self.file.words(cursor.extent.start.offset, cursor.location.offset).split())
 
     # Conditions.
     def if_stmt(self, cursor, children):
         words = self.file.tokens(*span(cursor))[:3]
-        if len(words) < 3 or words[1].spelling == "constexpr" or not children:
-            return
-        condition = next((child for child in children if child.kind.is_expression()), None)
         # A declaration before the condition, or in its place, is not an expression.
-        if condition is None or not children[0].kind.is_expression():
+        if len(words) < 3 or words[1].spelling == "constexpr" or not children or not children[0].kind.is_expression():
             return
-        self.file.add(condition, ["false", "true"], "condition")
+        self.file.add(children[0], ["false", "true"], "condition")
 
     def while_stmt(self, cursor, children):
         if children and children[0].kind.is_expression():
