@@ -8,7 +8,7 @@ import subprocess
 import sys
 import textwrap
 
-from stand_in import Checks, Run
+from stand_in import PYTHON, Checks, Run
 
 checks = Checks()
 program, library, mode = sys.argv[1:4]
@@ -25,26 +25,26 @@ def faults():
     text = open(os.path.join(here, "client.py")).read()
     names = [line.split('"')[1] for line in text[text.index("DEEDS = {"):].splitlines() if line.startswith('    "')]
     for name in names:
-        run = Run(program, library, [sys.executable, "-SEB", os.path.join(here, "client.py"), name], *WORDS.get(name, PATIENT))
+        run = Run(program, library, [*PYTHON, os.path.join(here, "client.py"), name], *WORDS.get(name, PATIENT))
         expected = set() if name == "nothing" else {name}
         checks.expect(set(run.faults) - COMES_WITH.get(name, set()) == expected, f"{name}: {run.faults} {run.err}")
         checks.expect(run.code == (1 if expected else 0), f"{name}: exit code {run.code}")
-    help_text = subprocess.run([sys.executable, "-SEB", program, "dhd", "--library", library, "--help"], capture_output=True, text=True).stdout
+    help_text = subprocess.run([*PYTHON, program, "dhd", "--library", library, "--help"], capture_output=True, text=True).stdout
     listed = help_text[help_text.index("faults of a client:"):help_text.index("assumptions (")].splitlines()[1:]
     checks.expect({line.split(":")[0].strip() for line in listed} == set(names) - {"nothing"}, f"deeds and faults: {names} {listed}")
     for words, expected in ((["--assume", "x=1"], "is no assumption"), (["--event", "nan@0"], "the number of a reading from 1"),
                             (["--assume", "watchdog=-1"], "expected 0|NUMBER"), (["--library", "/none"], "expected /none")):
-        done = subprocess.run([sys.executable, "-SEB", program, "dhd", "--library", library, *words, "--", "true"], capture_output=True, text=True)
+        done = subprocess.run([*PYTHON, program, "dhd", "--library", library, *words, "--", "true"], capture_output=True, text=True)
         checks.expect(done.returncode == 2 and expected in done.stderr, f"{words}: {done}")
     idle = Run(program, library, ["true"])
     checks.expect(idle.code == 2 and "the client did not load the library, " + library in idle.err, f"a client that loads nothing: {idle.err}")
-    silent = Run(program, library, [sys.executable, "-SEB", "-c", "import ctypes, os; ctypes.CDLL(os.environ['FORCESHADE_DHD_LIBRARY'])"])
+    silent = Run(program, library, [*PYTHON, "-c", "import ctypes, os; ctypes.CDLL(os.environ['FORCESHADE_DHD_LIBRARY'])"])
     checks.expect(silent.code == 2 and "the client loaded the library, and called none of its functions" in silent.err, f"a silent client: {silent.err}")
-    client = [sys.executable, "-SEB", os.path.join(here, "client.py"), "nothing"]
+    client = [*PYTHON, os.path.join(here, "client.py"), "nothing"]
     for words, expected in ((["--report", "/none/report"], "/none/report: cannot be written: No such file"),
                             (["--log", "/none/log"], "/none/log: cannot be written: No such file"),
                             (["--judge", "/none/log"], "the client of /none/log did not load the library")):
-        done = subprocess.run([sys.executable, "-SEB", program, "dhd", "--library", library, *PATIENT, *words, "--", *client], capture_output=True, text=True)
+        done = subprocess.run([*PYTHON, program, "dhd", "--library", library, *PATIENT, *words, "--", *client], capture_output=True, text=True)
         checks.expect(done.returncode == 2 and expected in done.stderr, f"{words}: {done}")
 
 
@@ -56,7 +56,7 @@ def says(code, *assumptions, events=()):
         words += ["--assume", one]
     for one in events:
         words += ["--event", one]
-    run = Run(program, library, [sys.executable, "-SEB", "-c", whole], *words)
+    run = Run(program, library, [*PYTHON, "-c", whole], *words)
     checks.expect(not run.faults or "nan" in code or "xpert" in code, f"{code}: {run.faults} {run.err}")
     return run.out.strip()
 
@@ -208,17 +208,17 @@ def readings():
         seen = says(NUMBERS + READINGS + END, "model=" + model)
         checks.expect(seen == emulated, f"{model}: {seen}")
     for name, words in (("dhdGetJointAngles", "None"), ("dhdGetEncoder", "0"), ("dhdSetMot", "None, 0")):
-        run = Run(program, library, [sys.executable, "-SEB", "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\nbegin()\n"
+        run = Run(program, library, [*PYTHON, "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\nbegin()\n"
                                      f"dhd.{name}({words}, ID)\nend()"], *PATIENT)
         checks.expect(set(run.faults) == {"no-expert-mode"}, f"{name}: {run.faults}")
     for name, count in (("dhdGetForce", 3), ("dhdGetPositionAndOrientationRad", 6), ("dhdGetPositionAndOrientationFrame", 4), ("dhdGetEffectorMass", 1)):
         for gap in range(count):
             code = BEGIN + f"places = [(N * 9)() for _ in range({count})]\nplaces[{gap}] = None\nprint(dhd.{name}(*places, ID))" + END
-            run = Run(program, library, [sys.executable, "-SEB", "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\n{code}"], *PATIENT)
+            run = Run(program, library, [*PYTHON, "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\n{code}"], *PATIENT)
             checks.expect(set(run.faults) == {"null-argument"} and run.out.strip() == "-1", f"{name} without {gap}: {run.faults} {run.out} {run.err}")
     # A client that looks where FDSDK names the vendor's SDK.
     place = "os.path.join(os.environ['FDSDK'], 'lib', 'release', f'lin-{os.uname().machine}-gcc', 'libdrd.so.3')"
-    run = Run(program, library, [sys.executable, "-SEB", "-c", f"import ctypes, os\nprint(ctypes.CDLL({place}).dhdGetDeviceCount())"])
+    run = Run(program, library, [*PYTHON, "-c", f"import ctypes, os\nprint(ctypes.CDLL({place}).dhdGetDeviceCount())"])
     checks.expect(run.code == 0 and run.out.strip() == "1", f"FDSDK: {run.out} {run.err}")
 
 
