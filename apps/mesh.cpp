@@ -110,7 +110,7 @@ void note_large_fan(const Input& input, const mesh::TriangleMesh& triangles, std
   notes.push_back((input.is_scene() ? input.ground.words_of_vertex(fan.vertex) : "vertex " + std::to_string(fan.vertex)) +
                   " has " + std::to_string(fan.triangles) +
                   " faces: each move of a tick from there looks at all of them, which can take longer than 0.1 ms "
-                  "(docs/meshes.md, \"Vertices of many triangles\")");
+                  "(docs/speed.md, \"Vertices of many triangles\")");
 }
 
 // Borders that lie on each other, between which a hand goes.

@@ -110,7 +110,7 @@ class Flight {
   }
 
  private:
-  // That of the flight along an axis, and 2^-34 mm more: the ends are known within 2^-36 mm.
+  // The flight along an axis, and 2^-34 mm more at each end: the ends are known within 2^-36 mm.
   struct Range {
     double low, high;
     Range(double start, double end) noexcept
