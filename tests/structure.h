@@ -32,9 +32,9 @@ inline std::vector<std::string> modules() {
   return found;
 }
 
-// The folders at the top in which modules and their public headers lie.
+// The folders at the top in which modules, their public headers and clients lie.
 inline std::set<std::string> top_folders() {
-  std::set<std::string> folders{"include"};
+  std::set<std::string> folders{"include", "clients"};
   for (const std::string& module : modules()) folders.insert(module.substr(0, module.find('/')));
   return folders;
 }
