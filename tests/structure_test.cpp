@@ -271,7 +271,7 @@ TEST(structure, every_file_that_a_comment_or_page_names_exists) {
   };
   std::vector<std::string> folders{"cmake", "docs", "scripts"};
   for (const std::string& folder : top_folders()) folders.push_back(folder);
-  std::vector<std::filesystem::path> files{kRoot / "README.md", kRoot / "CONTRIBUTING.md"};
+  std::vector<std::filesystem::path> files{kRoot / "README.md", kRoot / "CONTRIBUTING.md", kRoot / "SECURITY.md"};
   for (const std::string& folder : folders)
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder))
       if (entry.is_regular_file()) files.push_back(entry.path());

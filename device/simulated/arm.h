@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Kinematics and rigid-body dynamics of a PHANToM's three driven joints (docs/simulation.md has the equations and their
+// Kinematics and rigid-body dynamics of a PHANToM's three driven joints (device/simulated/model.md has the equations and their
 // sources).
 //
 // SI units. The arm's own frame is x right, y up, z to the user; θ1 turns about y, θ2 is the upper arm's angle above the

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The PHANToMs that can be simulated, by number: what is known of each, and docs/simulation.md says how surely.
+// The PHANToMs that can be simulated, by number: what is known of each, and device/simulated/model.md says how surely.
 
 #include <array>
 #include <optional>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The edge scheme of the thesis (3.3) as printed (docs/errata.md), on a mesh: N = [x1(N02 + N03) + x2(N01 + N03) + x3(N01 +
+"""The edge scheme of the thesis (3.3) as printed (reference/laws/errata.md), on a mesh: N = [x1(N02 + N03) + x2(N01 + N03) + x3(N01 +
 N02)]/2(x1 + x2 + x3), which is no unit vector; xi is the distance from side i and N0i the mean of the normals beside it. With the
 argument --normalised it is one."""
 

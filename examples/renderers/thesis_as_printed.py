@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Formulas of the thesis with their errata left in (docs/errata.md), in binary64 and otherwise right: thesis_as_printed.py SECTION
-renders the law that the formula of this section would give."""
+"""Formulas of the thesis with their errata left in (reference/laws/errata.md), in binary64 and otherwise right: thesis_as_printed.py
+SECTION renders the law that the formula of this section would give."""
 
 import sys
 

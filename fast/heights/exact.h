@@ -9,7 +9,7 @@
 // identities that no one has met, and an enclosure has found its sign. Otherwise, with the Gaussians' sum δ beside the other
 // part, P(base + δ) = P(base) + P₁(δ) + P₂(δ, δ) + ..., where P(base) and the factor of each e^(-q) in P₁ and of each e^(-q-q')
 // in P₂ are exact numbers. Those that are 0 are left out; the others, each enclosed at its own size, add up to the answer,
-// however small (docs/height-map-ties.md).
+// however small (fast/heights/ties.md).
 
 #include <array>
 #include <cstddef>

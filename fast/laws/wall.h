@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// wall: F = -K z ẑ for z < 0 (thesis 2.2.1, sign and condition corrected: docs/errata.md).
+// wall: F = -K z ẑ for z < 0 (thesis 2.2.1, sign and condition corrected: reference/laws/errata.md).
 
 #include "fast/laws/outcome.h"
 #include "fast/numbers/first_stage.h"

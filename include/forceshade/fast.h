@@ -113,7 +113,7 @@ class HeightMapField {
   // Domains: docs/height-maps.md. Looks at every value of a grid, and allocates. Under an arithmetic_fault() nothing is built.
   static std::variant<HeightMapField, ParameterError> build(const HeightMap& map, height::Mode mode, float stiffness);
 
-  // The last stage takes up to 3 MiB of stack. Should its numbers not decide (docs/height-map-ties.md says for which identities
+  // The last stage takes up to 3 MiB of stack. Should its numbers not decide (fast/heights/ties.md says for which identities
   // that could be), Status::invalid and no force.
   Evaluation evaluate(const Eigen::Vector3f& position) const noexcept {
     Evaluation answer;  // one object, built where the caller needs it: a copy would wait for what was just written

@@ -18,7 +18,7 @@
 //
 // Not promised: how long an answer takes (a tie may take a second), and what Method says of it.
 //
-// Source: Morgenbesser and Srinivasan, RLE Technical Report 606 (MIT, 1996), with docs/errata.md; docs/laws.md,
+// Source: Morgenbesser and Srinivasan, RLE Technical Report 606 (MIT, 1996), with reference/laws/errata.md; docs/laws.md,
 // docs/height-maps.md and docs/god-object.md.
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The thesis's printed numbers, and what docs/thesis-numbers.md says of them.
+// The thesis's printed numbers, and what docs/tables/thesis-numbers.md says of them.
 
 #include <gtest/gtest.h>
 

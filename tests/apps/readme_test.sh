@@ -13,9 +13,9 @@ ln -s "$forceshade" build/release/apps/forceshade
 for folder in examples recordings; do ln -s "$source/$folder" $folder; done
 printf 'render = "height-map"\n[[part]]\nshape = "plane"\nslope_x = 0.25\n' > ramp.toml
 
-# The blocks of shell commands, without those of the scripts, which build and test everything, and without the mouse, which needs a display.
+# The blocks of shell commands, without those of the scripts, which build and test everything.
 { cat "$source/README.md"; cd "$source/docs" && sed -n '/^## First commands/,/^## Options/p' using.md; } | page_blocks sh |
-  grep -v '^scripts/\|^export ' | grep -v -- '--device mouse' |
+  grep -v '^scripts/\|^export ' |
   sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --free-run/' \
     -e '/ certify \| drive /s/examples\/leather\.toml/ramp.toml/' -e 's/ --cases 10000 / --cases 100 /' \
     -e '/ conform /s/$/ --points 256/' > commands

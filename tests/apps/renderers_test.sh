@@ -15,7 +15,7 @@ finds() {
   expect 1 "$words" -- "$forceshade" conform "${subject[@]}" --command "$2"
 }
 
-# The errata of docs/errata.md: its section, the law, what is found, and that nothing else is.
+# The errata of reference/laws/errata.md: its section, the law, what is found, and that nothing else is.
 printed() {
   local section=$1 law=$2 aim=$3 failures=$4 output
   output=$("$forceshade" conform --law "$law" --tolerance "1e-5 N" --command "$python $renderers/thesis_as_printed.py $section")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The errata of docs/errata.md on normals: where faces meet, the printed one is short, jumps or is not defined.
+// The errata of reference/laws/errata.md on normals: where faces meet, the printed one is short, jumps or is not defined.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The errata of docs/errata.md on forces, one test per correction: the printed form breaks a demand that both of our sides
+// The errata of reference/laws/errata.md on forces, one test per correction: the printed form breaks a demand that both of our sides
 // keep.
 
 #include "tests/laws/errata.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The length of the integers of a god-object's decisions: the proof of the table in docs/proofs.md, "Bounds".
+// The length of the integers of a god-object's decisions: the proof of the table in fast/meshes/bits.md.
 
 #include <gtest/gtest.h>
 
@@ -106,7 +106,7 @@ std::string text_of(const std::string& file) {
 }
 
 TEST(mesh_bit_bounds, the_table_in_the_documentation_has_these_rows) {
-  const std::string page = text_of("docs/proofs.md");
+  const std::string page = text_of("fast/meshes/bits.md");
   for (const Row& row : rows()) {
     const std::string expected = std::string("| ") + row.quantity + " | 2^-" + std::to_string(row.unit) + " | " +
                                  std::to_string(bits_of(row.size2, row.unit)) + " |";
@@ -116,7 +116,7 @@ TEST(mesh_bit_bounds, the_table_in_the_documentation_has_these_rows) {
 
 // Each theorem of the table stands below the row that it proves, with the numbers of that row.
 TEST(mesh_bit_bounds, theorems_in_coq_have_the_numbers_of_the_documentation) {
-  const std::string pages = text_of("docs/proofs.md") + text_of("docs/friction.md"),
+  const std::string pages = text_of("fast/meshes/bits.md"),
                     proofs = text_of("proofs/MeshBounds.v") + text_of("proofs/MeshBoundsMoves.v") +
                              text_of("proofs/MeshBoundsShaded.v") + text_of("proofs/MeshBoundsPulled.v");
   const std::regex theorem(R"(\(\* (\|.*\| 2\^-(\d+) \| (\d+) \|) \*\)\nTheorem [^.]*?fits? (\d+) (\d+))");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The rules that every step of every session keeps, whatever goes wrong. docs/faults.md, "In a simulated world", lists them.
+// The rules that every step of every session keeps, whatever goes wrong. tests/world/rules.md lists them.
 
 #include <Eigen/Core>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Sessions of the servo loop over an arm, in a simulated world, judged at every step by the rules that each session must keep.
-// docs/faults.md, "In a simulated world", lists the rules.
+// tests/world/rules.md lists the rules.
 
 #include <Eigen/Core>
 #include <array>
