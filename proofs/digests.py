@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""proofs/digests.py [--renew FILE...]: compares the code that definitions of these proofs were written from by hand with the digests of
+proofs/code.txt, and exits with 1 where one differs. Each line of code.txt names a file, functions of it (or * for the whole file) and
+the digest of their text without comments and line breaks. Whoever changes such code looks at the definitions in proofs/*.v
+again, and then renews the digest of the file."""
+
+import hashlib
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+LIST = ROOT / "proofs/code.txt"
+
+
+def without_comments(text):
+    text = re.sub(r'("(?:\\.|[^"\\\n])*")|//[^\n]*|/\*.*?\*/', lambda found: found[1] or " ", text, flags=re.DOTALL)
+    text = re.sub(r"^\s*#.*$", lambda line: line[0] + ";", text, flags=re.MULTILINE)  # a directive ends at its line
+    return re.sub(r"\s*([(){}\[\],;])\s*", r"\1", " ".join(text.split()))
+
+
+def body_end(text, begin):
+    """The place behind the bracket that closes the one at `begin`."""
+    depth = 0
+    for at in range(begin, len(text)):
+        depth += {"{": 1, "}": -1}.get(text[at], 0)
+        if depth == 0:
+            return at + 1
+    raise SystemExit("a bracket is not closed")
+
+
+def functions(text, name):
+    """Every definition of the function, from its head to the closing bracket."""
+    for found in re.finditer(rf"(?<![\w.>]){name}\(", text):
+        head = re.compile(r"[^;{}]*").match(text, found.end()).end()
+        begin = max(text.rfind(each, 0, found.start()) for each in ";{}") + 1
+        if head < len(text) and text[head] == "{" and not re.search(r"\b(return|if|while)\b|[=,]$", text[begin:found.start()]):
+            yield text[begin:body_end(text, head)]
+
+
+def digest_of(file, names):
+    text = without_comments((ROOT / file).read_text())
+    parts = [text]
+    if names != ["*"]:
+        parts = []
+        for name in names:
+            found = list(functions(text, re.escape(name)))
+            if not found:
+                raise SystemExit(f"proofs/code.txt: expected functions of {file}, got {name}")
+            parts += found
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
+
+
+def main():
+    renewed = sys.argv[2:] if sys.argv[1:2] == ["--renew"] else []
+    if len(sys.argv) > 1 and not renewed:
+        raise SystemExit(__doc__)
+    lines, changed, known = [], [], set()
+    for line in LIST.read_text().splitlines():
+        if not line.startswith("#"):
+            file, *names, digest = line.split()
+            known.add(file)
+            now = digest_of(file, names)
+            if file in renewed:
+                line = " ".join([file, *names, now])
+            elif now != digest:
+                changed.append(file)
+        lines.append(line)
+    for file in renewed:
+        if file not in known:
+            raise SystemExit(f"proofs/code.txt: expected a line of {file}")
+    if renewed:
+        LIST.write_text("\n".join(lines) + "\n")
+    for file in changed:
+        print(f"{file} is not the code that definitions of proofs/ were written from: look at them again, then\n"
+              f"  proofs/digests.py --renew {file}")
+    return 1 if changed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

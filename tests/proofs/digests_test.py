@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""digests_test.py SOURCE: proofs/digests.py agrees with the sources as they are; in a copy it refuses a change of any token of the code that
+code.txt names, passes over other text, and renews a digest."""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+source = pathlib.Path(sys.argv[1])
+NAMED = [line.split() for line in (source / "proofs/code.txt").read_text().splitlines() if not line.startswith("#")]
+
+
+def run(root, *words):
+    done = subprocess.run([root / "proofs/digests.py", *words], capture_output=True, text=True)
+    return done.returncode, done.stdout + done.stderr
+
+
+code, words = run(source)
+assert code == 0, words
+
+with tempfile.TemporaryDirectory() as folder:
+    root = pathlib.Path(folder)
+    (root / "proofs").mkdir()
+    for name in ("digests.py", "code.txt"):
+        shutil.copy(source / "proofs" / name, root / "proofs")
+    for file, *_ in NAMED:
+        (root / file).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(source / file, root / file)
+
+    def refused(file, text):
+        kept = (root / file).read_text()
+        (root / file).write_text(text)
+        code, words = run(root)
+        (root / file).write_text(kept)
+        assert code == 0 or code == 1 and words.startswith(f"{file} is not the code"), words
+        return code == 1
+
+    planted = 0
+    for file, *names, _ in NAMED:
+        text = (root / file).read_text()
+        assert not refused(file, text.replace(";\n", ";\n\n  // A { remark.\n")), file
+        # A return of each named function, or of the file, gives something else.
+        for name in names:
+            at = 0 if name == "*" else re.search(rf"\b{name}\([^;{{]*{{", text).start()
+            found = re.compile(r"\breturn |\bconst |\bif \(").search(text, at)
+            assert refused(file, text[:found.start()] + "[[unlikely]] " + text[found.start():]), (file, name)
+            planted += 1
+    # Faults of one token that a grep for lines let pass: a type, and a line that is inserted.
+    for file, old, new in (("fast/laws/cylinder.h", "double ", "float "), ("fast/evaluate.h", "return {};", "return {}; return {};")):
+        text = (root / file).read_text()
+        assert refused(file, text.replace(old, new, 1)), file
+    # Code of the same file that no definition was written from.
+    file = "fast/meshes/friction.h"
+    assert not refused(file, (root / file).read_text() + "inline int other() { return 1; }\n")
+
+    (root / "fast/domain.h").write_text("int changed;\n")
+    assert run(root)[0] == 1
+    assert run(root, "--renew", "fast/domain.h") == (0, "")
+    assert run(root)[0] == 0
+    assert run(root, "--renew", "fast/none.h") == (1, "proofs/code.txt: expected a line of fast/none.h\n")
+    assert run(root, "--wrong")[0] == 1
+    (root / file).write_text("")
+    assert "expected functions of fast/meshes/friction.h, got exact_order" in run(root)[1]
+print(f"refused: {planted} changes of {len(NAMED)} files")
