@@ -50,7 +50,5 @@ void add_drive(CLI::App& app, int& result);
 void add_recording(CLI::App& app, int& result);
 void add_device(CLI::App& app, int& result);
 void add_mesh(CLI::App& app, int& result);
-void add_experiment(CLI::App& app, int& result);
-void add_analyze(CLI::App& app, int& result);
 
 }  // namespace forceshade::apps

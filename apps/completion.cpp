@@ -14,10 +14,6 @@
 namespace forceshade::apps {
 namespace {
 
-std::vector<const CLI::App*> verbs_of(const CLI::App& command) {
-  return command.get_subcommands([](const CLI::App*) { return true; });
-}
-
 // The values that an option may have.
 struct Values {
   std::string words;       // between spaces
@@ -184,7 +180,7 @@ std::string fish_values(const Values& values) {
 // A line for each verb, option and positional word of the command, and of its verbs.
 void add_for_fish(const CLI::App& command, std::ostream& names, std::ostream& lines) {
   const std::string name = full_name(command);
-  const std::string line = "complete -c forceshade -n '__forceshade_is \"" + name + "\"'";
+  const std::string line = of_program("complete -c forceshade -n '__forceshade_is \"") + name + "\"'";
   for (const CLI::Option* option : command.get_options()) {
     const bool has_value = option->get_expected_max() > 0;
     const Values values = has_value ? values_of(*option) : Values{};
@@ -197,8 +193,8 @@ void add_for_fish(const CLI::App& command, std::ostream& names, std::ostream& li
       lines << " -d " << quoted(option->get_description()) << '\n';
       // fish has no option whose value may be left out: what may follow is a word without a name.
       if (has_value && values.optional)
-        lines << "complete -c forceshade -n '__forceshade_is \"" << name << "\" --" << long_name << '\'' << fish_values(values)
-              << '\n';
+        lines << of_program("complete -c forceshade -n '__forceshade_is \"") << name << "\" --" << long_name << '\''
+              << fish_values(values) << '\n';
     }
   }
   for (const CLI::App* verb : verbs_of(command)) {
@@ -230,24 +226,26 @@ complete -c forceshade -f
 std::string bash_completion(const CLI::App& program) {
   Tables tables;
   add(program, tables);
-  return kBashHead + tables.commands.str() + kBashBetween + tables.values.str() + kBashThen + tables.words.str() + kBashTail;
+  return of_program(kBashHead) + tables.commands.str() + kBashBetween + tables.values.str() + kBashThen + tables.words.str() +
+         of_program(kBashTail);
 }
 
 std::string zsh_completion(const CLI::App& program) {
   Tables tables;
   add(program, tables);
-  return kZshHead + tables.commands.str() + kZshBetween + tables.values.str() + kZshThen + tables.words.str() + kZshTail;
+  return of_program(kZshHead) + tables.commands.str() + kZshBetween + tables.values.str() + of_program(kZshThen) +
+         tables.words.str() + of_program(kZshTail);
 }
 
 std::string fish_completion(const CLI::App& program) {
   std::ostringstream names, lines;
   add_for_fish(program, names, lines);
-  return kFishHead + names.str() + kFishThen + lines.str();
+  return of_program(kFishHead) + names.str() + of_program(kFishThen) + lines.str();
 }
 
 void add_completion(CLI::App& app) {
   CLI::App* command =
-      app.add_subcommand("completion", "Print what a shell loads to complete forceshade's commands and options");
+      app.add_subcommand("completion", of_program("Print what a shell loads to complete forceshade's commands and options"));
   const auto shell = std::make_shared<std::string>();
   command->add_option("shell", *shell, "the shell")
       ->type_name("bash|zsh|fish")

@@ -12,6 +12,7 @@
 #include "apps/live_view.h"
 #include "apps/options.h"
 #include "apps/signals.h"
+#include "apps/tell.h"
 #include "apps/terminal_attendant.h"
 #include "apps/trip_words.h"
 #include "device/passive_rate.h"
@@ -42,7 +43,7 @@ bool wrote_json(const std::string& file, const nlohmann::ordered_json& json) {
     write_file(file, json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     return true;
   } catch (const files::OutputError& error) {
-    std::fprintf(stderr, "forceshade: %s\n", files::printable(error.what()).c_str());
+    tell(error.what());
     return false;
   }
 }
@@ -83,8 +84,7 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
 }
 
 void warn_if_active(double stiffness, const device::Capabilities& capabilities, double rate) {
-  if (const std::string words = device::words_if_active(stiffness, capabilities, rate); !words.empty())
-    std::fprintf(stderr, "forceshade: %s\n", files::printable(words).c_str());
+  if (const std::string words = device::words_if_active(stiffness, capabilities, rate); !words.empty()) tell(words);
 }
 
 RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
@@ -96,7 +96,7 @@ RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
   const run::Outcome outcome = plan.run_loop(device, what, plan.run, interrupted());
   view.reset();
   const device::ServoResult& result = outcome.result;
-  for (const std::string& fault : outcome.record_faults) std::fprintf(stderr, "forceshade: %s\n", fault.c_str());
+  for (const std::string& fault : outcome.record_faults) tell(fault);
   bool written = outcome.record_faults.empty();
   if (!plan.json.empty())
     written = wrote_json(plan.json, run::summary(outcome, what, plan.run, capabilities, interrupting_signal())) && written;
@@ -110,10 +110,9 @@ RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
     print_last_ticks(outcome.last_ticks);
   }
   if (const std::string signal = interrupting_signal(); !signal.empty() && result.end_reason == device::EndReason::stopped)
-    std::fprintf(stderr, "forceshade: %s ended the run\n", signal.c_str());
-  if (result.trip) std::fprintf(stderr, "forceshade: the supervisor stopped the run: %s\n", words_of_trip(result).c_str());
-  if (result.end_reason == device::EndReason::device_fault)
-    std::fprintf(stderr, "forceshade: device fault: %s\n", result.fault);
+    tell(signal + " ended the run");
+  if (result.trip) tell("the supervisor stopped the run: " + words_of_trip(result));
+  if (result.end_reason == device::EndReason::device_fault) tell("device fault: " + std::string(result.fault));
   return {result, run::has_failed(result) ? kDeviceFault : written ? kHeld : kBadInput};
 }
 
@@ -123,7 +122,7 @@ bool may_be_driven(const run::Certified& certified, bool uncertified) {
   if (uncertified)
     std::fprintf(stderr, "*** DRIVING UNCERTIFIED, because of --uncertified: %s ***\n", why.c_str());
   else
-    std::fprintf(stderr, "forceshade: refused to drive: %s\n", why.c_str());
+    tell("refused to drive: " + certified.why_not);
   return uncertified;
 }
 

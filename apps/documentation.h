@@ -20,7 +20,9 @@ inline constexpr const char* kFiles =
     "The file - is standard input or output. A file that is there already is replaced only with\n"
     "--overwrite.";
 inline constexpr const char* kWhereMoreIs =
-    "'forceshade help' explains units, files and exit codes; 'forceshade man' writes manual pages.";
+    "'forceshade help' explains units, files and exit codes; 'forceshade man' prints pages.";
+
+std::vector<const CLI::App*> verbs_of(const CLI::App& command);
 
 // "forceshade device check"
 std::string full_name(const CLI::App& command);
@@ -33,10 +35,13 @@ std::string words_of(const CLI::Option& option);
 
 // A command line as it may be typed, and what it shows.
 struct Example {
-  std::string_view command;  // its full name without "forceshade "
+  std::string_view command;  // its full name without that of the program
   const char *line, *what;
 };
 std::vector<Example> examples_of(std::string_view full_name);
+
+// The text with the name of the program that runs in the place of "forceshade".
+std::string of_program(std::string text);
 
 // The text of --help.
 std::string help_text(const CLI::App& command);

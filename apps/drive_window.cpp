@@ -6,9 +6,10 @@
 #include <memory>
 #include <utility>
 
+#include "apps/tell.h"
+#include "device/latest_tick.h"
 #include "device/triple_buffer.h"
 #include "files/printable.h"
-#include "study/apparatus/latest_tick.h"
 #include "system/system.h"
 
 namespace forceshade::apps {
@@ -53,7 +54,7 @@ Rendering shown_in(GodObjectMailbox& mailbox, const Rendering& what) {
 DriveWindow::DriveWindow(const Description& what, SurfaceCut& cut, const device::Placement& placement,
                          device::Steering& steering, const std::string& certified)
     : what_(what), cut_(cut), placement_(placement), steering_(steering), y_(cut.middle_y()), canvas_(window::Settings{}) {
-  if (!canvas_.note().empty()) std::fprintf(stderr, "forceshade: %s\n", files::printable(canvas_.note()).c_str());
+  if (!canvas_.note().empty()) tell(canvas_.note());
   scene_.region = cut.region();
   scene_.words = {
       files::printable(certified),
@@ -64,7 +65,7 @@ DriveWindow::DriveWindow(const Description& what, SurfaceCut& cut, const device:
 run::Outcome DriveWindow::run(device::Device& device, const Rendering& what, run::Plan plan, const std::atomic<bool>& asked) {
   scene_.title = files::printable(what.identity.name) + ": " + parameters_in_words(what.identity);
   std::atomic<bool> stop = asked.load(), has_ended = false;
-  apparatus::LatestTick latest(asked, stop);
+  device::LatestTick latest(asked, stop);
   GodObjectMailbox god_object;
   plan.servo.sinks.push_back(&latest);
   run::Outcome outcome;

@@ -10,7 +10,7 @@
 #include "device/simulated/steering.h"
 #include "forceshade/placement.h"
 #include "forceshade/run.h"
-#include "study/window/canvas.h"
+#include "window/canvas.h"
 
 namespace forceshade::apps {
 

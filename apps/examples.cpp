@@ -2,14 +2,14 @@
 // An example or two of each command, for its help and its manual page. The files that they name are those of the folder
 // examples/, or were written by an example before.
 
-#include <array>
+#include "apps/examples.h"
 
-#include "apps/documentation.h"
+#include <array>
 
 namespace forceshade::apps {
 namespace {
 
-constexpr std::array kExamples{
+constexpr std::array kAll{
     Example{"laws", "forceshade laws", "the laws, with the domain of each parameter"},
     Example{"geometry", "forceshade geometry --radius 600mil --width 1in --digits 20",
             "d, h, w', h' and theta of the smallest bump of the thesis, to 20 digits"},
@@ -60,33 +60,14 @@ constexpr std::array kExamples{
     Example{"mesh info", "forceshade mesh info sphere.off --unit mm", "its size, edges and shells"},
     Example{"mesh repair", "forceshade mesh repair scan.stl --unit mm --out mended.off", "a mesh that can be rendered"},
     Example{"mesh make", "forceshade mesh make icosphere --radius 50mm --out sphere.off", "a sphere of triangles"},
-    Example{"experiment check", "forceshade experiment check examples/experiments/matching.toml", "the faults of a protocol"},
-    Example{"experiment prepare", "forceshade experiment prepare examples/experiments/matching.toml --out certificates",
-            "certificates of all bumps of a protocol"},
-    Example{"experiment run",
-            "forceshade experiment run examples/experiments/matching.toml --participant P-01 \\\n"
-            "      --session sessions/P-01 --device phantom --certificates certificates",
-            "a session"},
-    Example{"experiment resume", "forceshade experiment resume sessions/P-01 --device phantom --certificates certificates",
-            "the rest of a session that was interrupted"},
-    Example{"experiment virtual",
-            "forceshade experiment virtual examples/experiments/matching.toml --participants 5 --out study \\\n"
-            "      --certificates certificates",
-            "sessions of five participants that are programs"},
-    Example{"experiment export", "forceshade experiment export sessions/* --csv results --bids data",
-            "data for other programs"},
-    Example{"analyze", "forceshade analyze sessions/* --out report", "tables and figures of the thesis from sessions"},
     Example{"man", "forceshade man force | man -l -", "the page of one command"},
     Example{"completion", "forceshade completion bash > ~/.local/share/bash-completion/completions/forceshade",
             "completion for one user of bash"}};
 
 }  // namespace
 
-std::vector<Example> examples_of(std::string_view full_name) {
-  std::vector<Example> all;
-  for (const Example& example : kExamples)
-    if (full_name.size() > 11 && full_name.substr(11) == example.command) all.push_back(example);
-  return all;
+std::span<const Example> forceshade_examples() {
+  return kAll;
 }
 
 }  // namespace forceshade::apps

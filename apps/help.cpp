@@ -55,7 +55,7 @@ std::string help_rows(const std::string& title, const std::vector<const CLI::Opt
 
 std::string usage_of(const CLI::App& command) {
   std::string words = "Usage: " + full_name(command);
-  const std::vector<const CLI::App*> verbs = command.get_subcommands([](const CLI::App*) { return true; });
+  const std::vector<const CLI::App*> verbs = verbs_of(command);
   if (!verbs.empty()) words += command.get_require_subcommand_min() > 0 ? " COMMAND" : " [COMMAND]";
   for (const CLI::Option* option : command.get_options([](const CLI::Option* each) { return each->get_positional(); }))
     words += option->get_required() ? ' ' + plain_synopsis(*option) : " [" + plain_synopsis(*option) + ']';
@@ -74,7 +74,7 @@ std::string help_text(const CLI::App& command) {
   };
   text += help_rows("Arguments", options_where([](const CLI::Option& each) { return each.get_positional(); }));
   std::string commands;
-  for (const CLI::App* verb : command.get_subcommands([](const CLI::App*) { return true; }))
+  for (const CLI::App* verb : verbs_of(command))
     commands += help_row(verb->get_name(), verb->get_description());
   if (!commands.empty()) text += "\nCommands:\n" + commands;
   for (const std::string_view group : kOptionGroups)

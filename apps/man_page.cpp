@@ -10,15 +10,12 @@
 #include "apps/command.h"
 #include "apps/documentation.h"
 #include "apps/output_options.h"
+#include "apps/tell.h"
 #include "certificate/build.h"
 #include "files/output_folder.h"
 
 namespace forceshade::apps {
 namespace {
-
-std::vector<const CLI::App*> verbs_of(const CLI::App& command) {
-  return command.get_subcommands([](const CLI::App*) { return true; });
-}
 
 // As text of roff: no character of it is a request, an escape, or a dash or quote that would be set as another one.
 std::string roff(const std::string& text) {
@@ -107,9 +104,20 @@ const CLI::App& found(const CLI::App& program, const std::vector<std::string>& w
 
 }  // namespace
 
+std::vector<const CLI::App*> verbs_of(const CLI::App& command) {
+  return command.get_subcommands([](const CLI::App*) { return true; });
+}
+
 std::string full_name(const CLI::App& command) {
   const CLI::App* parent = command.get_parent();
   return (parent == nullptr ? "" : full_name(*parent) + ' ') + command.get_name();
+}
+
+std::string of_program(std::string text) {
+  constexpr std::string_view kName = "forceshade";
+  for (std::size_t at = text.find(kName); at != std::string::npos; at = text.find(kName, at + program_name().size()))
+    text.replace(at, kName.size(), program_name());
+  return text;
 }
 
 std::string sentence(std::string text) {
@@ -132,7 +140,7 @@ std::string man_page(const CLI::App& command, const std::string& version) {
   const std::string name = page_name(command);
   std::string title = name;
   for (char& c : title) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  std::string page = ".TH " + roff(title) + " 1 \"\" \"forceshade " + roff(version) + "\" \"User Commands\"\n";
+  std::string page = ".TH " + roff(title) + " 1 \"\" \"" + roff(program_name() + ' ' + version) + "\" \"User Commands\"\n";
   page += ".SH NAME\n" + roff(name) + " \\- " + roff(command.get_description()) + '\n';
   page += ".SH SYNOPSIS\n.B " + roff(full_name(command)) + '\n';
   const std::vector<const CLI::App*> verbs = verbs_of(command);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "apps/live_line.h"
+#include "apps/tell.h"
 
 namespace forceshade::apps {
 namespace {
@@ -51,7 +52,7 @@ void ProgressLine::draw(double done, const std::string& details) {
   if (!is_terminal_) {
     if (now - drawn_ < kLogged) return;
     drawn_ = now;
-    std::fprintf(stderr, "forceshade: %s: %s\n", name_.c_str(), words(done, details).c_str());
+    tell(name_ + ": " + words(done, details));
     return;
   }
   if (now - start_ < kQuiet || now - drawn_ < kRedrawn) return;

@@ -2,16 +2,16 @@
 // forceshade recording: what a recording says of itself, whether it is whole, and its ticks for other programs.
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "apps/command.h"
+#include "apps/command_check.h"
 #include "apps/output_options.h"
 #include "apps/progress_line.h"
-#include "apps/session_recompute.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
+#include "apps/tell.h"
 #include "device/run/words.h"
 #include "files/printable.h"
 #include "forceshade/checks.h"
@@ -26,10 +26,6 @@ struct RecordOptions {
 };
 
 constexpr std::uint64_t kListed = 10;  // forces that differ
-
-void complain(const std::string& words) {
-  std::fprintf(stderr, "forceshade: %s\n", files::printable(words).c_str());
-}
 
 nlohmann::ordered_json described(recorder::Recording& recording) {
   const auto extent = recording.extent();
@@ -47,7 +43,7 @@ nlohmann::ordered_json described(recorder::Recording& recording) {
 int info(const RecordOptions& options) {
   recorder::Recording recording(options.file);
   const int result = recording.metadata_problem().empty() ? kHeld : kFailed;
-  if (result == kFailed) complain(recording.path() + ": " + recording.metadata_problem());
+  if (result == kFailed) tell(recording.path() + ": " + recording.metadata_problem());
   // Characters beyond ASCII are escaped, and other bytes than UTF-8 replaced, so that the text is JSON that any terminal shows.
   if (!options.json.empty())
     write_file(options.json, described(recording).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -65,10 +61,9 @@ int info(const RecordOptions& options) {
 }
 
 int verify(const RecordOptions& options) {
-  if (std::filesystem::is_directory(options.file)) return verify_session(options.file);
   recorder::Recording recording(options.file);
   const std::vector<std::string> problems = problems_of(recording);
-  for (const std::string& problem : problems) complain(problem);
+  for (const std::string& problem : problems) tell(problem);
   if (!problems.empty()) return kFailed;
   std::printf("whole: %llu samples, every tick and every checksum%s\n",
               static_cast<unsigned long long>(recording.extent().samples),
@@ -80,7 +75,6 @@ int verify(const RecordOptions& options) {
 
 // Computes the forces again from the recorded positions by the definition: 0 if every force is the same.
 int recompute(const RecordOptions& options, const SubjectOption& subject_option) {
-  if (std::filesystem::is_directory(options.file)) return recompute_session(options.file);
   recorder::Recording recording(options.file);
   const auto subject = subject_option.subject();
   for (const auto& [key, expected] : run::metadata_of(subject->identity())) {
@@ -90,7 +84,7 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
                      (found == recording.metadata().end() ? "not recorded" : found->second) + "; expected " + expected);
   }
   const std::vector<std::string> problems = problems_of(recording);
-  for (const std::string& problem : problems) complain(problem);
+  for (const std::string& problem : problems) tell(problem);
   if (!problems.empty()) return kFailed;
 
   watch_for_interrupt();
@@ -105,8 +99,7 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
       if (sample.status == device::Sample::kEnd) continue;  // the law was not evaluated
       ++samples;
       if (!commands.is_same(sample) && commands.differences() <= kListed)
-        complain("tick " + std::to_string(sample.tick) +
-                 ": the command is not what supervisor and controller make of the force");
+        tell("tick " + std::to_string(sample.tick) + ": the command is not what supervisor and controller make of the force");
       const auto& [x, y, z] = sample.position;
       const reference::Rounded exact = reference->step({x, y, z});
       const auto& [fx, fy, fz] = sample.law_force;
@@ -114,8 +107,8 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
           static_cast<std::uint8_t>(exact.status) == sample.status && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all();
       contacts += exact.status == Status::contact ? 1 : 0;
       if (is_same || ++differences > kListed) continue;
-      complain("tick " + std::to_string(sample.tick) + ": recorded " + properties::show(Eigen::Vector3f(fx, fy, fz)) +
-               " N, expected " + properties::show(exact.force) + " N");
+      tell("tick " + std::to_string(sample.tick) + ": recorded " + properties::show(Eigen::Vector3f(fx, fy, fz)) +
+           " N, expected " + properties::show(exact.force) + " N");
     }
     line.draw(static_cast<double>(samples) / static_cast<double>(std::max<std::uint64_t>(all, 1)));
   });
@@ -133,7 +126,7 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
 int write(const RecordOptions& options) {
   recorder::Recording recording(options.file);
   export_table(recording, options.out);
-  if (!recording.ended()) complain(options.file + ": the recording has no end: cut off, or still being made");
+  if (!recording.ended()) tell(options.file + ": the recording has no end: cut off, or still being made");
   return kHeld;
 }
 
@@ -151,17 +144,13 @@ void add_recording(CLI::App& app, int& result) {
   };
   const auto [info_verb, info_options] = add("info", "Print the subject, the device and the settings of a recording", info);
   add_json(*info_verb, info_options->json, "the same");
-  add("verify",
-      "Check that it, or every part of a session's folder, is whole: 0 if so, 1 if cut off, damaged or with ticks missing",
-      verify);
+  add("verify", "Check that it is whole: 0 if so, 1 if cut off, damaged or with ticks missing", verify);
   const auto recomputed = std::make_shared<RecordOptions>();
   CLI::App* again = command->add_subcommand(
       "recompute",
       "Check that every recorded force of a law, height map or mesh is the exact one, rounded, and every command what "
       "supervisor and controller make of it: 0 if so");
-  again->add_option("file", recomputed->file, "a recording, FILE.fsr; or the folder of a session, which needs no other option")
-      ->type_name("FILE")
-      ->required();
+  again->add_option("file", recomputed->file, "a recording, FILE.fsr")->type_name("FILE")->required();
   const auto subject = std::make_shared<SubjectOption>(*again, subjects::Laws::one);
   again->callback([recomputed, subject, &result] { result = recompute(*recomputed, *subject); });
   const auto [export_verb, export_options] = add("export", "The ticks for other programs", write);

@@ -7,7 +7,7 @@
 
 #include "forceshade/meshes.h"
 #include "properties/mesh_properties.h"
-#include "study/apparatus/contact_border.h"
+#include "window/contact_border.h"
 
 namespace forceshade::apps {
 namespace {
@@ -66,9 +66,9 @@ Section cut_field(fast::Session& session, const Region& region, double y) {
       const double z = region.top - k * step;
       if (is_inside(z) == was_inside) continue;
       if (was_inside)
-        column.inside.back().low = apparatus::contact_border(z + step, z, is_inside);
+        column.inside.back().low = window::contact_border(z + step, z, is_inside);
       else
-        column.inside.push_back({region.bottom, apparatus::contact_border(z, z + step, is_inside)});
+        column.inside.push_back({region.bottom, window::contact_border(z, z + step, is_inside)});
       was_inside = !was_inside;
     }
     std::ranges::reverse(column.inside);

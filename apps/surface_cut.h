@@ -7,7 +7,7 @@
 
 #include "forceshade/description.h"
 #include "forceshade/renderer.h"
-#include "study/window/section.h"
+#include "window/section.h"
 
 namespace forceshade::apps {
 

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "apps/signals.h"
+#include "apps/tell.h"
 #include "files/printable.h"
 
 namespace forceshade::apps {
@@ -71,7 +72,7 @@ std::string shown(const std::string& words) {
 }
 
 void say(const std::string& words) {
-  std::fprintf(stderr, "forceshade: %s\n", words.c_str());
+  std::fprintf(stderr, "%s: %s\n", program_name().c_str(), words.c_str());
 }
 
 }  // namespace

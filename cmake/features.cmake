@@ -7,7 +7,7 @@
 #   image-files    in subject files, height maps and textures from PNG and TIFF files: libpng, libtiff
 #   csv-files      in subject files, motions from CSV files: libcsv
 #   certificates   certificates are read, and digests are made: libcsv, OpenSSL's libcrypto, nlohmann_json
-#   exact-side     the exact side, the command, experiments, Python, devices that speak JSON: more packages. It brings all of the above
+#   exact-side     the exact side, the command, Python, devices that speak JSON: more packages. It brings all of the above
 set(known device-loop subject-files image-files csv-files certificates exact-side)
 set(usual ${known})
 if(NOT PROJECT_IS_TOP_LEVEL)

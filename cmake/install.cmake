@@ -37,7 +37,6 @@ if(FORCESHADE_EXACT_SIDE)
   install(FILES ${made}/forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT forceshade)
   install(FILES ${made}/_forceshade DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT forceshade)
   install(FILES ${made}/forceshade.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT forceshade)
-  install(FILES cmake/forceshade.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT forceshade)
   install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade)
   install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT forceshade PATTERN node_modules EXCLUDE)
@@ -45,22 +44,35 @@ if(FORCESHADE_EXACT_SIDE)
   install(FILES cmake/debian/forceshade-doc.doc-base DESTINATION ${CMAKE_INSTALL_DATADIR}/doc-base RENAME forceshade-doc.forceshade
           COMPONENT forceshade-doc EXCLUDE_FROM_ALL)
   # A library that needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c reference-c heights
-  # meshes subjects run properties study).
+  # meshes subjects run properties).
   # Each component's libraries, and the components that it links.
   set(libraries_of_heights heights)
   set(libraries_of_meshes meshes)
   set(libraries_of_subjects subjects)
   set(libraries_of_run identity renderer certificate recorder run)
   set(libraries_of_properties reference properties certify)
-  set(libraries_of_study experiments apparatus preparation)
   list(APPEND export_sets forceshade_c_targets forceshade_reference-c_targets)
-  foreach(component IN ITEMS heights meshes subjects run properties study)
+  foreach(component IN ITEMS heights meshes subjects run properties)
     foreach(library IN LISTS libraries_of_${component})
       set_target_properties(forceshade_${library} PROPERTIES EXPORT_NAME ${library})
       install(TARGETS forceshade_${library} EXPORT forceshade_${component}_targets)
     endforeach()
     list(APPEND export_sets forceshade_${component}_targets)
   endforeach()
+  # The parts that this project's own clients (clients/) are made of: libraries, and headers by the names that the tree has for them. They
+  # may change with every version, so no Debian package has them.
+  add_library(forceshade_kit INTERFACE)
+  target_include_directories(forceshade_kit INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/forceshade/kit>)
+  target_link_libraries(forceshade_kit INTERFACE forceshade_program forceshade_report forceshade_window CLI11::CLI11
+                        nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus)
+  foreach(library IN ITEMS kit command_parts program report window)
+    set_target_properties(forceshade_${library} PROPERTIES EXPORT_NAME ${library})
+    install(TARGETS forceshade_${library} EXPORT forceshade_kit_targets COMPONENT kit)
+  endforeach()
+  install(EXPORT forceshade_kit_targets NAMESPACE forceshade:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade COMPONENT kit)
+  install(DIRECTORY apps certificate device files properties recorder rendering system window
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/kit COMPONENT kit
+          FILES_MATCHING PATTERN *.h PATTERN *.inc PATTERN stand_ins EXCLUDE)
 endif()
 foreach(set IN LISTS export_sets)
   install(EXPORT ${set} NAMESPACE forceshade:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
@@ -99,7 +111,4 @@ if(FORCESHADE_EXACT_SIDE)
              LIBRARIES "-lforceshade_certify -lforceshade_properties -lforceshade_reference -lmpfi -lmpfr -lgmp")
   install_pc(forceshade-subjects DESCRIPTION "Laws, height maps and meshes from subject files"
              REQUIRES "forceshade-heights, forceshade-meshes" LIBRARIES "-lforceshade_subjects")
-  install_pc(forceshade-study DESCRIPTION "Sessions of psychophysical experiments on a device"
-             REQUIRES "forceshade-subjects, forceshade-properties"
-             LIBRARIES "-lforceshade_preparation -lforceshade_apparatus -lforceshade_experiments")
 endif()

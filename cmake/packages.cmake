@@ -44,7 +44,7 @@ forceshade_package(libforceshade-dev libdevel
                    "libforceshade0 (= ${PROJECT_VERSION})" "libforceshade-reference0 (= ${PROJECT_VERSION})" libeigen3-dev
                    libcsv-dev libpng-dev libtiff-dev libtomlplusplus-dev libssl-dev libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev libboost-dev nlohmann-json3-dev)
 forceshade_package(forceshade science
-                   "This package has the command, which computes and certifies forces, drives\ndevices and runs experiments."
+                   "This package has the command, which computes and certifies forces and drives\ndevices."
                    python3)  # of forceshade-standin
 math(EXPR next "${Python3_VERSION_MINOR} + 1")
 forceshade_package(python3-forceshade python

@@ -40,7 +40,7 @@ std::string hex(unsigned char byte) {
 }
 
 // In quotes, on one line, and short enough to read.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   std::size_t size = 0;
   while (size < text.size() && size < kLongest) size += std::max<std::size_t>(character_size(text.substr(size)), 1);
@@ -150,7 +150,7 @@ Error Reader::error(std::size_t line, std::string_view words) const {
 
 Error Reader::unexpected(std::size_t i, std::string_view expected) const {
   return error(row_line_, "column " + std::to_string(place_[i] + 1) + " (" + columns_[i] + "): expected " +
-                              std::string(expected) + ", got " + quoted(text(i)));
+                              std::string(expected) + ", got " + in_quotes(text(i)));
 }
 
 Reader::Reader(std::istream& in, std::string file, std::vector<std::string> columns, const std::vector<std::string>& optional,
@@ -171,10 +171,10 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
     }
     if (const std::string separator = separator_of(header_); found == header_.end() && !separator.empty())
       throw error(row_line_, "expected commas between the columns, and points in decimals, got " + separator + " in " +
-                                 quoted(header_.front()));
+                                 in_quotes(header_.front()));
     if (found == header_.end())
       throw error(row_line_,
-                  "no column " + column + ": expected columns " + listed(columns_) + ", got " + quoted(listed(header_)));
+                  "no column " + column + ": expected columns " + listed(columns_) + ", got " + in_quotes(listed(header_)));
     const auto again = std::find(found + 1, header_.end(), column);
     const auto number = [&](auto at) { return std::to_string(at - header_.begin() + 1); };
     if (again != header_.end())
@@ -186,8 +186,8 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
 void Reader::expect_no_other_column() const {
   for (std::size_t i = 0; i < header_.size(); ++i)
     if (std::find(place_.begin(), place_.end(), i) == place_.end())
-      throw error(row_line_,
-                  "column " + std::to_string(i + 1) + ": expected one of " + listed(columns_) + ", got " + quoted(header_[i]));
+      throw error(row_line_, "column " + std::to_string(i + 1) + ": expected one of " + listed(columns_) + ", got " +
+                                 in_quotes(header_[i]));
 }
 
 void Reader::name_columns(std::string_view words) {

@@ -62,7 +62,7 @@ TEST(structure, every_law_has_its_file_in_every_folder) {
 TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
   int found = 0;
   for (const char* folder : {"fast", "files", "rendering", "system", "device", "recorder", "reference", "properties",
-                             "certificate", "study", "apps"})
+                             "certificate", "window", "apps", "clients"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       std::filesystem::path header = entry.path();
@@ -71,7 +71,8 @@ TEST(structure, each_source_file_includes_the_header_of_its_name_first) {
       std::ifstream file(entry.path());
       std::string line;
       while (std::getline(file, line) && !line.starts_with("#include")) continue;
-      const std::string expected = "#include \"" + std::filesystem::relative(header, kRoot).string() + '"';
+      const std::filesystem::path from = std::string(folder) == "clients" ? kRoot / folder : kRoot;
+      const std::string expected = "#include \"" + std::filesystem::relative(header, from).string() + '"';
       EXPECT_EQ(line, expected) << entry.path();
     }
   EXPECT_GT(found, 60);
@@ -293,6 +294,7 @@ TEST(structure, every_file_that_a_comment_or_page_names_exists) {
         const bool has_folder = name.find('/') != std::string::npos;
         EXPECT_TRUE(has_folder ? std::filesystem::exists(kRoot / name) || std::filesystem::exists(kRoot / "fast" / name) ||
                                      std::filesystem::exists(kRoot / "include" / name) ||
+                                     std::filesystem::exists(kRoot / "clients" / name) ||
                                      std::filesystem::exists(file.parent_path() / name)
                                : names.contains(name))
             << std::filesystem::relative(file, kRoot) << " names " << name;
@@ -390,7 +392,7 @@ TEST(structure, the_recorder_takes_only_the_ring_of_boost) {
 }
 
 TEST(structure, no_gpl_part_of_cgal_is_used) {
-  for (const char* folder : {"reference", "rendering", "properties", "certificate", "study", "apps", "tests"})
+  for (const char* folder : {"reference", "rendering", "properties", "certificate", "window", "apps", "clients", "tests"})
     expect_no_include(folder, {"CGAL/AABB", "CGAL/Polygon_mesh_processing", "CGAL/Surface_mesh", "CGAL/box_intersection_d"});
 }
 

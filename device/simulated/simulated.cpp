@@ -162,9 +162,7 @@ std::unique_ptr<Device> open_mouse(const std::string& model, Attendant& attendan
   Steering* const steering = attendant.steering();
   if (steering == nullptr)
     throw UnknownDevice(
-        "the mouse as a device: expected a window in which it steers a hand, as 'forceshade drive' and 'forceshade experiment "
-        "run' "
-        "have; got none");
+        "the mouse as a device: expected a window in which it steers a hand, as 'forceshade drive' has; got none");
   return std::make_unique<Simulated>(
       its, Operator{Grip{}, Intention({{0, Eigen::Vector3d::Zero()}}, Intention::Between::straight), Tremor(1, 0), false},
       Simulated::Options{.buttons = attendant.buttons(), .steering = steering});

@@ -4,60 +4,34 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
-#include <set>
-#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
 
-#include "files/suggestion.h"
+#include "files/toml_table.h"
 #include "forceshade/heights.h"
 #include "rendering/heights/samples.h"
-#include "rendering/heights/toml_file.h"
 
 namespace forceshade::heights {
 namespace {
 
 namespace fs = std::filesystem;
 
-template <class T>
-using Words = std::span<const std::pair<std::string_view, T>>;
+[[noreturn]] void throw_height_error(const fs::path& file, std::size_t line, const std::string& reason) {
+  throw Error(file, (line == 0 ? "" : "line " + std::to_string(line) + ": ") + reason);
+}
 
-// One table of the file, read key by key.
-class Table {
+// One table of the file, with what a height map alone has.
+class Table : public files::TomlTable {
  public:
-  Table(const fs::path& file, const TomlDocument& document, const toml::table& table)
-      : file_(file), document_(document), table_(table) {}
-
-  float number(std::string_view key, std::optional<float> otherwise = std::nullopt) {
-    const toml::node* node = find(key, otherwise.has_value());
-    if (!node) return *otherwise;
-    const auto value = document_.binary32(*node);
-    if (!value) fail(*node, key, "a number");
-    return *value;
-  }
+  using TomlTable::TomlTable;
 
   // A scale of 0, or one so small that every height would be read as 0, leaves nothing of a grid.
   float scale(const char* key) {
     const float value = number(key);
     if (!(std::fabs(value) >= 0x1p-30F && std::isfinite(value)))
-      fail(*table_.get(key), key, "a finite number of at least 2^-30 mm in size");
+      fail(*find(key, false), key, "a finite number of at least 2^-30 mm in size");
     return value;
-  }
-
-  std::string text(const char* key) {
-    const toml::node* node = find(key, false);
-    const auto value = node->value_exact<std::string>();
-    if (!value) fail(*node, key, "a text in quotes");
-    return *value;
-  }
-
-  bool flag(const char* key) {
-    const toml::node* node = find(key, true);
-    if (!node) return false;
-    const auto value = node->value_exact<bool>();
-    if (!value) fail(*node, key, "true or false");
-    return *value;
   }
 
   std::vector<height::Knot> knots(const char* key) {
@@ -67,7 +41,7 @@ class Table {
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
       const toml::array* pair = (*list)[i].as_array();
       const auto number = [&](std::size_t k) {
-        return pair != nullptr && pair->size() == 2 ? document_.binary32((*pair)[k]) : std::nullopt;
+        return pair != nullptr && pair->size() == 2 ? document().binary32((*pair)[k]) : std::nullopt;
       };
       const auto x = number(0), height = number(1);
       if (!x || !height) fail((*list)[i], key, "pairs of numbers [x, height]");
@@ -76,51 +50,6 @@ class Table {
     if (list == nullptr) fail(*node, key, "a list of pairs [x, height]");
     return all;
   }
-
-  template <class T>
-  T word(const char* key, Words<T> words, std::optional<T> otherwise = std::nullopt) {
-    const toml::node* node = find(key, otherwise.has_value());
-    if (!node) return *otherwise;
-    const auto got = node->value_exact<std::string>();
-    std::string expected;
-    std::vector<std::string> names;
-    for (const auto& [word, value] : words) {
-      if (got == word) return value;
-      expected += (expected.empty() ? "one of " : ", ") + std::string(word);
-      names.emplace_back(word);
-    }
-    fail(*node, key, expected, files::suggestion(got.value_or(""), names));
-  }
-
-  // A key that was not read is a mistake, most likely a misspelt one.
-  void expect_no_other() const {
-    for (const auto& [key, node] : table_)
-      if (!read_.contains(key.str()))
-        throw Error(file_, line_of(node) + "unknown key " + std::string(key.str()) +
-                               files::suggestion(key.str(), {read_.begin(), read_.end()}));
-  }
-
-  std::string line_of(const toml::node& node) const { return "line " + std::to_string(node.source().begin.line) + ": "; }
-  [[noreturn]] void fail(const toml::node& node, std::string_view key, const std::string& expected,
-                         const std::string& suggestion = "") const {
-    throw Error(file_,
-                line_of(node) + std::string(key) + ": expected " + expected + ", got " + words_of_value(node) + suggestion);
-  }
-
- private:
-  const toml::node* find(std::string_view key, bool optional) {
-    read_.emplace(key);
-    const toml::node* node = table_.get(key);
-    if (!node && !optional)
-      throw Error(file_, line_of(table_) + "key " + std::string(key) + " is missing" +
-                             files::suggestion(key, keys_beside(table_, read_)));
-    return node;
-  }
-
-  const fs::path& file_;
-  const TomlDocument& document_;
-  const toml::table& table_;
-  std::set<std::string, std::less<>> read_;
 };
 
 constexpr std::array<std::pair<std::string_view, height::Edge>, 2> kEdges{
@@ -154,9 +83,9 @@ height::Shape shape(Table& table, const fs::path& file, Values values) {
       [&] { return height::Polygons{table.knots("knots_mm")}; }, [&] { return grid(table, file, values); });
 }
 
-height::Part part(const fs::path& file, const TomlDocument& document, const toml::table& table, Values values) {
-  Table keys(file, document, table);
-  height::Part part{shape(keys, file, values), keys.flag("negated")};
+height::Part part(const files::TomlFile& file, const toml::table& table, Values values) {
+  Table keys(file, table);
+  height::Part part{shape(keys, file.path(), values), keys.flag("negated", false)};
   keys.expect_no_other();
   return part;
 }
@@ -164,15 +93,12 @@ height::Part part(const fs::path& file, const TomlDocument& document, const toml
 // 16 parts and 16 surfaces of 1025 knots each, at 40 bytes a knot, take a third of it.
 constexpr std::size_t kLargestFile = 4 << 20;
 
-TomlDocument parsed(const fs::path& file) {
-  auto document = parse_toml_file(file, kLargestFile);
-  if (const auto* fault = std::get_if<TomlFault>(&document))
-    throw Error(file, (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
-  return std::get<TomlDocument>(std::move(document));
+files::TomlFile parsed(const fs::path& file) {
+  return files::TomlFile(file, kLargestFile, throw_height_error);
 }
 
 // The numbers of a copy of what a document has, rounded, so that they are what they are read as.
-void round_decimals(toml::node& copy, const toml::node& original, const TomlDocument& document) {
+void round_decimals(toml::node& copy, const toml::node& original, const files::TomlDocument& document) {
   if (const toml::table* table = original.as_table())
     for (const auto& [key, value] : *table) round_decimals(*copy.as_table()->get(key.str()), value, document);
   if (const toml::array* list = original.as_array())
@@ -181,23 +107,24 @@ void round_decimals(toml::node& copy, const toml::node& original, const TomlDocu
 }
 
 Spec spec_of(const fs::path& file, Values values) {
-  const TomlDocument document = parsed(file);
-  Table keys(file, document, document.root());
+  const files::TomlFile parsed_file = parsed(file);
+  Table keys(parsed_file);
   std::array<std::pair<std::string_view, height::Mode>, height::kModes.size()> renderings;
   for (std::size_t i = 0; i < renderings.size(); ++i) renderings[i] = {height::kModes[i].name, height::kModes[i].mode};
   Spec spec{{}, keys.word<height::Mode>("render", renderings)};
-  for (const auto& [key, node] : document.root()) {
+  for (const auto& [key, node] : parsed_file.document().root()) {
     if (key.str() == "render") continue;
     const bool is_surface = key.str() == "surface";
     const toml::array* parts = key.str() == "part" || is_surface ? node.as_array() : nullptr;
     if (!parts)
-      throw Error(file, keys.line_of(node) + "expected render, [[part]] and [[surface]], got " + std::string(key.str()) +
-                            files::suggestion(key.str(), {"render", "part", "surface"}));
+      parsed_file.fail(node, "expected render, [[part]] and [[surface]], got " + std::string(key.str()) +
+                                 files::suggestion(key.str(), {"render", "part", "surface"}));
     if (is_surface && spec.mode != height::Mode::force_shaded)
-      throw Error(file, keys.line_of(node) + "only render = \"height-map-shaded\" has a [[surface]]");
+      parsed_file.fail(node, "only render = \"height-map-shaded\" has a [[surface]]");
     for (const toml::node& element : *parts) {
-      if (!element.is_table()) keys.fail(element, key.str(), "a table");
-      (is_surface ? spec.map.surface : spec.map.parts).push_back(part(file, document, *element.as_table(), values));
+      if (!element.is_table())
+        parsed_file.fail(element, std::string(key.str()) + ": expected a table, got " + files::words_of_value(element));
+      (is_surface ? spec.map.surface : spec.map.parts).push_back(part(parsed_file, *element.as_table(), values));
     }
   }
   if (spec.map.parts.empty()) throw Error(file, "expected at least one [[part]], got none");
@@ -224,8 +151,8 @@ std::uint32_t PartLines::of(std::string parameter) const {
 }
 
 Lines lines_of_parts(const fs::path& file) {
-  const TomlDocument document = parsed(file);
-  const toml::table& root = document.root();
+  const files::TomlFile parsed_file = parsed(file);
+  const toml::table& root = parsed_file.document().root();
   const auto lines = [&](const char* list) {
     std::vector<PartLines> all;
     const toml::array* parts = root[list].as_array();
@@ -241,9 +168,9 @@ Lines lines_of_parts(const fs::path& file) {
 }
 
 std::string shading_polygons(const fs::path& file, const std::vector<height::Knot>& knots, const fs::path& directory) {
-  const TomlDocument document = parsed(file);
-  toml::table root = document.root();
-  round_decimals(root, document.root(), document);
+  const files::TomlFile parsed_file = parsed(file);
+  toml::table root = parsed_file.document().root();
+  round_decimals(root, parsed_file.document().root(), parsed_file.document());
   for (toml::node& part : *root["part"].as_array())
     if (auto grid = part.as_table()->at_path("file"); grid.is_string()) {
       const fs::path from = fs::absolute(file).parent_path() / *grid.value<std::string>();

@@ -23,7 +23,7 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::size_t kLargestFile = 1 << 16;
 
-Options options_of(const heights::TomlDocument& document, const fs::path& file) {
+Options options_of(const files::TomlDocument& document, const fs::path& file) {
   Options options;
   for (const auto& [key, node] : document.root())
     options.add(option_of(std::string(key.str()), node, document, file, names_of_keys(), "subject"));
@@ -77,11 +77,11 @@ std::string written_stiffness(const Options& options) {
 }  // namespace
 
 Options options_of_file(const fs::path& file) {
-  return options_of(document_in(heights::parse_toml_file(file, kLargestFile), file.string()), file);
+  return options_of(document_in(files::parse_toml_file(file, kLargestFile), file.string()), file);
 }
 
 Options options_of_text(const std::string& text, const fs::path& file) {
-  return options_of(document_in(heights::parse_toml(text, file, kLargestFile), file.string()), file);
+  return options_of(document_in(files::parse_toml(text, file, kLargestFile), file.string()), file);
 }
 
 std::vector<std::string> written_files(const Options& options) {

@@ -14,17 +14,17 @@ namespace forceshade::subjects {
 
 namespace fs = std::filesystem;
 
-heights::TomlDocument document_in(std::variant<heights::TomlDocument, heights::TomlFault> parsed, const std::string& file) {
-  if (const auto* fault = std::get_if<heights::TomlFault>(&parsed))
+files::TomlDocument document_in(std::variant<files::TomlDocument, files::TomlFault> parsed, const std::string& file) {
+  if (const auto* fault = std::get_if<files::TomlFault>(&parsed))
     throw BadInput(file + ": " + (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
-  return std::get<heights::TomlDocument>(std::move(parsed));
+  return std::get<files::TomlDocument>(std::move(parsed));
 }
 
 std::string beside(const fs::path& file, const std::string& name) {
   return (file.parent_path() / name).string();
 }
 
-Option option_of(const std::string& key, const toml::node& node, const heights::TomlDocument& document, const fs::path& file,
+Option option_of(const std::string& key, const toml::node& node, const files::TomlDocument& document, const fs::path& file,
                  const std::vector<std::string>& keys, const std::string& whose) {
   const std::string place = file.string() + ": line " + std::to_string(node.source().begin.line);
   if (std::ranges::find(keys, key) == keys.end())
@@ -37,7 +37,7 @@ Option option_of(const std::string& key, const toml::node& node, const heights::
   if (option.value.empty())
     throw BadInput(option.name + ": expected " +
                    (is_flag(key) ? "true or false" : "a text in quotes, a number or a list of these") + ", got " +
-                   heights::words_of_value(node));
+                   files::words_of_value(node));
   if (key == "mesh" || key == "height-map" || key == "scene" || key == "materials") option.value = beside(file, option.value);
   if (key == "shading" && is_texture(option.value))
     option.value = std::string(kTexturePrefix) + beside(file, option.value.substr(kTexturePrefix.size()));
@@ -49,7 +49,7 @@ std::string Tables::name_of(const toml::node& at, std::string_view key) const {
 }
 
 void Tables::fail(const toml::node& at, std::string_view key, const std::string& expected, const toml::node& got) const {
-  throw BadInput(name_of(at, key) + ": expected " + expected + ", got " + heights::words_of_value(got));
+  throw BadInput(name_of(at, key) + ": expected " + expected + ", got " + files::words_of_value(got));
 }
 
 const toml::table& Tables::table_of(std::string_view key, const toml::node& node) const {

@@ -9,21 +9,21 @@
 #include <variant>
 #include <vector>
 
+#include "files/toml_file.h"
 #include "forceshade/mesh.h"
-#include "rendering/heights/toml_file.h"
 #include "rendering/subjects/options.h"
 
 namespace forceshade::subjects {
 
 // The document in a file or text. file: its name in messages. Throws BadInput with the file and the line.
-heights::TomlDocument document_in(std::variant<heights::TomlDocument, heights::TomlFault> parsed, const std::string& file);
+files::TomlDocument document_in(std::variant<files::TomlDocument, files::TomlFault> parsed, const std::string& file);
 
 // The path of a file that is named in this file: beside it, unless the name is an absolute path.
 std::string beside(const std::filesystem::path& file, const std::string& name);
 
 // The option that a key of a file stands for, with the name "bump.toml: line 3: radius"; files that it names lie beside the
 // file. keys: those that there may be, of a subject or of a scene. Throws BadInput for another key or a value of a wrong type.
-Option option_of(const std::string& key, const toml::node& node, const heights::TomlDocument& document,
+Option option_of(const std::string& key, const toml::node& node, const files::TomlDocument& document,
                  const std::filesystem::path& file, const std::vector<std::string>& keys, const std::string& whose);
 
 // A TOML file of materials or of a scene.
@@ -31,10 +31,10 @@ class Tables {
  public:
   // Throws BadInput where the file cannot be read or is no TOML of at most so many bytes.
   Tables(std::string file, std::size_t most_bytes)
-      : file_(std::move(file)), document_(document_in(heights::parse_toml_file(file_, most_bytes), file_)) {}
+      : file_(std::move(file)), document_(document_in(files::parse_toml_file(file_, most_bytes), file_)) {}
 
   const std::string& file() const { return file_; }
-  const heights::TomlDocument& document() const { return document_; }
+  const files::TomlDocument& document() const { return document_; }
   const toml::table& root() const { return document_.root(); }
 
   // "wheel.toml: line 3: friction"
@@ -54,7 +54,7 @@ class Tables {
 
  private:
   std::string file_;
-  heights::TomlDocument document_;
+  files::TomlDocument document_;
 };
 
 }  // namespace forceshade::subjects

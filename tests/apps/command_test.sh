@@ -6,7 +6,7 @@
 # Help, version, wrong usage.
 expect 0 "Usage: forceshade" -- "$forceshade" --help
 expect 0 "forceshade " -- "$forceshade" --version
-commands="laws geometry polygons force energy plot figures properties certify positions compare conform vectors drive recording device mesh experiment analyze"
+commands="laws geometry polygons force energy plot figures properties certify positions compare conform vectors drive recording device mesh"
 for command in $commands; do expect 0 "$command" -- "$forceshade" $command --help; done
 expect 2 "forceshade: expected a command: ${commands// /, }" -- "$forceshade"
 expect 2 'laws: unknown option "--wrong"' -- "$forceshade" laws --wrong

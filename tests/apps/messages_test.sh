@@ -24,12 +24,11 @@ expect 2 "'forceshade help device check' shows what is expected" -- "$forceshade
 # The help says what units are in one place, is at most 100 columns wide, and puts options under what they are for.
 for command in "" laws geometry polygons force energy plot figures properties certify "certify merge" drive \
   recording "recording info" "recording verify" "recording recompute" "recording export" device "device list" "device check" \
-  "device try" mesh "mesh check" "mesh info" "mesh repair" "mesh make" experiment "experiment check" "experiment prepare" \
-  "experiment run" "experiment resume" "experiment virtual" "experiment export" analyze man completion; do
+  "device try" mesh "mesh check" "mesh info" "mesh repair" "mesh make" man completion; do
   same "" "$("$forceshade" help $command | grep -nE '^.{101,}$')"
   same "$([ -z "$command" ] && echo 1 || echo 0)" "$("$forceshade" help $command | grep -c '1000mil')"
   expect 0 ".SH EXAMPLES" -- "$forceshade" man $command
-  case "$command" in "" | recording | device | mesh | experiment) ;; *)
+  case "$command" in "" | recording | device | mesh) ;; *)
     expect 0 "  forceshade $command" -- "$forceshade" help $command ;;
   esac
 done
@@ -59,13 +58,6 @@ printf 'render = "height-map"\n[[part]]\nshape = "gaussian"\ncenter_x_mm = 3\nsi
 expect 2 'map.toml: line 4: unknown key center_x_mm; the nearest is x_mm' -- "$forceshade" force --height-map map.toml
 printf 'render = "height-map"\n[[parts]]\nshape = "plane"\n' > map.toml
 expect 2 'expected render, [[part]] and [[surface]], got parts; the nearest is part' -- "$forceshade" force --height-map map.toml
-sed 's/^name/nmae/' "$examples/experiments/matching.toml" > protocol.toml
-expect 2 'key name is missing' -- "$forceshade" experiment check protocol.toml
-sed 's/^resume/resme/' "$examples/experiments/matching.toml" > protocol.toml
-cp "$examples/experiments/english.toml" .
-expect 2 'key resume is missing' -- "$forceshade" experiment check protocol.toml
-sed '/^block_order/a block_oder = "random"' "$examples/experiments/matching.toml" > protocol.toml
-expect 2 'unknown key block_oder; the nearest is block_order' -- "$forceshade" experiment check protocol.toml
 
 # A name that means another format than what is written.
 for ending in npy csv fsr html png; do
@@ -119,7 +111,7 @@ printf 'x_mm,y_mm,z_mm\n1,0,-1\n' > positions.csv
 printf 'law = "wall"\n' > wall.toml
 : > empty.txt
 for file in object.json list.json; do
-  for command in "force --height-map" "force --subject" "experiment check"; do
+  for command in "force --height-map" "force --subject"; do
     expect 2 "$file: expected a TOML file, got a JSON file" -- "$forceshade" $command $file
   done
 done
@@ -143,8 +135,6 @@ toml 1 'render = "height-map' "a text in quotes, which ends on its line ("
 toml 1 'render = ["a", "b"' "a list in brackets, with commas between its elements (got the end of the file)"
 toml 2 'render = "height-map"\nrender = "height-map"' "each key and table once (cannot redefine existing string 'render')"
 toml 1 'render = \xff' "UTF-8 ("
-sed 's/^name = /name : /' "$examples/experiments/matching.toml" > protocol.toml
-expect 2 "expected KEY = VALUE on a line (expected '=', got ':')" -- "$forceshade" experiment check protocol.toml
 
 head -c 100 /dev/zero > zeros.bin
 expect 2 "zeros.bin: expected a CSV file, got a binary file" -- "$forceshade" force --law wall --input zeros.bin

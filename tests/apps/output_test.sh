@@ -70,7 +70,7 @@ for folder in twice twice-there; do
   "$forceshade" plot --law all --what force --out $folder > first.txt 2>&1 &
   until [ -e $folder.partial-00000000 ] || [ -e $folder/.partial-00000000 ]; do sleep 0.02; done
   kill -STOP $!
-  for command in "plot --law wall" "certify --law wall --points 1000 --cases 10" "man" "experiment prepare $examples/experiments/matching.toml"; do
+  for command in "plot --law wall" "certify --law wall --points 1000 --cases 10" "man"; do
     expect 2 "--out: $folder: another run is writing this folder; give each run a folder of its own" -- "$forceshade" $command --out $folder
   done
   kill -CONT $!; wait $!; same 0 $?

@@ -70,21 +70,4 @@ expect 2 "--subject: expected once, got several times" -- "$forceshade" force --
 expect 2 "inputs/law.toml: line 1: law: expected once, got several times" -- \
   "$forceshade" force --law wall --subject inputs/law.toml
 expect 2 'unknown option "--subject"' -- "$forceshade" geometry --subject inputs/law.toml
-
-# A stimulus of an experiment, which has the stiffness of its protocol.
-cp "$examples/experiments/english.toml" .
-protocol() { sed -e '/^stimuli/,/^\]/d' -e "s|^radii_mil.*|stimuli = [ $1 ]|" "$examples/experiments/classification.toml"; }
-printf 'height-map = "ramp.toml"\nstiffness = 0.5\n' > inputs/soft.toml
-protocol '{ name = "a", subject = "inputs/soft.toml" }, { name = "b", height-map = "inputs/ramp.toml" }' > protocol.toml
-expect 0 "2 bumps can be rendered" -- "$forceshade" experiment check protocol.toml
-"$forceshade" experiment prepare protocol.toml --out certificates > /dev/null || { echo "FAILED: prepare"; exit 1; }
-same 1 "$(ls certificates | wc -l)"  # both are the same renderer
-protocol '{ name = "a", subject = "inputs/map.toml" }' > protocol.toml
-expect 2 "inputs/map.toml: stiffness: expected that of the protocol, 0.5 N/mm, got 0.25 N/mm" -- \
-  "$forceshade" experiment prepare protocol.toml --out other
-protocol '{ name = "a", subject = "absent.toml" }' > protocol.toml
-expect 2 "expected a file, found none at" -- "$forceshade" experiment check protocol.toml
-protocol '{ mesh = "ball.off", unit = "cm" }' > protocol.toml
-expect 2 'unit: expected mm, m or in, got "cm"' -- "$forceshade" experiment check protocol.toml
-
 echo "$checks checks"

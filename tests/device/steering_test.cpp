@@ -79,8 +79,7 @@ TEST(steering, is_refused_where_nobody_steers) {
       FAIL() << name;
     } catch (const UnknownDevice& error) {
       EXPECT_STREQ(error.what(),
-                   "the mouse as a device: expected a window in which it steers a hand, as 'forceshade drive' and 'forceshade "
-                   "experiment run' have; got none");
+                   "the mouse as a device: expected a window in which it steers a hand, as 'forceshade drive' has; got none");
     }
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <set>
 
-#include "study/experiments/error.h"
-#include "study/window/settings.h"
+#include "files/input_file.h"
 #include "tests/fuzz/input_file.h"
+#include "window/settings.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   const std::string file = fuzz::file_of(fuzz::text_of(data, size), "window.toml");
-  fuzz::read_or_refuse<experiments::Error>("", [&] {
+  fuzz::read_or_refuse<files::Error>("", [&] {
     const window::Settings settings = window::read_settings(file);
     fuzz::require(settings.text_scale >= 0.5 && settings.text_scale <= 3, "the size of text is within its range");
     std::multiset<std::string> keys(settings.keys.digits.begin(), settings.keys.digits.end());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Texts that nest too deep for a parser are refused before it sees them.
 
-#include "rendering/heights/nesting.h"
+#include "files/nesting.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,8 @@
 
 namespace forceshade::heights {
 namespace {
+
+using files::line_nested_too_deep;
 
 std::string repeated(const std::string& text, std::size_t times) {
   std::string all;

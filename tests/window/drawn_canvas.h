@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "study/window/canvas.h"
+#include "window/canvas.h"
 
 namespace forceshade::window {
 

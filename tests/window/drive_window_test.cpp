@@ -14,12 +14,12 @@
 #include "device/simulated/simulated.h"
 #include "forceshade/recording.h"
 #include "rendering/subjects/read.h"
-#include "study/window/section.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/window/drawn_canvas.h"
 #include "tests/window/items.h"
 #include "tests/window/screenshots.h"
 #include "tests/world/world.h"
+#include "window/section.h"
 
 namespace forceshade::apps {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "study/window/text.h"
+#include "window/text.h"
 
 namespace forceshade::window {
 

@@ -2,7 +2,7 @@
 #pragma once
 // A picture as pixels, without a display and without its text.
 
-#include "study/window/canvas.h"
+#include "window/canvas.h"
 
 namespace forceshade::window {
 

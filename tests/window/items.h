@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "study/window/picture.h"
+#include "window/picture.h"
 
 namespace forceshade::window {
 

@@ -10,7 +10,7 @@
 #include <future>
 #include <string>
 
-#include "study/window/window.h"
+#include "window/window.h"
 
 namespace forceshade::window {
 

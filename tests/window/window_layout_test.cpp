@@ -12,16 +12,13 @@
 #include <string>
 #include <type_traits>
 
-#include "study/window/layout.h"
-#include "study/window/view.h"
 #include "tests/window/even_font.h"
 #include "tests/window/items.h"
+#include "window/layout.h"
+#include "window/view.h"
 
 namespace forceshade::window {
 namespace {
-
-using experiments::Screen;
-using experiments::ScreenKind;
 
 constexpr double kMil = 0.0254;
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "study/window/composition.h"
-#include "study/window/section.h"
 #include "tests/window/even_font.h"
 #include "tests/window/items.h"
+#include "window/composition.h"
+#include "window/section.h"
 
 namespace forceshade::window {
 namespace {

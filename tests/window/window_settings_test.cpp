@@ -7,16 +7,12 @@
 #include <map>
 #include <string>
 
-#include "study/experiments/error.h"
-#include "study/window/settings.h"
+#include "files/input_file.h"
 #include "tests/support/temporary_directory.h"
+#include "window/settings.h"
 
 namespace forceshade::window {
 namespace {
-
-using experiments::Action;
-using experiments::Press;
-using experiments::ScreenKind;
 
 class window_settings : public testing::Test {
  protected:
@@ -26,7 +22,7 @@ class window_settings : public testing::Test {
   std::string refusal(const std::string& text) const {
     try {
       read(text);
-    } catch (const experiments::Error& error) {
+    } catch (const files::Error& error) {
       const std::string what = error.what(), begin = folder_.file("window.toml") + ":";
       EXPECT_TRUE(what.starts_with(begin)) << what;
       return what.substr(begin.size());
@@ -78,7 +74,7 @@ digits = ["à", "&", "é", "\"", "'", "(", "-", "è", "_", "ç"]
   EXPECT_EQ(settings.keys.enter, std::vector<std::string>{"tab"});
   EXPECT_EQ(settings.keys.erase, (std::vector<std::string>{"backspace", "delete"}));
   EXPECT_EQ(settings.keys.digits[2], "é");
-  const experiments::KeyNames names = key_names(settings.keys);
+  const KeyNames names = key_names(settings.keys);
   EXPECT_EQ(names.smaller + '|' + names.bigger + '|' + names.done + '|' + names.enter + '|' + names.erase,
             "J|ö|F5|Tab|Backspace");
 }
@@ -110,8 +106,8 @@ TEST_F(window_settings, what_is_wrong_is_named_with_line_key_expectation_and_val
   };
   for (const auto& [text, expected] : refusals) EXPECT_EQ(refusal(text), expected) << text;
   EXPECT_TRUE(refusal("width = ").starts_with("1: ")) << refusal("width = ");
-  EXPECT_THROW(read_settings(folder_.file("absent.toml")), experiments::Error);
-  EXPECT_THROW(read_settings(folder_.path()), experiments::Error);
+  EXPECT_THROW(read_settings(folder_.file("absent.toml")), files::Error);
+  EXPECT_THROW(read_settings(folder_.path()), files::Error);
 }
 
 std::string described(const std::optional<Press>& press) {

@@ -12,15 +12,12 @@
 
 #include "display.h"
 #include "screenshots.h"
-#include "study/window/layout.h"
-#include "study/window/section.h"
 #include "tests/window/filled.h"
+#include "window/layout.h"
+#include "window/section.h"
 
 namespace forceshade::window {
 namespace {
-
-using experiments::Screen;
-using experiments::ScreenKind;
 
 class window_smoke : public testing::Test {
  protected:

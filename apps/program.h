@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A program of several commands: its words in, its exit code out, with help, manual pages and completion of all of them.
+
+#include <CLI/CLI.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/documentation.h"
+
+namespace forceshade::apps {
+
+struct Command {
+  std::string_view name;
+  void (*add)(CLI::App&, int& result);  // runs through `result` when the user calls it
+};
+
+// A word that is a command no more, and what to type in its place.
+struct FormerCommand {
+  std::string_view name, now;
+};
+
+struct Program {
+  std::string name, description;
+  std::span<const Command> commands;
+  std::span<const Example> examples;
+  std::span<const FormerCommand> former = {};
+};
+
+// arguments: the words after the program's name. Once in a process: it uses the standard streams and the signals of the
+// process. Returns the exit code: 0 held, 1 a check failed, 2 bad usage or input, 3 device fault, 130 interrupted.
+int run_program(const Program& program, const std::vector<std::string>& arguments);
+
+}  // namespace forceshade::apps

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "apps/tell.h"
+
+#include <cstdio>
+
+#include "files/printable.h"
+
+namespace forceshade::apps {
+
+std::string& program_name() {
+  static std::string name = "forceshade";
+  return name;
+}
+
+void tell(const std::string& words) {
+  std::fprintf(stderr, "%s: %s\n", program_name().c_str(), files::printable(words).c_str());
+}
+
+}  // namespace forceshade::apps
