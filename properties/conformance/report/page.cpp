@@ -77,13 +77,16 @@ std::string statements(const Conformance& found, const Circumstances& circumstan
   return html + statement_of_invariants(found.invariants) + statement_of_failure(found.failure);
 }
 
-std::string header(const Conformance& found, const Circumstances& circumstances) {
-  const auto [standing, verdict] = !found.is_applicable() ? std::pair("insufficient", "Not applicable")
-                                   : found.held()         ? std::pair("held", "Held")
-                                                          : std::pair("failed", "Failed");
-  return std::string("<header class=\"") + standing + "\">\n<h1>" + who(found) + " as a renderer of " +
-         shown(found.identity.name) + "</h1>\n<p class=\"verdict\">" + verdict + "</p>\n" + statements(found, circumstances) +
-         "</header>\n";
+std::string header(const std::string& heading, const std::string& statements, bool held, bool is_applicable = true) {
+  const auto [standing, verdict] = !is_applicable ? std::pair("insufficient", "Not applicable")
+                                   : held         ? std::pair("held", "Held")
+                                                  : std::pair("failed", "Failed");
+  return std::string("<header class=\"") + standing + "\">\n<h1>" + heading + "</h1>\n<p class=\"verdict\">" + verdict +
+         "</p>\n" + statements + "</header>\n";
+}
+
+std::string figures_section(const std::string& pictures) {
+  return pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n";
 }
 
 std::string table(const std::string& heading, const std::vector<const char*>& columns, const std::string& rows,
@@ -235,13 +238,14 @@ wrong here, and may be right by its own; the invariants do not depend on the def
 std::string to_html(const Conformance& found, const Description& subject, const Circumstances& circumstances,
                     properties::Pictures shown_pictures) {
   const std::string pictures = shown_pictures == properties::Pictures::none ? "" : figures(found.judgement, subject);
-  return properties::document(
-      "forceshade conform: " + files::printable(found.hello.name + " renders " + found.identity.name),
-      header(found, circumstances) + aims_table(found.judgement) + worst_table(found.judgement) + counterexample(found) +
-          (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
-          invariants_table(found.invariants) + capabilities(found.hello.name, found.hello.version, found.hello.declared) +
-          timing(found.timing) + run_table(found.identity, circumstances) + kLimits,
-      kStyle);
+  return properties::document("forceshade conform: " + files::printable(found.hello.name + " renders " + found.identity.name),
+                              header(who(found) + " as a renderer of " + shown(found.identity.name),
+                                     statements(found, circumstances), found.held(), found.is_applicable()) +
+                                  aims_table(found.judgement) + worst_table(found.judgement) + counterexample(found) +
+                                  figures_section(pictures) + invariants_table(found.invariants) +
+                                  capabilities(found.hello.name, found.hello.version, found.hello.declared) +
+                                  timing(found.timing) + run_table(found.identity, circumstances) + kLimits,
+                              kStyle);
 }
 
 std::string to_html(const simulators::SimulatorConformance& found, const std::string& version, const std::string& command,
@@ -250,16 +254,13 @@ std::string to_html(const simulators::SimulatorConformance& found, const std::st
   const std::string pictures = shown_pictures == properties::Pictures::none ? "" : deviations_figure(found.invariants);
   std::vector<std::pair<std::string, std::string>> run{{"forceshade", shown(version)}};
   if (!command.empty()) run.emplace_back("the command that repeats it", code(command));
-  return properties::document("forceshade conform: " + files::printable(name),
-                              std::string("<header class=\"") + (found.held() ? "held" : "failed") + "\">\n<h1>" +
-                                  (name.empty() ? "The simulator" : shown(name + ' ' + found.simulator.version)) +
-                                  " as a simulator</h1>\n<p class=\"verdict\">" + (found.held() ? "Held" : "Failed") +
-                                  "</p>\n" + statement_of_invariants(found.invariants) + statement_of_failure(found.failure) +
-                                  "</header>\n" +
-                                  (pictures.empty() ? "" : "<section>\n<h2>Figures</h2>\n" + pictures + "</section>\n") +
-                                  invariants_table(found.invariants) +
-                                  capabilities(name, found.simulator.version, found.simulator.declared) + facts("The run", run),
-                              kStyle);
+  return properties::document(
+      "forceshade conform: " + files::printable(name),
+      header((name.empty() ? "The simulator" : shown(name + ' ' + found.simulator.version)) + " as a simulator",
+             statement_of_invariants(found.invariants) + statement_of_failure(found.failure), found.held()) +
+          figures_section(pictures) + invariants_table(found.invariants) +
+          capabilities(name, found.simulator.version, found.simulator.declared) + facts("The run", run),
+      kStyle);
 }
 
 std::string to_html(const JudgedRecording& found, const Tolerance& tolerance, const std::string& version,
@@ -282,8 +283,8 @@ std::string to_html(const JudgedRecording& found, const Tolerance& tolerance, co
                       escaped(words_of(tolerance)) + '.');
     forces = aims_table(comparison->judgement) + worst_table(comparison->judgement);
     if (shown_pictures == properties::Pictures::all)
-      forces += "<section>\n<h2>Figures</h2>\n" + course_figure(1, comparison->course) +
-                figures(comparison->judgement, comparison->description, 2) + "</section>\n";
+      forces +=
+          figures_section(course_figure(1, comparison->course) + figures(comparison->judgement, comparison->description, 2));
     run.emplace_back("subject", shown(comparison->identity.kind + ' ' + comparison->identity.name + ": " +
                                       parameters_in_words(comparison->identity)));
     run.emplace_back("tolerance", escaped(words_of(tolerance)));
@@ -293,9 +294,7 @@ std::string to_html(const JudgedRecording& found, const Tolerance& tolerance, co
   const std::string beside = comparison ? " beside " + shown(comparison->identity.name) : "";
   return properties::document(
       "forceshade conform: " + files::printable(found.file),
-      std::string("<header class=\"") + (found.held() ? "held" : "failed") + "\">\n<h1>" + shown(found.file) + beside +
-          "</h1>\n<p class=\"verdict\">" + (found.held() ? "Held" : "Failed") + "</p>\n" + said +
-          statement_of_invariants(found.invariants) + "</header>\n" +
+      header(shown(found.file) + beside, said + statement_of_invariants(found.invariants), found.held()) +
           facts("The recording", rows(facts_of(found.pace, found.samples, found.file))) +
           (found.fit && !found.fit->refusal ? facts("The fit", rows(facts_of(*found.fit, found.file))) : "") + forces +
           invariants_table(found.invariants) + facts("The run", run),
