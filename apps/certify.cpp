@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade certify: check the fast path against the reference, at points or exhaustively, and write certificate.json and
-// certificate.html.
+// forceshade certify: check the fast path against the reference and write certificate.json and certificate.html.
 
 #include "forceshade/certify.h"
 
@@ -12,7 +11,6 @@
 #include "apps/certificate_files.h"
 #include "apps/certify_plan.h"
 #include "apps/command.h"
-#include "apps/exhaustive.h"
 #include "apps/junit.h"
 #include "apps/options.h"
 #include "apps/part_times.h"
@@ -27,7 +25,6 @@ namespace {
 struct CertifyOptions {
   std::uint64_t points = 0, cases = properties::kCases, seed = 1;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  ExhaustiveOptions exhaustive;
   std::string junit;
 };
 
@@ -86,8 +83,12 @@ std::string junit_of(const properties::Certificate& certificate, const PartTimes
                   cases);
 }
 
-int run_points(const CertifyOptions& options, properties::CertifyOptions what, const SubjectOption& subject,
-               const OutFolder& out) {
+int run(const CertifyOptions& options, const SubjectOption& subject, const OutFolder& out) {
+  watch_for_interrupt();
+  properties::CertifyOptions what{.subjects = subject.subjects()};
+  // Before the work, so that a path that cannot be written to is reported at once.
+  out.expect_room_for(certificate_files());
+  expect_folder_of("--junit", options.junit);
   what.points = options.points > 0 ? options.points : properties::points_of_kind(what.subjects.front()->identity().kind);
   what.cases = static_cast<int>(options.cases);
   what.seed = options.seed;
@@ -120,19 +121,6 @@ int run_points(const CertifyOptions& options, properties::CertifyOptions what, c
   return write_certificate(*certificate, out.folder());
 }
 
-int run(const CertifyOptions& options, const SubjectOption& subject, const OutFolder& out, bool radius_is_given) {
-  watch_for_interrupt();
-  const subjects::Options named = subject.options();
-  std::optional<properties::SweepPlan> sweeps;
-  if (options.exhaustive.is_given) sweeps = sweep_plan(options.exhaustive, named, radius_is_given);
-  properties::CertifyOptions what{.subjects = subject.subjects()};
-  if (sweeps) return run_exhaustive(options.exhaustive, *sweeps, options.threads, out);
-  // Before the work, so that a path that cannot be written to is reported at once.
-  out.expect_room_for(certificate_files());
-  expect_folder_of("--junit", options.junit);
-  return run_points(options, std::move(what), subject, out);
-}
-
 }  // namespace
 
 void add_certify(CLI::App& app, int& result) {
@@ -140,26 +128,23 @@ void add_certify(CLI::App& app, int& result) {
   CLI::App* command = app.add_subcommand("certify", "Check the fast path against the reference and write a certificate");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
   command->option_defaults()->group(kEvidenceGroup);
-  CLI::Option* points =
-      add_whole(*command, "--points",
-                "points per law, height map or mesh, half of them aimed, and a quarter as many with other parameters; "
-                "default: " +
-                    std::to_string(properties::points_of_kind(kLawKind)) + ", for a height map or mesh " +
-                    std::to_string(properties::points_of_kind(kHeightMapKind)),
-                {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
-  CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
-  CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
+  add_whole(*command, "--points",
+            "points per law, height map or mesh, half of them aimed, and a quarter as many with other parameters; "
+            "default: " +
+                std::to_string(properties::points_of_kind(kLawKind)) + ", for a height map or mesh " +
+                std::to_string(properties::points_of_kind(kHeightMapKind)),
+            {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
+  add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
+  add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
   add_whole(*command, "--threads", options->threads, "threads", {1, 1024})->group(kOtherGroup);
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
-  CLI::Option* junit = add_junit(*command, options->junit);
-  options->exhaustive.add_to(*command);
-  for (CLI::Option* of_points : {points, cases, seed, junit}) command->get_option("--exhaustive")->excludes(of_points);
+  add_junit(*command, options->junit);
   add_merge(*command, result);
   add_plan(*command, result);
   add_work(*command, result);
   add_status(*command, result);
   command->callback([options, subject, out, command, &result] {
-    if (command->get_subcommands().empty()) result = run(*options, *subject, *out, command->count("--radius") > 0);
+    if (command->get_subcommands().empty()) result = run(*options, *subject, *out);
   });
 }
 

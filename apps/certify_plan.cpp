@@ -1,134 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// forceshade certify plan, work, status and merge: certificates of many processes.
+
 #include "apps/certify_plan.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "apps/certificate_files.h"
 #include "apps/command.h"
-#include "apps/exhaustive.h"
-#include "apps/opened_plan.h"
 #include "apps/options.h"
-#include "apps/plan_evidence.h"
+#include "apps/output_options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
-#include "certificate/build.h"
-#include "certificate/unit_result.h"
-#include "certificate/worker.h"
+#include "certificate/report/thesis.h"
 #include "files/printable.h"
-#include "rendering/identity/digest.h"
-#include "system/system.h"
+#include "forceshade/certify.h"
 
 namespace forceshade::apps {
 namespace {
 
-using properties::PlanFolder;
-using properties::Units;
-
 constexpr const char* kPlanFolderWords = "folder of a plan, made by 'certify plan'";
 
-Units units_of(const OpenedPlan& opened) {
-  return {opened.work().items(), opened.plan.parts_of_a_unit};
-}
-
-struct PlanOptions {
-  std::uint64_t points = 0, cases = properties::kCases, seed = 1, units = 1000, lease = 300;
-  ExhaustiveOptions exhaustive;
-  std::string folder;
-};
-
-int plan(const PlanOptions& options, const SubjectOption& subject, bool radius_is_given) {
-  properties::Plan plan;
-  plan.lease = options.lease;
-  if (options.exhaustive.is_given) {
-    plan.sweeps = sweep_plan(options.exhaustive, subject.options(), radius_is_given);
-  } else {
-    plan.subject = planned_words(subject.options());
-    plan.points = 1;  // until the kind is known
-    plan.cases = options.cases;
-    plan.seed = options.seed;
+// The sweeps of these kinds of the laws that the options name.
+properties::SweepPlan sweep_plan(const std::vector<std::string>& kinds, const subjects::Options& named) {
+  for (const std::string_view kind : subjects::kKinds)
+    if (kind != "law" && named.has(kind))
+      throw BadInput("--exhaustive: expected --law, got --" + std::string(kind) + ", which has too many inputs to sweep");
+  const auto is_chosen = [&](const char* kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
+  properties::SweepPlan plan{{}, {}, {}, is_chosen("directions"), is_chosen("heights"), is_chosen("lines")};
+  for (const DescribedLaw& law : subjects::laws_of(named)) {
+    plan.laws.push_back(law.law);
+    plan.parameters = law.parameters;
   }
-  OpenedPlan opened = built(plan, "");
-  if (!plan.has_sweeps()) {
-    opened.plan.points = opened.what.points =
-        options.points > 0 ? options.points : properties::points_of_kind(opened.what.subjects.front()->identity().kind);
-    for (const auto& each : opened.what.subjects) opened.plan.identities.push_back(properties::identity_line(each->identity()));
-  }
-  const std::vector<properties::Item> items = opened.work().items();
-  if (items.empty()) throw BadInput("--sweeps: expected a kind of sweep that the law has, got none of them");
-  opened.plan.parts_of_a_unit = properties::parts_for_units(items, options.units);
-  const std::string text = properties::to_json(opened.plan);
-  PlanFolder::create(options.folder, text);
-  std::printf("%" PRIu64
-              " units of work in %s\nplan %s\nto work on it, with any number of processes: forceshade certify work %s\n",
-              Units(items, opened.plan.parts_of_a_unit).count(), options.folder.c_str(), digest_of_text(text).c_str(),
-              options.folder.c_str());
-  return kHeld;
+  for (const properties::ThesisRadius& radius : properties::kThesisRadii) plan.radii.push_back(radius.mm);
+  if (named.has("radius")) plan.radii = {plan.parameters.radius};
+  return plan;
 }
 
-std::string host() {
-  std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? files::printable(name.data()) : "unknown";
+bool print_alarms(const properties::PlanState& state) {
+  for (const std::string& file : state.alarms)
+    std::fprintf(stderr,
+                 "forceshade: ALARM: %s differs from the result of the same unit beside it; one machine computes wrongly\n",
+                 files::printable(file).c_str());
+  return !state.alarms.empty();
 }
 
-// The run's facts about itself, which merge reads and which are no part of the evidence.
-void write_run(const OpenedPlan& opened, const std::filesystem::path& file, const properties::Worked& worked, double seconds) {
-  const nlohmann::ordered_json run{
-      {"plan", opened.digest}, {"date", system::date()}, {"processor", properties::processor_name()},
-      {"host", host()},        {"seconds", seconds},     {"units", worked.units}};
-  write_file(file, run.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-}
-
-struct WorkOptions {
-  std::string folder;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
-  bool does_not_wait = false;
-};
-
-int work(const WorkOptions& options) {
+int work(const std::string& folder, properties::PlanWorker worker) {
   watch_for_interrupt();
-  if (const char* fault = fast::arithmetic_fault()) throw BadInput(std::string("nothing can be certified: ") + fault);
-  const OpenedPlan opened = apps::opened(options.folder, true);
-  const Units units = units_of(opened);
-  const PlanFolder folder(options.folder, units.count());
-  const std::uint64_t done = progress_of(folder).done;
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  auto written = start;
-  const auto seconds = [&](Clock::time_point end) { return std::chrono::duration<double>(end - start).count(); };
-  const auto lease = static_cast<double>(opened.plan.lease);
-  properties::Claims claims(folder, lease, host() + " process " + std::to_string(::getpid()));
-  const std::filesystem::path run = folder.path() / "runs" / (claims.token() + ".json");
-  const auto all = static_cast<double>(units.count());
-  std::optional<ProgressLine> line("units");
-  line->draw(static_cast<double>(done) / all);
-  const properties::Work its = opened.work();
-  const properties::Worked worked = properties::work_through(
-      folder, claims, {options.threads, lease, !options.does_not_wait},
-      [&](std::uint64_t number) -> std::string {
-        const properties::Unit unit = units.at(number);
-        const properties::Found found = its.found(units.items()[unit.item], unit.first, unit.end, interrupted());
-        return interrupted() ? "" : properties::text_of_unit(opened.digest, number, units, found);
-      },
-      [&](const properties::Worked& so_far) {
-        line->draw(std::min(1.0, static_cast<double>(done + so_far.units) / all));
-        if (const auto now = Clock::now(); seconds(now) - seconds(written) > 10) {
-          write_run(opened, run, so_far, seconds(now) * options.threads);
-          written = now;
-        }
-      },
-      interrupted());
-  line.reset();
-  if (worked.units > 0) write_run(opened, run, worked, seconds(Clock::now()) * options.threads);
+  properties::Worked worked;
+  {
+    ProgressLine line("units");
+    worker.progress = [&](double done) { line.draw(done); };
+    worked = properties::work_on_plan(folder, worker, interrupted());
+  }
   if (worked.alarms > 0)
     std::fprintf(stderr,
                  "forceshade: ALARM: %" PRIu64
@@ -143,85 +72,131 @@ int work(const WorkOptions& options) {
   return worked.alarms > 0 ? kFailed : kHeld;
 }
 
-int status(const std::string& path) {
-  const OpenedPlan opened = apps::opened(path, false);
-  const PlanFolder folder(path, units_of(opened).count());
-  const Progress progress = progress_of(folder);
-  std::uint64_t taken = 0, expired = 0;
-  for (const auto& [unit, age] : folder.claims()) ++(age < static_cast<double>(opened.plan.lease) ? taken : expired);
+int status(const std::string& folder) {
+  const properties::PlanState state = properties::state_of_plan(folder, interrupted());
   std::printf("plan %s\n%" PRIu64 " of %" PRIu64 " units done, %" PRIu64 " taken, %" PRIu64 " with a lease that ran out\n",
-              opened.digest.c_str(), progress.done, folder.units(), taken, expired);
-  if (!progress.missing.empty()) std::printf("missing: %s\n", progress.missing.c_str());
-  const bool has_alarms = say_alarms(folder);
-  return progress.missing.empty() && !has_alarms ? kHeld : kFailed;
+              state.digest.c_str(), state.done, state.units, state.taken, state.expired);
+  if (!state.missing.empty()) std::printf("missing: %s\n", state.missing.c_str());
+  return !print_alarms(state) && state.missing.empty() ? kHeld : kFailed;
+}
+
+void print_sweeps(const properties::Sweeps& sweeps) {
+  if (sweeps.results.empty()) return;
+  for (const properties::SweepTotal& total : properties::totals(sweeps))
+    std::printf("%-15s %-9s %4" PRIu64 " sweeps %14" PRIu64 " inputs %" PRIu64 " mismatches\n", name_of(total.law).data(),
+                properties::kSweepKinds[static_cast<std::size_t>(total.kind)].data(), total.sweeps, total.inputs,
+                total.mismatches);
+  for (const std::string& words : sweeps.counterexamples) std::printf("  %s\n", files::printable(words).c_str());
+  std::printf("%" PRIu64 " inputs in %.0f s (%.0f M/s), %" PRIu64 " mismatches\n", sweeps.inputs(), sweeps.seconds,
+              static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, sweeps.mismatches());
+}
+
+int merge_plan(const std::string& folder, const OutFolder& out) {
+  const properties::MergedPlan merged = properties::merged_plan(folder, interrupted());
+  const properties::PlanState& state = merged.state;
+  if (print_alarms(state)) return kFailed;
+  out.expect_room_for(certificate_files());
+  print_sweeps(merged.certificate.sweeps);
+  if (state.missing.empty()) return write_certificate(merged.certificate, out.folder());
+  const std::string evidence = std::filesystem::path(out.path()) / "evidence.json";
+  out.make();
+  write_file(evidence, properties::evidence_of(merged.certificate, state.missing));
+  std::printf("incomplete: %" PRIu64 " of %" PRIu64 " units are done, so there is no certificate yet; what they found: %s\n",
+              state.done, state.units, evidence.c_str());
+  return kFailed;
+}
+
+int merge(const std::vector<std::string>& names, const OutFolder& out) {
+  if (names.size() == 1 && std::filesystem::is_directory(names.front())) return merge_plan(names.front(), out);
+  std::vector<properties::CertificateFile> files;
+  for (const std::string& name : names)
+    files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
+  const properties::Certificate certificate = properties::merged(std::move(files));
+  out.expect_room_for(certificate_files());
+  print_sweeps(certificate.sweeps);
+  return write_certificate(certificate, out.folder());
 }
 
 }  // namespace
 
-int merge_plan(const std::string& path, const OutFolder& out) {
-  const OpenedPlan opened = apps::opened(path, false);
-  const Units units = units_of(opened);
-  const PlanFolder folder(path, units.count());
-  if (say_alarms(folder)) return kFailed;
-  const std::string evidence = std::filesystem::path(out.path()) / "evidence.json";
-  out.expect_room_for(certificate_files());
-  const Progress progress = progress_of(folder);
-  const properties::Certificate certificate = merged_units(opened, units, folder, progress);
-  if (!certificate.sweeps.results.empty()) print_sweeps(certificate.sweeps);
-  if (progress.missing.empty()) return write_certificate(certificate, out.folder());
-  out.make();
-  write_file(evidence, properties::evidence_of(certificate, progress.missing));
-  std::printf("incomplete: %" PRIu64 " of %" PRIu64 " units are done, so there is no certificate yet; what they found: %s\n",
-              progress.done, folder.units(), evidence.c_str());
-  return kFailed;
-}
-
 void add_plan(CLI::App& certify, int& result) {
-  const auto options = std::make_shared<PlanOptions>();
+  struct Options {
+    properties::PlanRequest request;
+    std::vector<std::string> sweeps;
+    std::string folder;
+  };
+  const auto options = std::make_shared<Options>();
+  properties::PlanRequest& request = options->request;
   CLI::App* command = certify.add_subcommand(
       "plan", "Divide what certify does into units of work, which any number of processes and machines do");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
   command->option_defaults()->group(kEvidenceGroup);
   CLI::Option* points = add_whole(*command, "--points", "points per law, height map or mesh, as for certify",
-                                  {1, 1000000000000}, [options](std::uint64_t given) { options->points = given; });
-  CLI::Option* cases = add_whole(*command, "--cases", options->cases, "cases per property (passivity: a tenth)", kCases);
-  CLI::Option* seed = add_whole(*command, "--seed", options->seed, "seed of points and cases", kSeeds);
-  options->exhaustive.add_kinds_to(*command);
-  for (CLI::Option* of_points : {points, cases, seed}) command->get_option("--exhaustive")->excludes(of_points);
+                                  {1, 1000000000000}, [options](std::uint64_t given) { options->request.points = given; });
+  CLI::Option* cases = add_whole(*command, "--cases", request.cases, "cases per property (passivity: a tenth)", kCases);
+  CLI::Option* seed = add_whole(*command, "--seed", request.seed, "seed of points and cases", kSeeds);
+  CLI::Option* exhaustive =
+      command
+          ->add_option("--exhaustive", options->sweeps,
+                       "sweep over every binary32 instead of points and cases: directions, heights (the five radii of the "
+                       "thesis unless --radius is given), lines")
+          ->type_name("[LIST]")
+          ->expected(0, 3)
+          ->delimiter(',')
+          ->default_str("directions,heights,lines")
+          ->check(one_of({"directions", "heights", "lines"}));
+  for (CLI::Option* of_points : {points, cases, seed}) exhaustive->excludes(of_points);
   command->option_defaults()->group(kOtherGroup);
-  add_whole(*command, "--units", options->units, "about how many units to divide it into", {1, 1000000});
-  add_whole(*command, "--lease", options->lease,
+  add_whole(*command, "--units", request.units, "about how many units to divide it into", {1, 1000000});
+  add_whole(*command, "--lease", request.lease,
             "seconds after which others take the units of a process that gives no sign of life", {1, 86400});
   command->add_option("--out", options->folder, "folder for the plan, new, on a file system that all machines share")
       ->type_name("DIR")
       ->required()
       ->group(kOutputGroup);
-  command->callback([options, subject, command, &certify, &result] {
-    refuse_options_before(certify, "certify plan");
-    result = plan(*options, *subject, command->count("--radius") > 0);
+  command->callback([options, subject, exhaustive, &result] {
+    const subjects::Options named = subject->options();
+    if (!exhaustive->empty())
+      options->request.sweeps = sweep_plan(options->sweeps, named);
+    else
+      for (const subjects::Option& option : named) options->request.subject.emplace_back(option.key, option.value);
+    const properties::PlanState made = properties::make_plan(options->folder, options->request, interrupted());
+    std::printf("%" PRIu64
+                " units of work in %s\nplan %s\nto work on it, with any number of processes: forceshade certify work %s\n",
+                made.units, options->folder.c_str(), made.digest.c_str(), options->folder.c_str());
+    result = kHeld;
   });
 }
 
 void add_work(CLI::App& certify, int& result) {
-  const auto options = std::make_shared<WorkOptions>();
+  struct Options {
+    std::string folder;
+    unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    bool does_not_wait = false;
+  };
+  const auto options = std::make_shared<Options>();
   CLI::App* command = certify.add_subcommand("work", "Do units of a plan until all are done, beside any number of others");
   command->add_option("folder", options->folder, kPlanFolderWords)->type_name("DIR")->required();
   add_whole(*command, "--threads", options->threads, "threads, each with a unit of its own", {1, 1024});
   command->add_flag("--no-wait", options->does_not_wait, "end when every unit that is left is taken by others");
-  command->callback([options, &certify, &result] {
-    refuse_options_before(certify, "certify work");
-    result = work(*options);
-  });
+  command->callback([options, &result] { result = work(options->folder, {options->threads, !options->does_not_wait}); });
 }
 
 void add_status(CLI::App& certify, int& result) {
   const auto folder = std::make_shared<std::string>();
   CLI::App* command = certify.add_subcommand("status", "Say how many units of a plan are done, and whether two results differ");
   command->add_option("folder", *folder, kPlanFolderWords)->type_name("DIR")->required();
-  command->callback([folder, &certify, &result] {
-    refuse_options_before(certify, "certify status");
-    result = status(*folder);
-  });
+  command->callback([folder, &result] { result = status(*folder); });
+}
+
+void add_merge(CLI::App& certify, int& result) {
+  const auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* command =
+      certify.add_subcommand("merge", "Join certificates of points with different seeds, or the units of a plan");
+  command->add_option("files", *files, "certificate.json of one build; or the folder of a plan")->type_name("FILE")->required();
+  const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
+  out->require();
+  command->callback([files, out, &result] { result = merge(*files, *out); });
 }
 
 }  // namespace forceshade::apps

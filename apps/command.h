@@ -34,18 +34,12 @@ void remove_unused_directories();
 
 // One function per subcommand; each runs through `result` when the user calls it.
 void add_laws(CLI::App& app, int& result);
-void add_geometry(CLI::App& app, int& result);
-void add_polygons(CLI::App& app, int& result);
 void add_force(CLI::App& app, int& result);
 void add_energy(CLI::App& app, int& result);
 void add_plot(CLI::App& app, int& result);
-void add_figures(CLI::App& app, int& result);
 void add_properties(CLI::App& app, int& result);
 void add_certify(CLI::App& app, int& result);
-void add_positions(CLI::App& app, int& result);
-void add_vectors(CLI::App& app, int& result);
 void add_conform(CLI::App& app, int& result);
-void add_compare(CLI::App& app, int& result);
 void add_drive(CLI::App& app, int& result);
 void add_recording(CLI::App& app, int& result);
 void add_device(CLI::App& app, int& result);

@@ -42,7 +42,7 @@ Values values_of(const CLI::Option& option) {
   if (type == "DIR") return {"", "-d", optional};
   if (type == "DEVICE") return {device_words(), "", optional};
   if (type == "ID") return {law_names(option), "", optional};
-  if (type == "LIST") return {"directions heights lines", "", optional};
+  if (type == "[LIST]") return {"directions heights lines", "", optional};
   if (type.find('|') == std::string::npos) return {};
   std::string words = type;
   std::replace(words.begin(), words.end(), '|', ' ');
@@ -61,7 +61,7 @@ void add(const CLI::App& command, Tables& tables) {
   for (const CLI::Option* option : command.get_options()) {
     const Values values = option->get_expected_max() > 0 ? values_of(*option) : Values{};
     if (option->get_positional()) positional = values;
-    if (option->get_type_name() == "COMMAND")
+    if (option->get_positional() && option->get_type_name() == "COMMAND")
       for (const CLI::App* other : verbs_of(*command.get_parent())) positional.words += ' ' + other->get_name();
     for (const std::string& long_name : option->get_lnames()) {
       words += " --" + long_name;
@@ -185,7 +185,7 @@ void add_for_fish(const CLI::App& command, std::ostream& names, std::ostream& li
     const bool has_value = option->get_expected_max() > 0;
     const Values values = has_value ? values_of(*option) : Values{};
     if (option->get_positional() && !fish_values(values).empty()) lines << line << fish_values(values) << '\n';
-    if (option->get_type_name() == "COMMAND")
+    if (option->get_positional() && option->get_type_name() == "COMMAND")
       for (const CLI::App* other : verbs_of(*command.get_parent())) lines << line << " -a " << other->get_name() << '\n';
     for (const std::string& long_name : option->get_lnames()) {
       lines << line << " -l " << long_name;

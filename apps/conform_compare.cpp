@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade conform compare: two runs of one renderer or simulator side by side.
 
-#include "apps/conform_compare.h"
-
 #include <memory>
 #include <string>
 
 #include "apps/command.h"
+#include "apps/conform_verbs.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/standard_streams.h"
@@ -43,10 +42,7 @@ void add_conform_compare(CLI::App& conform, int& result) {
       ->type_name("FILE")
       ->required();
   add_json(*command, its->json, "the changes");
-  command->callback([its, &conform, &result] {
-    refuse_options_before(conform, "conform compare");
-    result = run(*its);
-  });
+  command->callback([its, &result] { result = run(*its); });
 }
 
 }  // namespace forceshade::apps

@@ -47,21 +47,19 @@ int list(const std::string& json) {
   return kHeld;
 }
 
-void add_device_list_to(CLI::App& command, int& result) {
-  const auto json = std::make_shared<std::string>();
-  CLI::App* verb = command.add_subcommand("list", "Kinds of device, and the devices that are set up for the vendor's driver");
-  add_json(*verb, *json, "the same");
-  verb->callback([json, &result] { result = list(*json); });
-}
-
 }  // namespace
 
 void add_device(CLI::App& app, int& result) {
-  CLI::App* command = app.add_subcommand("device", "List devices, check one, and try one for the first time");
-  command->require_subcommand(1);
-  add_device_list_to(*command, result);
+  const auto json = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("device",
+                                         "List the kinds of device, and the devices that are set up for the vendor's driver; "
+                                         "check one, and try one for the first time");
+  add_json(*command, *json, "the list");
   add_device_check(*command, result);
   add_device_try(*command, result);
+  command->callback([json, command, &result] {
+    if (command->get_subcommands().empty()) result = list(*json);
+  });
 }
 
 }  // namespace forceshade::apps

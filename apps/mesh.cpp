@@ -183,101 +183,87 @@ properties::WorstTick worst_tick(mesh::CheckedMesh& checked) {
   return worst;
 }
 
-int check(const MeshFileOptions& options) {
-  Input input = load(options);
-  std::vector<std::string> notes = notes_of(input.ground.loaded);
-  auto checked = checked_with_progress(options.file, std::move(input.ground.loaded.mesh), self_intersections(input));
-  std::optional<properties::WorstTick> worst;
-  if (auto* held = std::get_if<mesh::CheckedMesh>(&checked)) {
-    note_large_fan(input, held->mesh(), notes);
-    if (input.may_cross) note_seams(held->mesh(), notes);
-    worst = worst_tick(*held);
-  }
-  const auto* findings = std::get_if<mesh::Findings>(&checked);
-  const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(input.words(*findings));
-  Json json{{"file", options.file},
-            {"held", findings == nullptr},
-            {"self_intersections", input.may_cross ? "allowed" : "refused"},
-            {"notes", notes},
-            {"faults", faults}};
-  if (worst) json["worst_tick"] = {{"looks", worst->looks}, {"moves", worst->moves}, {"unfinished", worst->is_unfinished}};
-  for (const auto& [name, counted] : names_in(input)) json[name] = json_of(counted);
-  write_json(options, json);
-  if (options.json == "-") return findings == nullptr ? kHeld : kFailed;
-  print(notes);
-  for (const auto& [name, counted] : names_in(input))
-    if (!counted.empty()) print({name + ": " + words_of(counted)});
-  if (worst) print({properties::words_of(*worst)});
-  if (findings == nullptr) {
-    const auto& held = std::get<mesh::CheckedMesh>(checked);
-    std::printf("held: a %s of %zu faces%s\n", input.is_scene() ? "scene" : "mesh", held.mesh().triangles.size(),
-                held.self_intersections() == mesh::SelfIntersections::refused
-                    ? ""
-                    : "; whether faces without a common vertex cross was not checked");
-    return kHeld;
-  }
-  std::printf("%s\n", kFailedHeading);
-  print_faults(options.file, faults);
-  return kFailed;
-}
-
 std::string shortest(double number) {
   return files::shortest(static_cast<float>(number));
 }
 
-int info(const MeshFileOptions& options) {
-  Input input = load(options);
-  const std::vector<std::string> notes = notes_of(input.ground.loaded);
-  const bool has_normals = !input.ground.loaded.normals.empty(), has_texture = !input.ground.loaded.texture.empty();
-  const auto checked = mesh::check_joints(std::move(input.ground.loaded.mesh));
-  if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
-    const std::vector<std::string> faults = lines_of(input.words(*findings));
-    write_json(options, {{"file", options.file}, {"notes", notes}, {"faults", faults}});
-    if (options.json == "-") return kFailed;
-    print(notes);
-    std::printf("%s\n", kFailedHeading);
-    print_faults(options.file, faults);
-    return kFailed;
-  }
-  const mesh::Facts facts = mesh::facts_of(std::get<mesh::JoinedMesh>(checked));
+void add_facts(Json& json, const mesh::Facts& facts) {
   const auto list = [](const mesh::Vertex& v) { return Json{v[0], v[1], v[2]}; };
-  Json json{{"file", options.file},
-            {"faces", facts.triangles},
-            {"vertices", facts.vertices},
-            {"unused_vertices", facts.unused_vertices},
-            {"edges", facts.edges},
-            {"rim_edges", facts.rim_edges},
-            {"parts", facts.parts},
-            {"low_mm", list(facts.low)},
-            {"high_mm", list(facts.high)},
-            {"shortest_edge_mm", facts.shortest_edge},
-            {"longest_edge_mm", facts.longest_edge},
-            {"area_mm2", facts.area},
-            {"volume_mm3", facts.volume},
-            {"normals", has_normals},
-            {"texture", has_texture}};
-  for (const auto& [name, counted] : names_in(input)) json[name] = json_of(counted);
-  json["notes"] = notes;
-  write_json(options, json);
-  if (options.json == "-") return kHeld;
-  const auto row = [](const char* name, const std::string& value) { std::printf("%-16s %s\n", name, value.c_str()); };
+  json.update({{"faces", facts.triangles},
+               {"vertices", facts.vertices},
+               {"unused_vertices", facts.unused_vertices},
+               {"edges", facts.edges},
+               {"rim_edges", facts.rim_edges},
+               {"parts", facts.parts},
+               {"low_mm", list(facts.low)},
+               {"high_mm", list(facts.high)},
+               {"shortest_edge_mm", facts.shortest_edge},
+               {"longest_edge_mm", facts.longest_edge},
+               {"area_mm2", facts.area},
+               {"volume_mm3", facts.volume}});
+}
+
+void print_row(const char* name, const std::string& value) {
+  std::printf("%-16s %s\n", name, value.c_str());
+}
+
+void print_facts(const mesh::Facts& facts) {
   const auto point = [](const mesh::Vertex& v) {
     return files::shortest(v[0]) + ", " + files::shortest(v[1]) + ", " + files::shortest(v[2]);
   };
-  row("faces",
-      std::to_string(facts.triangles) + " in " + std::to_string(facts.parts) + (facts.parts == 1 ? " part" : " parts"));
-  row("vertices", std::to_string(facts.vertices) + ", " + std::to_string(facts.unused_vertices) + " of them in no face");
-  row("edges", std::to_string(facts.edges) + ", " + std::to_string(facts.rim_edges) + " of them at a rim");
-  row("box", point(facts.low) + " to " + point(facts.high) + " mm");
-  row("edge lengths", shortest(facts.shortest_edge) + " to " + shortest(facts.longest_edge) + " mm");
-  row("area", shortest(facts.area) + " mm^2");
+  print_row("faces",
+            std::to_string(facts.triangles) + " in " + std::to_string(facts.parts) + (facts.parts == 1 ? " part" : " parts"));
+  print_row("vertices", std::to_string(facts.vertices) + ", " + std::to_string(facts.unused_vertices) + " of them in no face");
+  print_row("edges", std::to_string(facts.edges) + ", " + std::to_string(facts.rim_edges) + " of them at a rim");
+  print_row("box", point(facts.low) + " to " + point(facts.high) + " mm");
+  print_row("edge lengths", shortest(facts.shortest_edge) + " to " + shortest(facts.longest_edge) + " mm");
+  print_row("area", shortest(facts.area) + " mm^2");
   if (facts.is_closed())
-    row("volume", shortest(std::fabs(facts.volume)) + " mm^3; the fronts are " + (facts.volume > 0 ? "outside" : "inside"));
-  row("normals", has_normals ? "in the file" : "none");
-  row("texture", has_texture ? "in the file" : "none");
-  for (const auto& [name, counted] : names_in(input)) row(name.c_str(), files::printable(words_of(counted)));
+    print_row("volume",
+              shortest(std::fabs(facts.volume)) + " mm^3; the fronts are " + (facts.volume > 0 ? "outside" : "inside"));
+}
+
+int check(const MeshFileOptions& options) {
+  Input input = load(options);
+  std::vector<std::string> notes = notes_of(input.ground.loaded);
+  const bool has_normals = !input.ground.loaded.normals.empty(), has_texture = !input.ground.loaded.texture.empty();
+  auto checked = checked_with_progress(options.file, std::move(input.ground.loaded.mesh), self_intersections(input));
+  auto* held = std::get_if<mesh::CheckedMesh>(&checked);
+  const std::vector<std::string> faults =
+      held != nullptr ? std::vector<std::string>{} : lines_of(input.words(std::get<mesh::Findings>(checked)));
+  Json json{{"file", options.file}, {"held", held != nullptr}, {"self_intersections", input.may_cross ? "allowed" : "refused"},
+            {"faults", faults},     {"normals", has_normals},  {"texture", has_texture}};
+  std::optional<properties::WorstTick> worst;
+  if (held != nullptr) {
+    note_large_fan(input, held->mesh(), notes);
+    if (input.may_cross) note_seams(held->mesh(), notes);
+    worst = worst_tick(*held);
+    json["worst_tick"] = {{"looks", worst->looks}, {"moves", worst->moves}, {"unfinished", worst->is_unfinished}};
+    add_facts(json, mesh::facts_of(*held));
+  }
+  json["notes"] = notes;
+  for (const auto& [name, counted] : names_in(input)) json[name] = json_of(counted);
+  write_json(options, json);
+  const int code = held != nullptr ? kHeld : kFailed;
+  if (options.json == "-") return code;
+  if (held != nullptr) {
+    print_facts(mesh::facts_of(*held));
+    print_row("normals", has_normals ? "in the file" : "none");
+    print_row("texture", has_texture ? "in the file" : "none");
+    for (const auto& [name, counted] : names_in(input)) print_row(name.c_str(), files::printable(words_of(counted)));
+  }
   print(notes);
-  return kHeld;
+  if (held == nullptr) {
+    std::printf("%s\n", kFailedHeading);
+    print_faults(options.file, faults);
+    return code;
+  }
+  print({properties::words_of(*worst)});
+  std::printf("held: a %s of %zu faces%s\n", input.is_scene() ? "scene" : "mesh", held->mesh().triangles.size(),
+              held->self_intersections() == mesh::SelfIntersections::refused
+                  ? ""
+                  : "; whether faces without a common vertex cross was not checked");
+  return code;
 }
 
 int repair(const MeshFileOptions& options) {
@@ -307,13 +293,13 @@ int repair(const MeshFileOptions& options) {
 }  // namespace
 
 void add_mesh(CLI::App& app, int& result) {
-  CLI::App* command = app.add_subcommand("mesh", "Check, look into, repair and make triangle meshes");
+  CLI::App* command = app.add_subcommand("mesh", "Check, repair and make triangle meshes");
   command->require_subcommand(1);
   const auto add = [&](const char* name, const char* help, int (*run)(const MeshFileOptions&)) {
     const auto options = std::make_shared<MeshFileOptions>();
     CLI::App* verb = command->add_subcommand(name, help);
     verb->add_option("file", options->file,
-                     "a mesh: FILE.obj, .off, .ply or .stl; - is standard input. check and info take a scene, too: FILE.toml")
+                     "a mesh: FILE.obj, .off, .ply or .stl; - is standard input. check takes a scene, too: FILE.toml")
         ->type_name("FILE")
         ->required();
     add_word(*verb, "--unit", options->unit, "of the coordinates in a mesh's file, which no format says: required for a mesh",
@@ -324,13 +310,13 @@ void add_mesh(CLI::App& app, int& result) {
   const auto allow_self_intersections = [](CLI::App& verb, MeshFileOptions& options) {
     verb.add_flag("--self-intersecting", options.self_intersecting, "allow faces without a common vertex to cross");
   };
-  const auto [check_verb, check_options] =
-      add("check", "Check that a mesh can be rendered: 0 if so, 1 and what is wrong, with the numbers of faces, if not",
-          check);
+  const auto [check_verb, check_options] = add(
+      "check",
+      "Check that a mesh can be rendered: exit code 0 and its faces, edges, parts and size; or 1 and what is wrong, with the "
+      "numbers of faces",
+      check);
   allow_self_intersections(*check_verb, *check_options);
   add_json(*check_verb, check_options->json, "the same");
-  const auto [info_verb, info_options] = add("info", "Faces, edges, parts, size; whether it is closed", info);
-  add_json(*info_verb, info_options->json, "the same");
   const auto [repair_verb, repair_options] = add(
       "repair", "Join equal vertices, drop faces without area or twice there, turn faces over; lists what was done", repair);
   allow_self_intersections(*repair_verb, *repair_options);

@@ -63,12 +63,19 @@ std::string named(const CLI::App& command) {
   return (name.starts_with(program + ' ') ? name.substr(program.size() + 1) : name) + ": ";
 }
 
+std::vector<std::string> names_of_verbs(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : command.get_subcommands([](const CLI::App*) { return true; })) names.push_back(verb->get_name());
+  return names;
+}
+
 // Describes a word that was left over: an option that the command does not have, or a word that it has no place for.
 std::string words_of_extra(const CLI::App& command) {
   const std::vector<std::string> extras = command.remaining();
   const auto option = std::find_if(extras.begin(), extras.end(), is_option);
   if (option == extras.end())
-    return named(command) + "expected no further word, got \"" + (extras.empty() ? "" : extras.front()) + '"';
+    return named(command) + "expected no further word, got \"" + (extras.empty() ? "" : extras.front()) + '"' +
+           (extras.empty() ? "" : files::suggestion(extras.front(), names_of_verbs(command)));
   const std::string name = option->substr(0, option->find('='));
   std::vector<std::string> names;
   for (const CLI::Option* known : command.get_options())
@@ -77,17 +84,15 @@ std::string words_of_extra(const CLI::App& command) {
 }
 
 std::string words_of_missing(const CLI::App& command, const std::string& what) {
-  const std::vector<const CLI::App*> verbs = command.get_subcommands([](const CLI::App*) { return true; });
+  const std::vector<std::string> verbs = names_of_verbs(command);
   const std::vector<std::string> extras = command.remaining();
   // Behind a misspelt command, its options are unknown too.
   const bool has_misspelt_command = !verbs.empty() && !extras.empty() && !is_option(extras.front());
   if (!has_misspelt_command && std::any_of(extras.begin(), extras.end(), is_option)) return words_of_extra(command);
   if (what.find("subcommand") == std::string::npos)
     return named(command) + "expected " + what.substr(0, what.find(" is required")) + ", got none";
-  std::vector<std::string> names;
-  for (const CLI::App* verb : verbs) names.push_back(verb->get_name());
-  const std::string words = named(command) + "expected a command: " + joined(names, ", ") + "; got ";
-  return extras.empty() ? words + "none" : words + '"' + extras.front() + '"' + files::suggestion(extras.front(), names);
+  const std::string words = named(command) + "expected a command: " + joined(verbs, ", ") + "; got ";
+  return extras.empty() ? words + "none" : words + '"' + extras.front() + '"' + files::suggestion(extras.front(), verbs);
 }
 
 template <class E>
@@ -189,10 +194,16 @@ void refuse_empty_values(CLI::App& command) {
   for (CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; })) refuse_empty_values(*subcommand);
 }
 
-void refuse_options_before(const CLI::App& command, const std::string& subcommand) {
-  for (const CLI::Option* option : command.get_options())
-    if (!option->empty())
-      throw files::BadInput(option->get_name() + ": expected after '" + subcommand + "' or not at all, got before it");
+void refuse_options_before_verbs(CLI::App& command) {
+  for (CLI::App* verb : command.get_subcommands([](const CLI::App*) { return true; })) {
+    verb->preparse_callback([&command, verb](std::size_t) {
+      for (const CLI::Option* option : command.get_options())
+        if (!option->empty() && option != command.get_help_ptr())
+          throw files::BadInput(option->get_name() + ": expected after '" + command.get_name() + ' ' + verb->get_name() +
+                                "' or not at all, got before it");
+    });
+    refuse_options_before_verbs(*verb);
+  }
 }
 
 std::string repeated(const CLI::App& command) {
@@ -201,9 +212,11 @@ std::string repeated(const CLI::App& command) {
     const std::string& group = option->get_group();
     if (group != kSubjectGroup && group != kEvidenceGroup) continue;
     std::vector<std::string> values = option->results();
-    if (values.empty() && group == kEvidenceGroup && !option->get_default_str().empty()) values = {option->get_default_str()};
+    // What stands for the value where --timing has none is not its default.
+    if (values.empty() && group == kEvidenceGroup && option->get_expected_min() > 0 && !option->get_default_str().empty())
+      values = {option->get_default_str()};
     if (values.empty()) continue;
-    line += ' ' + option->get_name();
+    if (!option->get_positional()) line += ' ' + option->get_name();
     if (option->get_expected_max() > 0)
       for (const std::string& value : values) line += ' ' + files::quoted_for_shell(value);
   }

@@ -103,7 +103,7 @@ OutFolder::OutFolder(CLI::App& command, const std::string& help)
   add_overwrite(command);
 }
 
-void OutFolder::make_for_several() const {
+void OutFolder::make_unclaimed() const {
   namespace fs = std::filesystem;
   if (path_.empty()) throw CLI::RequiredError("--out");
   std::error_code ignored;
@@ -123,7 +123,7 @@ void OutFolder::claim() const {
 
 void OutFolder::make() const {
   if (!folder_) expect_room_for({});  // also where another process will put the folder in place, and has it beside that place
-  make_for_several();
+  make_unclaimed();
   // A claim from before the folder was there is beside it, where others no longer look.
   if (!folder_ || folder_->so_far().parent_path() != folder_->path()) claim();
 }
@@ -132,7 +132,7 @@ void OutFolder::expect_room_for(const std::vector<std::string>& files) const {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const bool was_there = fs::exists(path_, ignored);
-  make_for_several();
+  make_unclaimed();
   if (!was_there) fs::remove(path_, ignored);
   claim();
   for (const std::string& name : files) {

@@ -52,9 +52,6 @@ class OutFolder {
   // The folder is there afterwards. Throws BadInput, also where another process has it.
   void make() const;
 
-  // As make(), for a folder that several processes write into, each a file of its own.
-  void make_for_several() const;
-
   // Throws BadInput where the folder cannot be made or written to, another process has it, or it has one of these files, unless
   // it may be replaced. Only the folders that it is in are there afterwards, so that folder() can make it whole.
   void expect_room_for(const std::vector<std::string>& files) const;
@@ -65,6 +62,7 @@ class OutFolder {
   files::OutputFolder& folder() const { return *folder_; }
 
  private:
+  void make_unclaimed() const;
   void claim() const;
 
   std::string path_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade plot and forceshade figures: pictures of a law, a height map or a mesh, and figures of the thesis drawn again.
+// forceshade plot: pictures of a law, a height map or a mesh, and figures of the thesis drawn again.
 
 #include <algorithm>
 #include <array>
@@ -208,6 +208,21 @@ struct MeshPlotOptions {
   }
 };
 
+// Figures of the thesis again, with their numbers.
+void draw_thesis(const OutFolder& out) {
+  const std::vector<properties::ThesisFigure> figures = properties::thesis_figures();
+  std::vector<std::string> names;
+  for (const properties::ThesisFigure& figure : figures)
+    for (const char* ending : {".svg", ".png", ".csv"}) names.push_back(figure.name + ending);
+  out.expect_room_for(names);
+  files::OutputFolder& folder = out.folder();
+  for (const properties::ThesisFigure& figure : figures) {
+    write(figure.picture, figure.name, folder);
+    folder.write(figure.name + ".csv", figure.csv);
+  }
+  finish(folder, out, names);
+}
+
 }  // namespace
 
 void add_plot(CLI::App& app, int&) {
@@ -223,8 +238,10 @@ void add_plot(CLI::App& app, int&) {
   add("--from", options->from, "x where the section begins");
   add("--to", options->to, "x where it ends");
   const CLI::Option* what_picture =
-      add_word(*command, "--what", options->what, "the picture; of a mesh, energy: what its shading can give to the hand",
-               {"force", "directions", "geometry", "energy", "all"})
+      add_word(
+          *command, "--what", options->what,
+          "the picture; of a mesh, energy: the most that its shading can give to the hand; thesis: its figures, of no subject",
+          {"force", "directions", "geometry", "energy", "all", "thesis"})
           ->excludes("--scene");
   std::vector<const CLI::Option*> of_a_mesh{
       command
@@ -239,10 +256,15 @@ void add_plot(CLI::App& app, int&) {
   };
   turn("--azimuth", mesh_options->direction.azimuth, "of the view of a mesh or scene: from -y towards +x", 360);
   turn("--elevation", mesh_options->direction.elevation, "of the view of a mesh or scene: above the plane of x and y", 90);
-  const auto out = std::make_shared<OutFolder>(*command, "directory for NAME-PICTURE.svg and .png");
+  const auto out =
+      std::make_shared<OutFolder>(*command, "directory for NAME-PICTURE.svg and .png, and for figure-N-M.svg, .png and .csv");
   out->require();
   command->callback([subject, options, mesh_options, of_a_mesh, what_picture, out] {
     watch_for_interrupt();
+    if (options->what == "thesis") {
+      if (subject->is_given()) throw BadInput("--what: expected no subject beside thesis, got one");
+      return draw_thesis(*out);
+    }
     const std::vector<Description> all = subject->descriptions();
     if (const auto* mesh = std::get_if<MeshRendering>(&all.front().what)) {
       if (what_picture->empty()) return mesh_options->draw(all.front().name, *mesh, *out);
@@ -261,26 +283,6 @@ void add_plot(CLI::App& app, int&) {
     for (const PlannedView& one : views) {
       const SideView view = one.view();
       for (const Kind& kind : kinds) write(kind.draw(view), stem(one.name, kind), folder);
-    }
-    finish(folder, *out, names);
-  });
-}
-
-void add_figures(CLI::App& app, int&) {
-  CLI::App* command = app.add_subcommand("figures", "Draw figures of the thesis again, with their numbers");
-  const auto out = std::make_shared<OutFolder>(*command, "directory for figure-N-M.svg, .png and .csv");
-  out->require();
-  command->callback([out] {
-    watch_for_interrupt();
-    const std::vector<properties::ThesisFigure> figures = properties::thesis_figures();
-    std::vector<std::string> names;
-    for (const properties::ThesisFigure& figure : figures)
-      for (const char* ending : {".svg", ".png", ".csv"}) names.push_back(figure.name + ending);
-    out->expect_room_for(names);
-    files::OutputFolder& folder = out->folder();
-    for (const properties::ThesisFigure& figure : figures) {
-      write(figure.picture, figure.name, folder);
-      folder.write(figure.name + ".csv", figure.csv);
     }
     finish(folder, *out, names);
   });

@@ -43,13 +43,22 @@ std::vector<std::string> with_words_for_flags(std::vector<std::string> words) {
   return words;
 }
 
+// The present words for the first former ones; empty where there are none. An option of a verb is not one of the command.
+std::string fault_of_former_words(std::span<const FormerWords> former, const std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 1 && !words[1].starts_with("-")) break;
+    const std::string typed = i == 0 ? words[0] : words[0] + ' ' + words[i].substr(0, words[i].find('='));
+    for (const FormerWords& each : former)
+      if (typed == each.words) return '"' + typed + "\" is '" + std::string(each.now) + "' now" + std::string(each.remark);
+  }
+  return "";
+}
+
 // The reason why the first word is no command; empty where it is one, or a flag of the program.
-std::string fault_of_first_word(const CLI::App& app, std::span<const FormerCommand> former,
-                                const std::vector<std::string>& words) {
+std::string fault_of_first_word(const CLI::App& app, std::span<const FormerWords> former, const std::vector<std::string>& words) {
   if (words.empty()) return "";
+  if (const std::string now = fault_of_former_words(former, words); !now.empty()) return now;
   const std::string& first = words.front();
-  if (const auto found = std::ranges::find(former, first, &FormerCommand::name); found != former.end())
-    return '"' + first + "\" is no command any more; expected " + std::string(found->now);
   std::vector<std::string> names;
   for (const CLI::App* command : verbs_of(app)) names.push_back(command->get_name());
   const auto listed = [&] {
@@ -125,6 +134,7 @@ int run(const Program& program, const std::vector<std::string>& arguments) {
   ExpandedLine line{with_words_for_flags(arguments)};
   add_commands(app, program.commands, line.words, result);
   refuse_empty_values(app);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) refuse_options_before_verbs(*command);
   app.footer(std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
              of_program("\n'forceshade help COMMAND' explains a command,\n'forceshade man COMMAND | man -l -' shows its page."));
   if (const std::string fault = fault_of_first_word(app, program.former, line.words); !fault.empty()) {

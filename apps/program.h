@@ -17,16 +17,16 @@ struct Command {
   void (*add)(CLI::App&, int& result);  // runs through `result` when the user calls it
 };
 
-// A word that is a command no more, and what to type in its place.
-struct FormerCommand {
-  std::string_view name, now;
+// A command, or a command and its option or verb, that has other words now, and what else to say of them.
+struct FormerWords {
+  std::string_view words, now, remark = {};
 };
 
 struct Program {
   std::string name, description;
   std::span<const Command> commands;
   std::span<const Example> examples;
-  std::span<const FormerCommand> former = {};
+  std::span<const FormerWords> former = {};
 };
 
 // arguments: the words after the program's name. Once in a process: it uses the standard streams and the signals of the

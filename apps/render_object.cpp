@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/render_object.h"
+// The process of properties/conformance/doors/object_door.h: it loads the shared object that it is called with, and answers for
+// it on standard input and output (docs/conformance-protocol.md) until goodbye. The object itself prints on standard error.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -25,6 +26,7 @@
 #include "forceshade.h"
 #include "properties/conformance/doors/lines.h"
 #include "properties/conformance/doors/object_door.h"
+#include "rendering/control_words.h"
 
 namespace forceshade::apps {
 namespace {
@@ -193,11 +195,12 @@ int exit_code_of(const std::string& file) {
 }
 
 }  // namespace
+}  // namespace forceshade::apps
 
-int render_object(const std::string& file) {
-  const int code = exit_code_of(file);
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const forceshade::ExactArithmetic with_all_bits;  // as the command has it
+  const int code = forceshade::apps::exit_code_of(argv[1]);
   std::fesetenv(FE_DFL_ENV);  // the object may have left another one, with which libraries of this program do not end
   return code;
 }
-
-}  // namespace forceshade::apps

@@ -53,6 +53,8 @@ class BumpOptions {
  public:
   explicit BumpOptions(CLI::App& command);
 
+  bool is_given() const { return !radius_option_->empty() || !width_option_->empty(); }
+
   // From then on they are refused beside this option.
   void allow_instead(CLI::Option* other);
 

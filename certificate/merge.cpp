@@ -8,52 +8,6 @@
 namespace forceshade::properties {
 namespace {
 
-std::string units(std::uint64_t first, std::uint64_t end) {
-  return "units " + std::to_string(first) + " to " + std::to_string(end);
-}
-
-bool same_sweeps(const Sweeps& a, const Sweeps& b) {
-  return std::equal(a.results.begin(), a.results.end(), b.results.begin(), b.results.end(),
-                    [](const SweepResult& x, const SweepResult& y) { return x.sweep == y.sweep; });
-}
-
-void add(Sweeps& sum, const Sweeps& part) {
-  sum.end = sum.next = part.end;
-  sum.seconds += part.seconds;
-  std::transform(part.stages.begin(), part.stages.end(), sum.stages.begin(), sum.stages.begin(), std::plus<>());
-  for (std::size_t i = 0; i < sum.results.size(); ++i) {
-    sum.results[i].inputs += part.results[i].inputs;
-    sum.results[i].mismatches += part.results[i].mismatches;
-  }
-  sum.counterexamples.insert(sum.counterexamples.end(), part.counterexamples.begin(), part.counterexamples.end());
-}
-
-// Parts sorted by their first unit.
-Sweeps joined(const std::vector<CertificateFile>& parts) {
-  const CertificateFile* before = &parts.front();
-  Sweeps sum = before->certificate.sweeps;
-  for (const CertificateFile& part : parts) {
-    const Sweeps& sweeps = part.certificate.sweeps;
-    if (!same_sweeps(sweeps, sum))
-      throw CertificateError(part.name + ": expected the sweeps of " + before->name + ", got others");
-    if (!sweeps.is_finished())
-      throw CertificateError(part.name + ": expected a finished part; " + units(sweeps.next, sweeps.end) + " are not done");
-    if (&part == &parts.front()) continue;
-    if (sweeps.first < sum.end)
-      throw CertificateError(part.name + ": overlaps " + before->name + " in " +
-                             units(sweeps.first, std::min(sum.end, sweeps.end)));
-    if (sweeps.first > sum.end)
-      throw CertificateError("missing part: " + units(sum.end, sweeps.first) + ", between " + before->name + " and " +
-                             part.name);
-    add(sum, sweeps);
-    before = &part;
-  }
-  if (sum.first > 0) throw CertificateError("missing part: " + units(0, sum.first) + ", before " + parts.front().name);
-  if (sum.end < sum.units())
-    throw CertificateError("missing part: " + units(sum.end, sum.units()) + ", after " + parts.back().name);
-  return sum;
-}
-
 void add(Comparison::Counts& sum, const Comparison::Counts& part) {
   for (const auto& [name, count] : part) sum[name] += count;
 }
@@ -138,10 +92,23 @@ std::vector<SubjectResult> joined_subjects(const std::vector<CertificateFile>& f
   return subjects;
 }
 
+// Those of the one file that has some.
+Sweeps sweeps_of(const std::vector<CertificateFile>& files) {
+  const CertificateFile* found = nullptr;
+  for (const CertificateFile& file : files) {
+    const Sweeps& sweeps = file.certificate.sweeps;
+    if (sweeps.results.empty()) continue;
+    if (found != nullptr) throw CertificateError(file.name + ": expected no sweeps; " + found->name + " has them");
+    if (!sweeps.is_whole()) throw CertificateError(file.name + ": expected whole sweeps, got a part of them");
+    found = &file;
+  }
+  return found == nullptr ? Sweeps{} : found->certificate.sweeps;
+}
+
 }  // namespace
 
 Certificate merged(std::vector<CertificateFile> files) {
-  if (files.empty()) throw CertificateError("expected at least one part");
+  if (files.empty()) throw CertificateError("expected at least one certificate");
   const CertificateFile first = files.front();
   for (const CertificateFile& file : files)
     if (!(file.certificate.build == first.certificate.build))
@@ -149,17 +116,10 @@ Certificate merged(std::vector<CertificateFile> files) {
                              first.certificate.build.library_digest + ", " + first.certificate.build.instruction_set +
                              "), got another (" + file.certificate.build.library_digest + ", " +
                              file.certificate.build.instruction_set + ")");
-  std::vector<CertificateFile> of_sweeps;
-  std::copy_if(files.begin(), files.end(), std::back_inserter(of_sweeps),
-               [](const CertificateFile& file) { return !file.certificate.sweeps.results.empty(); });
-  if (of_sweeps.empty() && files.size() < 2)
-    throw CertificateError(first.name + ": expected another certificate to join it to");
-  std::stable_sort(of_sweeps.begin(), of_sweeps.end(), [](const CertificateFile& a, const CertificateFile& b) {
-    return a.certificate.sweeps.first < b.certificate.sweeps.first;
-  });
+  if (files.size() < 2) throw CertificateError(first.name + ": expected another certificate to join it to");
   Certificate result = first.certificate;
   result.subjects = joined_subjects(files);
-  if (!of_sweeps.empty()) result.sweeps = joined(of_sweeps);
+  result.sweeps = sweeps_of(files);
   result.seconds = 0;
   for (const CertificateFile& file : files) {
     const Certificate& part = file.certificate;

@@ -83,14 +83,6 @@ Sweeps planned(const SweepPlan& plan) {
   return sweeps;
 }
 
-Sweeps part_of(Sweeps sweeps, std::uint64_t k, std::uint64_t n) {
-  const std::uint64_t units = sweeps.units();
-  sweeps.first = units * (k - 1) / n;
-  sweeps.end = units * k / n;
-  sweeps.next = sweeps.first;
-  return sweeps;
-}
-
 std::vector<SweepTotal> totals(const Sweeps& sweeps) {
   std::vector<SweepTotal> rows;
   for (const SweepResult& result : sweeps.results) {

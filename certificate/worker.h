@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "certificate/plan_folder.h"
+#include "forceshade/certify.h"
 
 namespace forceshade::properties {
 
@@ -14,11 +15,6 @@ struct WorkerOptions {
   unsigned threads = 1;
   double lease = 300;  // s
   bool waits = true;   // for units that others have taken, so that those of one that was lost are done
-};
-
-struct Worked {
-  std::uint64_t units = 0, alarms = 0;  // alarms: units of which another result was there
-  bool is_complete = false;             // every unit has a result
 };
 
 // result(unit): its text; empty where `stop` was set in the meantime. progress(units that are known to be done) from one thread

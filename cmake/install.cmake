@@ -18,6 +18,7 @@ install(TARGETS forceshade_fast forceshade_system forceshade_files forceshade_de
 set(export_sets forceshade_targets)
 if(FORCESHADE_EXACT_SIDE)
   install(TARGETS forceshade COMPONENT forceshade)
+  install(TARGETS forceshade-object DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/forceshade COMPONENT forceshade)
   # For every language: two shared libraries, each with its one header.
   set_target_properties(forceshade_c PROPERTIES EXPORT_NAME c)
   install(TARGETS forceshade_c EXPORT forceshade_c_targets LIBRARY COMPONENT libforceshade0 NAMELINK_COMPONENT libforceshade-dev)
@@ -107,7 +108,7 @@ if(FORCESHADE_EXACT_SIDE)
   install_pc(forceshade-run DESCRIPTION "Certified runs of the servo loop" REQUIRES "forceshade, libcrypto, sqlite3"
              LIBRARIES "${run_libraries}")
   install_pc(forceshade-properties DESCRIPTION "Properties that a haptic renderer must have, and certificates of them"
-             REQUIRES "forceshade-run"
+             REQUIRES "forceshade-run, forceshade-subjects"
              LIBRARIES "-lforceshade_certify -lforceshade_properties -lforceshade_reference -lmpfi -lmpfr -lgmp")
   install_pc(forceshade-subjects DESCRIPTION "Laws, height maps and meshes from subject files"
              REQUIRES "forceshade-heights, forceshade-meshes" LIBRARIES "-lforceshade_subjects")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The kinds of device that there are: open_device(), its error message, `device list`, the help of --device and the completion
+// The kinds of device that there are: open_device(), its error message, `device`, the help of --device and the completion
 // take them from this one list. A new kind is its own files and its entry in kinds.cpp.
 
 #include <memory>

@@ -22,6 +22,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "forceshade/certificate.h"
@@ -68,23 +69,62 @@ struct SweepPlan {
 // Throws std::invalid_argument naming the parameter if one is outside the domain of one of the laws.
 Sweeps planned(const SweepPlan& plan);
 
-// Part k of n of them, nothing done yet (1 <= k <= n).
-Sweeps part_of(Sweeps sweeps, std::uint64_t k, std::uint64_t n);
+// A plan: what certify() does, or sweeps, divided into units of work in a folder, which any number of processes and machines
+// do.
+//
+//   make_plan("plan", {.subject = {{"law", "wall"}}}, stop);
+//   work_on_plan("plan", {.threads = 8}, stop);
+//   const MergedPlan merged = merged_plan("plan", stop);  // merged.state.missing is empty: the certificate is whole
 
-// Does the next `count` units, or as many as are left. Any number of threads gives the same result but for the seconds.
-Sweeps continued(Sweeps sweeps, std::uint64_t count, unsigned threads);
+struct PlanRequest {
+  std::vector<std::pair<std::string, std::string>> subject = {};  // options of docs/subjects.md; empty: the sweeps
+  std::uint64_t points = 0;                                       // 0: those of the subject's kind
+  std::uint64_t cases = kCases, seed = 1;
+  SweepPlan sweeps{{}, {}, {}};
+  std::uint64_t units = 1000;  // about how many
+  std::uint64_t lease = 300;   // s: after which the units of a process that gives no sign of life are taken by others
+};
 
-// Certificates made on one machine after the other or on many, joined into one.
+struct PlanState {
+  std::string digest;  // of the plan
+  std::uint64_t units = 0, done = 0, taken = 0;
+  std::uint64_t expired = 0;             // units that were taken, and whose lease ran out
+  std::string missing = {};              // "units 3 to 7, 9 of 20"; empty where all are done
+  std::vector<std::string> alarms = {};  // files that differ from the result of the same unit: one machine computes wrongly
+};
+
+struct PlanWorker {
+  unsigned threads = 1;
+  bool waits = true;                               // for units that others have taken
+  std::function<void(double done)> progress = {};  // of the plan, in [0, 1]; called from one thread at a time
+};
+
+struct Worked {
+  std::uint64_t units = 0, alarms = 0;  // alarms: units of which another result was there
+  bool is_complete = false;             // every unit has a result
+};
+
+struct MergedPlan {
+  PlanState state;
+  Certificate certificate;  // from the units that are done; empty where there are alarms
+};
+
+// Each throws files::BadInput or CertificateError, naming the option or file, where the subject, the folder, a result or the
+// build is not what it should be, and files::OutputError. make_plan() and work_on_plan() throw Interrupted where `stop` was set
+// while a mesh was checked.
+PlanState make_plan(const std::string& folder, const PlanRequest& request, const std::atomic<bool>& stop);
+PlanState state_of_plan(const std::string& folder, const std::atomic<bool>& stop);
+Worked work_on_plan(const std::string& folder, const PlanWorker& worker, const std::atomic<bool>& stop);
+MergedPlan merged_plan(const std::string& folder, const std::atomic<bool>& stop);
 
 struct CertificateFile {
   std::string name;
   Certificate certificate;
 };
 
-// At least two certificates in any order, or parts of one exhaustive run, or both. Entries of one subject are added up: their
-// seeds differ, so their points do. The parts of the run make up the whole of it. Throws CertificateError, naming the files, if
-// builds or lists of sweeps differ, if a part is missing, unfinished or overlaps another, or if two entries of a subject have a
-// seed in common or contradict each other.
+// At least two certificates in any order, of which one may have sweeps. Entries of one subject are added up: their seeds
+// differ, so their points do. Throws CertificateError, naming the files, if builds differ, if sweeps are not whole or are in
+// two of them, or if two entries of a subject have a seed in common or contradict each other.
 Certificate merged(std::vector<CertificateFile> files);
 
 }  // namespace forceshade::properties

@@ -96,6 +96,13 @@ std::vector<std::string> shading_words() {
   return words;
 }
 
+std::string with_file_placed(std::string_view key, const std::string& value,
+                             const std::function<std::string(const std::string&)>& place) {
+  if (key == "mesh" || key == "height-map" || key == "scene" || key == "materials") return place(value);
+  if (key != "shading" || !is_texture(value)) return value;
+  return std::string(kTexturePrefix) + place(value.substr(kTexturePrefix.size()));
+}
+
 std::string refusal_of(std::string_view key, const std::string& value, Laws laws) {
   if (value.empty()) return "expected a value, got an empty one";
   if (key == "law") return refusal_of_law(value, laws);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -86,6 +87,10 @@ enum class Laws { one, several };
 std::string expected_law(Laws laws);
 // "vertex", "edge", "none", "texture:FILE"
 std::vector<std::string> shading_words();
+
+// The value with place(file) for the file that it names; the value where it names none.
+std::string with_file_placed(std::string_view key, const std::string& value,
+                             const std::function<std::string(const std::string&)>& place);
 
 // The error of an option with this value, "expected ..., got ...": of the options that have one of several words. Empty where
 // it can, and for an option that has a number or a file.

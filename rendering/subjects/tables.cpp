@@ -38,9 +38,7 @@ Option option_of(const std::string& key, const toml::node& node, const files::To
     throw BadInput(option.name + ": expected " +
                    (is_flag(key) ? "true or false" : "a text in quotes, a number or a list of these") + ", got " +
                    files::words_of_value(node));
-  if (key == "mesh" || key == "height-map" || key == "scene" || key == "materials") option.value = beside(file, option.value);
-  if (key == "shading" && is_texture(option.value))
-    option.value = std::string(kTexturePrefix) + beside(file, option.value.substr(kTexturePrefix.size()));
+  option.value = with_file_placed(key, option.value, [&](const std::string& name) { return beside(file, name); });
   return option;
 }
 

@@ -3,9 +3,9 @@
 python_options=-SE
 . "$(dirname "$0")/expect.sh"
 clean=$examples/recordings/another_system.csv
-columns=(--columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy,fz=fz --length-unit m --force-unit mN)
-judge() { "$forceshade" conform --law bump-2p --recording "$1" "${columns[@]}" --fit --tolerance "${tolerance:-1e-5 N}" "${@:2}"; }
-alone() { "$forceshade" conform --recording "$1" "${columns[@]}" "${@:2}"; }
+columns=(--columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy,fz=fz --units m,mN)
+judge() { "$forceshade" conform recording --law bump-2p "$1" "${columns[@]}" --fit --tolerance "${tolerance:-1e-5 N}" "${@:2}"; }
+alone() { "$forceshade" conform recording "$1" "${columns[@]}" "${@:2}"; }
 
 # The clean one: what is fitted is what it was made with, within the stated error.
 judge "$clean" --json clean.json > clean.txt || { echo "FAILED: the clean recording: $(cat clean.json)"; exit 1; }
@@ -97,13 +97,13 @@ for i in range(2000):
 }
 press 1 > conservative.csv
 press 1.02 > energy.csv
-wall() { "$forceshade" conform --law wall --recording "$@"; }
+wall() { "$forceshade" conform recording --law wall "$@"; }
 expect 0 "held: all in all the hand gets no energy" -- wall conservative.csv --tolerance "5 %"
-expect 0 "held: no closed loop gives the hand energy" -- "$forceshade" conform --recording conservative.csv
+expect 0 "held: no closed loop gives the hand energy" -- "$forceshade" conform recording conservative.csv
 expect 1 "FAILED: no closed loop gives the hand energy" -- wall energy.csv --tolerance "5 %"
 also "FAILED: all in all the hand gets no energy"
 same 2 "$(grep -c '^FAILED' <<< "$printed")"
-expect 1 "FAILED: all in all the hand gets no energy" -- "$forceshade" conform --recording energy.csv
+expect 1 "FAILED: all in all the hand gets no energy" -- "$forceshade" conform recording energy.csv
 expect 0 "held: all in all" -- wall energy.csv --tolerance "5 %" --energy 1
 # A recording of 1000/N Hz that was copied up to 1000 Hz. copied N SAMPLES: of a hand that presses into a wall.
 copied() {
@@ -153,7 +153,8 @@ assert abs(fit["stiffness_N_per_mm"] - 0.5) < fit["stiffness_error_N_per_mm"] < 
 for found, error, true in zip(fit["offset_N"], fit["offset_error_N"], (0.12, -0.07, 0.31)): assert abs(found - true) < error < 1e-3, fit
 assert abs(fit["lag_s"] - 0.004) < fit["lag_error_s"] < 1e-4, fit
 assert 1100 < fit["rests"] < 1200 and fit["noise_at_rest_N"] < 1e-4, fit' || exit 1
-expect 0 "held: no force out of contact" -- "$forceshade" conform --law wall --recording sensor.csv --fit --tolerance "1e-4 N" --noise 0.01 --offset 0.12,-0.07,0.31 --lag 4
+expect 0 "held: no force out of contact" -- \
+  "$forceshade" conform recording --law wall sensor.csv --fit --tolerance "1e-4 N" --noise 0.01 --offset 0.12,-0.07,0.31 --lag 4
 also "lag of the force 4 +- 0 ms"
 expect 1 "FAILED: there is no fit" -- wall sensor.csv --fit --tolerance "1e-4 N" --offset 2,2,2 --lag 4
 expect 2 "--offset: expected three forces in N" -- wall sensor.csv --offset 0.12,-0.07
@@ -167,25 +168,28 @@ expect 0 "wall: correctly rounded 4 of 4" -- wall turned.csv --frame x,z,-y
 expect 1 "FAILED: 0 of 4" -- wall turned.csv --frame x,-z,y
 sed -n '2,$s/,/   /gp' turned.csv > turned.traj
 expect 0 "wall: correctly rounded 4 of 4" -- wall turned.traj --frame x,z,-y --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=7 \
-  --time-unit s --length-unit mm --force-unit N
-expect 2 "turned.traj:1: no column 8" -- wall turned.traj --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=8 --time-unit s --length-unit mm --force-unit N
+  --units s,mm,N
+expect 2 "turned.traj:1: no column 8" -- wall turned.traj --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=8 --units s,mm,N
 
 # No fit.
 python3 -c 'print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
 for i in range(50): print(f"{i / 1000},{i / 10},{i % 7},-1,0,0,0.5")' > level.csv
 expect 1 "these samples determine neither of the stiffness and" -- wall level.csv --fit --tolerance "1 %"
 head -3 level.csv > two.csv
-expect 1 "expected 7 samples in contact at least, with a force of more than 0 N, got 2, the first one at two.csv:2" -- wall two.csv --fit --tolerance "1 %"
+expect 1 "expected 7 samples in contact at least, with a force of more than 0 N, got 2, the first one at two.csv:2" -- \
+  wall two.csv --fit --tolerance "1 %"
 python3 -c 'print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
 for i in range(60): print(f"{i / 1000},{i % 11},{i % 7},{-i % 13},0,0,{-0.5 * (i % 13)}")' > pulls.csv
 expect 1 "there is no fit" -- wall pulls.csv --fit --tolerance "1 %"
 
 # Recordings that cannot be read.
-expect 2 "pz_m: expected columns" -- "$forceshade" conform --recording "$clean" --columns t=time_s,x=px,y=py,z=pz_m,fx=fx,fy=fy,fz=fz --length-unit m --force-unit mN
-expect 2 '--columns: has no fz' -- "$forceshade" conform --recording "$clean" --columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy
-expect 2 '--length-unit: expected one of mm, cm, m, in, because the column px does not end in its unit' -- \
-  "$forceshade" conform --recording "$clean" "${columns[@]:0:2}"
-expect 2 '--length-unit: the column x_mm ends in mm; expected the unit m' -- wall turned.csv --length-unit m
+expect 2 "pz_m: expected columns" -- \
+  "$forceshade" conform recording "$clean" --columns t=time_s,x=px,y=py,z=pz_m,fx=fx,fy=fy,fz=fz --units m,mN
+expect 2 '--columns: has no fz' -- "$forceshade" conform recording "$clean" --columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy
+expect 2 '--units: expected one of mm, cm, m, in, because the column px does not end in its unit' -- \
+  "$forceshade" conform recording "$clean" "${columns[@]:0:2}"
+expect 2 '--units: the column x_mm ends in mm; expected the unit m' -- wall turned.csv --units m
+expect 2 'and of force (N, mN), each once; got "kN"' -- wall turned.csv --units mm,kN
 expect 2 '--frame: expected three different ones' -- wall turned.csv --frame x,y,y
 expect 2 "--fit: expected --law" -- alone "$clean" --fit --tolerance "1 %"
 expect 2 "--tolerance: expected one in N or %" -- wall turned.csv --fit
@@ -195,5 +199,5 @@ sed '3s/-0.5/deep/' turned.csv > text.csv
 expect 2 'text.csv:3: column 3 (y_mm): expected a number, got "deep"' -- wall text.csv
 sed '3s/-0.5/nan/' turned.csv > nan.csv
 expect 2 'nan.csv:3: column 3 (y_mm): expected a finite number, got "nan"' -- wall nan.csv
-expect 2 "expected without --recording, got both" -- wall turned.csv --command true
+expect 2 'unknown option "--command"' -- wall turned.csv --command true
 expect 2 "--noise" -- wall turned.csv --noise -1

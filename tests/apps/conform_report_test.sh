@@ -31,9 +31,9 @@ cmp off.json again.json || exit 1
 # The JSON of whatever can come of a run fits the schema.
 expect 0 "" -- conform --command "python3 right.py" --json right.json
 expect 0 "time of an answer: half within " -- conform --command "python3 right.py" --timing --json timed.json
-expect 0 "held: an answer takes at most 60 s, 4000 cases" -- conform --command "python3 right.py" --max-answer-time 60
-expect 1 "FAILED: an answer takes at most 1e-09 s" -- conform --command "python3 right.py" --max-answer-time 1e-9
-expect 2 "--max-answer-time: expected a number" -- conform --command "python3 right.py" --max-answer-time 0
+expect 0 "held: an answer takes at most 60 s, 4000 cases" -- conform --command "python3 right.py" --timing 60
+expect 1 "FAILED: an answer takes at most 1e-09 s" -- conform --command "python3 right.py" --timing 1e-9
+expect 2 "--timing: expected a number" -- conform --command "python3 right.py" --timing 0
 expect 1 "" -- conform --command "exit 3" --json ended.json
 expect 1 "" -- "$forceshade" conform --law bump-2p --points 1000 --command "python3 right.py" --json refused.json
 fits "$schema" off.json right.json timed.json ended.json refused.json

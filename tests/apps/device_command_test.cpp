@@ -45,23 +45,23 @@ PseudoTerminal on_terminal(const TemporaryDirectory& here, const std::string& li
 TEST(device_list, names_the_devices_that_are_set_up_and_the_folder_that_was_read) {
   const TemporaryDirectory here;
   set_driver_folder(here);
-  const CommandRun none = run_command(here, words_of("device list"));
+  const CommandRun none = run_command(here, words_of("device"));
   EXPECT_EQ(none.code, 0);
   expect_holds(none.out,
                {"replay:FILE.csv", "simulated[:MODEL", "phantom[:NAME]", "haply[:ID]", "premium-1.5 premium-1.0 omni",
                 "No device is set up for the vendor's driver: " + here.file("config") + ": No such file or directory"});
   std::filesystem::create_directory(here.file("config"));
-  expect_holds(run_command(here, words_of("device list")).out, {here.file("config") + " is empty"});
+  expect_holds(run_command(here, words_of("device")).out, {here.file("config") + " is empty"});
   here.write("config/Left arm.config", "");
   here.write("config/\x1b[2J.config", "");
-  const CommandRun two = run_command(here, words_of("device list --json -"));
+  const CommandRun two = run_command(here, words_of("device --json -"));
   const json listed = json::parse(two.out);
   EXPECT_EQ(listed["folder"], here.file("config"));
   EXPECT_EQ(listed["problem"], "");
   EXPECT_EQ(listed["names"], (json{"\x1b[2J", "Left arm"}));
   EXPECT_EQ(listed["models"].size(), 3U);
   EXPECT_EQ(listed["kinds"].size(), device::kinds().size());
-  expect_holds(run_command(here, words_of("device list")).out, {"  \"phantom:Left arm\"\n", "phantom:\\x1b[2J"});
+  expect_holds(run_command(here, words_of("device")).out, {"  \"phantom:Left arm\"\n", "phantom:\\x1b[2J"});
 }
 
 TEST(device_check, finds_nothing_wrong_with_a_simulated_device) {

@@ -16,10 +16,12 @@ expect 2 '--points: expected a whole number from 1' -- certify --points 0 --out 
 expect 2 '--cases: expected a whole number from 1 to 1000000000, got "-1"' -- certify --cases -1 --out no
 expect 2 '--seed: expected a whole number from 0 to 18446744073709551615, got "18446744073709551616"' -- \
   certify --seed 18446744073709551616 --out no
-for option in --points --cases --seed; do expect 2 "$option: expected without --exhaustive, got both" -- certify --exhaustive $option 3 --out no; done
+plan() { "$forceshade" certify plan --exhaustive "$@"; }
+for option in --points --cases --seed; do expect 2 "$option: expected without --exhaustive, got both" -- plan $option 3 --out no; done
 expect 2 "--points: expected after 'certify merge'" -- "$forceshade" certify --points 3 merge in.csv --out no
-expect 2 "too many inputs to sweep" -- "$forceshade" certify --exhaustive --height-map hill.toml --out new/no
-expect 2 "--sweeps: expected a kind of sweep that the law has" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out new/no
+expect 2 "too many inputs to sweep" -- plan --height-map hill.toml --out new/no
+expect 2 "--exhaustive: expected a kind of sweep that the law has" -- plan lines --law wall --out new/no
+expect 2 '--exhaustive: expected one of directions, heights, lines; got "waves"' -- plan waves --law wall --out new/no
 same "" "$(ls -d no new 2> /dev/null)"
 # Without gnuplot the page has no pictures, and the certificate is whole.
 expect 0 "certificate.html has no pictures: gnuplot was not found" -- env PATH=/nonexistent "$forceshade" certify --law wall \
@@ -30,26 +32,6 @@ same 0 "$(grep -c "<figure>" plain/certificate.html)"
 expect 1 "the certificate has 1000 points for wall; driving needs at least 1000000" -- \
   "$forceshade" drive --law wall --device null --certificate plain/certificate.json
 printf 't_s,x_mm,y_mm,z_mm\n0,3,0,-1\n0.001,4,0,-1\n0.002,4,0,1\n' > hand.csv
-# certify --exhaustive: a small shard of a quick sweep, stopped and resumed, refused when it does not fit.
-sweep() { "$forceshade" certify --exhaustive --law wall --sweeps heights "$@"; }
-for k in 1 2; do expect 0 "8388608 inputs" -- sweep --shards $k/512 --out parts; done
-expect 2 "missing part: units 2 to 512" -- "$forceshade" certify merge parts/exhaustive-1-of-512.json parts/exhaustive-2-of-512.json --out whole
-# As if all of it had been swept: a certificate of sweeps alone drives nothing, which is said twice.
-sed -e '0,/"held": false/s//"held": true/' -e 's/"end": 1,/"end": 512,/' -e 's/"next": 1,/"next": 512,/' \
-  parts/exhaustive-1-of-512.json > swept.json
-expect 0 "driving needs points and properties too" -- "$forceshade" certify merge swept.json --out swept
-expect 2 "swept/certificate.json" -- "$forceshade" certify merge swept.json --out swept
-expect 0 "swept, no mismatch" -- "$forceshade" certify merge swept.json --out swept --overwrite
-expect 1 "the certificate has sweeps only" -- "$forceshade" drive --law wall --device null --certificate swept/certificate.json
-expect 2 "overlaps" -- "$forceshade" certify merge parts/exhaustive-1-of-512.json parts/exhaustive-1-of-512.json --out whole
-expect 2 "exhaustive-1-of-512.json: expected a part of these sweeps, got one of other sweeps" -- "$forceshade" certify --exhaustive --law bump-1p --sweeps heights --shards 1/512 --out parts
-expect 2 "expected k/n" -- sweep --shards 3/2 --out parts
-expect 2 "--sweeps: expected a kind of sweep that the law has" -- "$forceshade" certify --exhaustive --law wall --sweeps lines --out parts
-expect 2 "certify: expected --out, got none" -- "$forceshade" certify --law wall
-"$forceshade" certify --exhaustive --out stopped_sweep > stopped.txt 2>&1 &
-stopped INT; same 130 $?
-grep -q "the same command goes on from" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
-grep -q '"finished": false' stopped_sweep/exhaustive-1-of-1.json || { echo "FAILED: no checkpoint"; exit 1; }
 drive() { "$forceshade" drive --device replay:hand.csv --free-run "$@"; }
 expect 0 "missed deadlines  0" -- drive --law bump-1p-shaded --certificate here/certificate.json --record record.csv --json run.json
 same "tick,t_s,device_t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status,compute_us" "$(head -1 record.csv | cut -d, -f1-11)"
@@ -63,7 +45,8 @@ done
 same "$(sha256sum here/certificate.json | cut -d' ' -f1)" "$(sed -n 's/.*"certificate_digest": "\(.*\)".*/\1/p' run.json)"
 # A recording of 100 Hz takes as long as it took: 20 ms are 21 readings at 1 kHz.
 printf 't_s,x_mm,y_mm,z_mm\n5,0,0,-1\n5.01,1,0,-1\n5.02,2,0,-1\n' > slow.csv
-expect 0 "ticks             21 (end of data)" -- "$forceshade" drive --law wall --uncertified --free-run --device replay:slow.csv --record slow_run.csv
+expect 0 "ticks             21 (end of data)" -- \
+  "$forceshade" drive --law wall --uncertified --free-run --device replay:slow.csv --record slow_run.csv
 same "5.005,0.5,0,-1" "$(sed -n 7p slow_run.csv | cut -d, -f3-6)"
 printf '5.02,3,0,-1\n' >> slow.csv
 expect 2 'slow.csv:5: column 1 (t_s): expected a time after 5.02, got "5.02"' -- \
@@ -76,7 +59,8 @@ expect 0 "UNCERTIFIED" -- drive --law wall --uncertified
 sed 's/\("library_digest": "\)......../\1deadbeef/' here/certificate.json > other.json
 expect 1 "another build" -- drive --law bump-1p-shaded --certificate other.json
 sed 's/"mismatches": 0/"mismatches": 1/' here/certificate.json > failed.json
-expect 2 "subjects[0].counterexamples is an array; expected the first of 1 mismatches" -- drive --law bump-1p-shaded --certificate failed.json
+expect 2 "subjects[0].counterexamples is an array; expected the first of 1 mismatches" -- \
+  drive --law bump-1p-shaded --certificate failed.json
 sed -e '0,/"held": true/s//"held": false/' -e '0,/"held": true/s//"held": false/' -e 's/"standing": "sufficient"/"standing": "failed"/' \
   -e '0,/"mismatches": 0/s//"mismatches": 1/' \
   -e '0,/"counterexamples": \[\]/s//"counterexamples": ["at 0"]/' here/certificate.json > failed.json
@@ -97,13 +81,16 @@ same "" "$($watched 2>&1 | grep " Hz  late ")"
 script -qec "stty cols 40; $watched" /dev/null | tr '\r' '\n' | sed 's/\x1b\[K//' | grep -a ' mJ$\| N ' > narrow.txt
 same 39 "$(awk '{ if (length($0) > most) most = length($0) } END { print (most <= 39 && most > 20) ? 39 : most }' narrow.txt)"
 # A stiffness that a slow loop cannot render passively: the words at the start, in the summary, and those of the rules.
-expect 0 "a stiffness of 2 N/mm at 100 Hz cannot be passive" -- "$forceshade" drive --law wall --stiffness 2 --rate 100 --uncertified --device simulated \
+expect 0 "a stiffness of 2 N/mm at 100 Hz cannot be passive" -- \
+  "$forceshade" drive --law wall --stiffness 2 --rate 100 --uncertified --device simulated \
   --seconds 6 --free-run --json slow.json
 also "premium-1.5 has 0.0108" "limited by oscillation" "; the arm's friction took at least"
 grep -q '"warning": "a stiffness of 2 N/mm at 100 Hz' slow.json || { echo "FAILED: the summary has no warning"; exit 1; }
-expect 3 "the supervisor stopped the run: energy" -- "$forceshade" drive --law wall --stiffness 3 --rate 100 --uncertified --device simulated \
+expect 3 "the supervisor stopped the run: energy" -- \
+  "$forceshade" drive --law wall --stiffness 3 --rate 100 --uncertified --device simulated \
   --seconds 6 --free-run --passivity observer
-expect 0 "passivity         tank: account" -- "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --free-run --passivity tank
+expect 0 "passivity         tank: account" -- \
+  "$forceshade" drive --law wall --uncertified --device simulated --seconds 0.1 --free-run --passivity tank
 expect 2 "--passivity" -- drive --law wall --uncertified --passivity teapot
 expect 2 "dead-man button: expected none, because the device has no buttons" -- drive --law wall --uncertified --dead-man 1
 expect 2 "dead-man button" -- drive --law wall --uncertified --dead-man 1 --record never.fsr
@@ -117,8 +104,10 @@ expect 3 "the supervisor stopped the run: velocity" -- "$forceshade" drive --law
 expect 0 "end_reason           tripped" -- recording info torn.fsr
 expect 0 "device_model         premium-1.5" -- recording info torn.fsr
 same "" "$(recording info torn.fsr | grep device_serial)"
-expect 3 "before the end    201 ticks kept" -- "$forceshade" drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv
-expect 3 "mm/s; force 0.000 N, one tick before " -- "$forceshade" drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv
+expect 3 "before the end    201 ticks kept" -- \
+  "$forceshade" drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv
+expect 3 "mm/s; force 0.000 N, one tick before " -- \
+  "$forceshade" drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv
 grep -q '"rule": "velocity"' torn.json || { echo "FAILED: torn.json has no trip"; exit 1; }
 expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --uncertified --device simulated:teapot
 # A PHANToM: no driver library, one found by its name, one named, and a licence that is missing.
@@ -133,9 +122,9 @@ expect 2 "--rate" -- drive --law wall --uncertified --rate 5
 
 # A file that exists is replaced only with --overwrite, whatever option names it, and is refused before any work.
 echo old > kept
-for option in "force --law wall --input in.csv --out" "energy --law bump-1p --depth 1 --json" "polygons --theta-critical 40 --json" \
-  "geometry --json" "drive --law wall --uncertified --device null --seconds 0.01 --free-run --json" \
-  "drive --law wall --uncertified --device null --seconds 0.01 --free-run --record" "device list --json"; do
+for option in "force --law wall --input in.csv --out" "energy --law bump-1p --depth 1 --json" "laws --theta-critical 40 --json" \
+  "laws --json" "drive --law wall --uncertified --device null --seconds 0.01 --free-run --json" \
+  "drive --law wall --uncertified --device null --seconds 0.01 --free-run --record" "device --json"; do
   expect 2 'expected a new file, or --overwrite beside it; "kept" is there already' -- "$forceshade" $option kept
   same old "$(cat kept)"
   expect 0 "" -- "$forceshade" $option kept --overwrite
@@ -149,10 +138,11 @@ expect 0 "" -- drive --law wall --uncertified --record kept.fsr --overwrite
 expect 0 "whole: 4 samples" -- "$forceshade" recording verify kept.fsr
 "$forceshade" drive --law wall --uncertified --device simulated --record running.fsr > /dev/null 2>&1 &
 until [ -e running.fsr-wal ]; do sleep 0.02; done
-expect 2 "running.fsr: cannot replace the recording: the process $! writes it" -- drive --law wall --uncertified --record running.fsr --overwrite
+expect 2 "running.fsr: cannot replace the recording: the process $! writes it" -- \
+  drive --law wall --uncertified --record running.fsr --overwrite
 stopped INT
 expect 0 "whole" -- "$forceshade" recording verify running.fsr
-for folder in "plot --law wall --what force" figures "certify --law wall --points 1000 --cases 10"; do
+for folder in "plot --law wall --what force" "plot --what thesis" "certify --law wall --points 1000 --cases 10"; do
   mkdir -p rule; rm -f rule/*
   expect 0 "" -- "$forceshade" $folder --out rule
   file=$(ls rule | head -1); echo old > "rule/$file"
@@ -160,11 +150,12 @@ for folder in "plot --law wall --what force" figures "certify --law wall --point
   same old "$(cat "rule/$file")"
   expect 0 "" -- "$forceshade" $folder --out rule --overwrite
 done
-expect 0 "" -- "$forceshade" geometry --json /dev/null
+expect 0 "" -- "$forceshade" laws --json /dev/null
 
 # recording: a whole recording, one on a disk that refuses, one killed; files that are none.
 expect 0 "(end of data)" -- drive --law bump-1p-shaded --certificate here/certificate.json --record run.fsr
-expect 2 '--record: expected a new file, or --overwrite beside it; "run.fsr" is there already' -- drive --law wall --uncertified --record run.fsr
+expect 2 '--record: expected a new file, or --overwrite beside it; "run.fsr" is there already' -- \
+  drive --law wall --uncertified --record run.fsr
 expect 0 "certificate_digest   $(sha256sum here/certificate.json | cut -d' ' -f1)" -- recording info run.fsr
 expect 0 "device               replay:hand.csv" -- recording info run.fsr
 expect 0 '"radius_mm": "15.24"' -- recording info run.fsr --json -
@@ -183,14 +174,14 @@ expect 2 '--junit: expected a file in a folder that can be written to, got "nowh
   timeout 10 "$forceshade" properties --law all --cases 1000000000 --junit nowhere/a.xml
 expect 2 '--junit: expected a file in a folder that can be written to, got "nowhere/a.xml"' -- \
   timeout 10 "$forceshade" certify --law wall --points 1000000000000 --out unwritten --junit nowhere/a.xml
-expect 2 '--out: expected a directory, for the command writes several files, got "-"' -- "$forceshade" plot --law wall --out -
 same "" "$(ls -d -- unwritten - 2> /dev/null)"
 # A file that someone else made: nothing in it commands the terminal, and one that is damaged says so.
 corpus="$(dirname "$examples")/tests/fuzz/corpus"
 expect 0 'law                  \x1b[2Jwall' -- recording info "$corpus/recording/escape.fsr"
 expect 0 '"\u009bkey": "\u202egpj"' -- recording info "$corpus/recording/escape.fsr" --json -
 same "" "$(recording info "$corpus/recording/escape.fsr" | tr -d '[:print:]\n')"
-expect 1 "the metadata (law, parameters, certificate, device and so on) are not what was written" -- recording verify "$corpus/recording/changed_stiffness.fsr"
+expect 1 "the metadata (law, parameters, certificate, device and so on) are not what was written" -- \
+  recording verify "$corpus/recording/changed_stiffness.fsr"
 expect 1 "are not what was written" -- recording info "$corpus/recording/changed_stiffness.fsr"
 expect 2 "are not what was written" -- recording export "$corpus/recording/changed_stiffness.fsr" --out never.csv
 same "" "$(ls | grep never)"

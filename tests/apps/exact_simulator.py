@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A sphere on a ground for `forceshade conform --simulator` (docs/conformance-protocol.md), simulated without a penalty and without
+"""A sphere on a ground for `forceshade conform simulator` (docs/conformance-protocol.md), simulated without a penalty and without
 an error: where a step would end in the ground, it ends at the nearest place that touches it. Tests make it wrong, a line at a time."""
 
 import json

@@ -11,8 +11,8 @@ import sys
 from hostile_programs import Case, add
 from hostile_renderers import WALL
 
-COMPARE = ["compare", "--law", "wall", "--stiffness", "1.5", "--forces"]
-RECORDING = ["conform", "--law", "wall", "--stiffness", "1.5", "--recording"]
+COMPARE = ["conform", "judge", "--law", "wall", "--stiffness", "1.5"]
+RECORDING = ["conform", "recording", "--law", "wall", "--stiffness", "1.5"]
 RUNS = ["conform", "compare"]
 GIGABYTE = 10**9
 

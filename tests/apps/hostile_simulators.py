@@ -11,7 +11,7 @@ HELLO = {
     "forceshade": "conform 1", "kind": "simulator", "name": "n", "version": "1", "reports": "force", "constraint": "hard", "binary": 64,
     "sides": "two", "smallest_radius_m": 0, "speed_cap_m_per_s": None, "settings": "none",
 }  # fmt: skip
-DOOR = Door("simulator", __name__, HELLO, ["conform"], "--simulator")
+DOOR = Door("simulator", __name__, HELLO, ["conform", "simulator"], "--command")
 STEP = {"position": [0, 0, 1], "velocity": [0, 0, 0], "contacts": []}
 greets, changed, raw = DOOR.greets, DOOR.changed, DOOR.raw
 

@@ -19,12 +19,11 @@ for version in --version -v version; do expect 0 "library digest" -- "$forceshad
 for help in --help -h help; do expect 0 "Usage: forceshade COMMAND" -- "$forceshade" $help; done
 same "$("$forceshade" force --help)" "$("$forceshade" help force)"
 same "$("$forceshade" device check --help)" "$("$forceshade" help device check)"
-expect 2 "'forceshade help device check' shows what is expected" -- "$forceshade" device check --sekonds 3
 
 # The help says what units are in one place, is at most 100 columns wide, and puts options under what they are for.
-for command in "" laws geometry polygons force energy plot figures properties certify "certify merge" drive \
-  recording "recording info" "recording verify" "recording recompute" "recording export" device "device list" "device check" \
-  "device try" mesh "mesh check" "mesh info" "mesh repair" "mesh make" man completion; do
+for command in "" laws force energy plot properties certify "certify merge" drive \
+  recording "recording info" "recording verify" "recording recompute" "recording export" device "device check" \
+  "device try" mesh "mesh check" "mesh repair" "mesh make" man completion; do
   same "" "$("$forceshade" help $command | grep -nE '^.{101,}$')"
   same "$([ -z "$command" ] && echo 1 || echo 0)" "$("$forceshade" help $command | grep -c '1000mil')"
   expect 0 ".SH EXAMPLES" -- "$forceshade" man $command
@@ -33,15 +32,12 @@ for command in "" laws geometry polygons force energy plot figures properties ce
   esac
 done
 for command in make check; do expect 0 "forceshade mesh $command" -- sh -c "'$forceshade' man mesh | man -l - | cat"; done
-for command in certify drive "device list"; do expect 0 "forceshade $command" -- sh -c "'$forceshade' man | man -l - | cat"; done
+for command in certify drive device; do expect 0 "forceshade $command" -- sh -c "'$forceshade' man | man -l - | cat"; done
 for title in "Subject:" "Placement:" "Evidence:" "Device and loop:" "Output:"; do
   expect 0 "$title" -- "$forceshade" help drive
 done
 
 # The word that was meant.
-expect 2 'got "bump-2q"; the nearest is bump-2p' -- "$forceshade" force --law bump-2q
-expect 2 'got "refrence"; the nearest is reference' -- "$forceshade" force --law wall --path refrence
-expect 2 'got "vertx"; the nearest is vertex' -- "$forceshade" force --mesh m.off --unit mm --shading vertx
 printf 'render = "height-map"\n[[part]]\nshape = "con"\n' > map.toml
 expect 2 "got 'con'; the nearest is cone" -- "$forceshade" force --height-map map.toml
 echo 'lwa = "wall"' > lwa.toml
@@ -62,7 +58,7 @@ expect 2 'expected render, [[part]] and [[surface]], got parts; the nearest is p
 # A name that means another format than what is written.
 for ending in npy csv fsr html png; do
   expect 2 "--json: expected a name that ends in .json, which is the format of the file that is written, got \"x.$ending\"" -- \
-    "$forceshade" geometry --json x.$ending
+    "$forceshade" laws --json x.$ending
   for command in properties certify; do
     expect 2 "--junit: expected a name that ends in .xml, which is the format of the file that is written, got \"x.$ending\"" -- \
       "$forceshade" $command --law wall --junit x.$ending
@@ -70,7 +66,7 @@ for ending in npy csv fsr html png; do
 done
 expect 2 'ends in .csv or .npy, which is the format of the file that is written, got "x.JSON"' -- \
   "$forceshade" force --law wall --out x.JSON
-expect 0 "" -- "$forceshade" geometry --json x.txt
+expect 0 "" -- "$forceshade" laws --json x.txt
 same "" "$(find . -name 'x.*' ! -name x.txt)"
 
 # Drive names what is missing: every law, and for a mesh a command that can be pasted, with its options and folder.
@@ -160,10 +156,9 @@ expect 2 'quoted.csv:2: column 1 (x_mm): expected a number with a decimal point,
   "$forceshade" force --law wall --input quoted.csv
 
 # A radius that does not fit the width that nobody chose.
-expect 2 "the width is that of the thesis unless --width is given beside --radius" -- "$forceshade" geometry --radius 5mm
 expect 2 "the width is that of the thesis unless --width is given beside --radius" -- \
   "$forceshade" force --law bump-2p --radius 5mm
-for command in geometry "force --law bump-2p"; do
+for command in laws "force --law bump-2p"; do
   output=$("$forceshade" $command --radius 5mm --width 11mm 2>&1 < /dev/null)
   case "$output" in *"--width is 11 mm"*) ;; *) echo "FAILED: $command: $output"; exit 1 ;; esac
   case "$output" in *thesis*) echo "FAILED: $command: $output"; exit 1 ;; esac
@@ -189,7 +184,7 @@ for file in flat.obj -; do
   same "$name: line 5: face 0 has no area: its vertices 0, 1 and 2 lie on a line" \
     "$("$forceshade" mesh check $file --unit mm < flat.obj | sed -n 2p)"
   same "$name: lines 5 and 6: faces 0 and 1 run along their edge, of vertices 0 and 1, in the same direction: one of them is turned over" \
-    "$("$forceshade" mesh info $file --unit mm < flat.obj | sed -n 3p)"
+    "$("$forceshade" mesh check $file --unit mm < flat.obj | sed -n 3p)"
 done
 printf 'OFF\n# a quadrilateral whose second half has no area\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 2 0\n4 0 1 2 3\n' > fan.off
 same "fan.off: line 8: face 1 has no area: its vertices 0, 2 and 3 lie on a line" \

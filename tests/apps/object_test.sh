@@ -16,7 +16,7 @@ expect 0 "a wall in C" -- conform --object "it's a folder/wall of mine.so"
 
 # No object, or not the one that is expected.
 expect 2 "missing.so" -- conform --object missing.so
-expect 2 "--command, --object, --simulator or --recording" -- conform
+expect 2 "--command or --object" -- conform
 expect 2 "--command" -- conform --object wall.so --command true
 cannot_load() { expect 1 "the renderer failed: \"it cannot be loaded: " -- conform --object "$1"; }
 : > empty.so; cannot_load empty.so
@@ -31,7 +31,8 @@ allocates() {  # PER ANSWER, OBJECT
 }
 made() {  # TEXT IN OPEN, TEXT IN ANSWER: makes tried.so of the example
   sed -e "s/^  \*hello = .*/&\n  $1;/" -e "s/^  (void)is_reset.*/&\n  $2;/" "$renderers/wall.c" > tried.c
-  cc -D_GNU_SOURCE -std=c11 -ffp-contract=off -w -shared -fPIC -I"$include" -o tried.so tried.c || { echo "FAILED: cannot compile $*"; exit 1; }
+  cc -D_GNU_SOURCE -std=c11 -ffp-contract=off -w -shared -fPIC -I"$include" -o tried.so tried.c ||
+    { echo "FAILED: cannot compile $*"; exit 1; }
 }
 allocates 0 wall.so
 made 'free(malloc(5))' 'void* volatile a = malloc(40); void* volatile b = calloc(3, 8); free(a); free(b)'

@@ -17,7 +17,7 @@ tail -1 named > piped & force --out named; wait $!
 same "$row" "$(cat piped)"
 [ -p named ] || { echo "FAILED: the named pipe was replaced"; exit 1; }
 expect 0 "<testsuites" -- sh -c "'$forceshade' properties --law wall --cases 20 --junit /dev/stdout | cat"
-same 1 "$("$forceshade" geometry --json /dev/stdout | wc -l)"
+same 1 "$("$forceshade" laws --json /dev/stdout | wc -l)"
 expect 2 "/dev/full: cannot write: No space left on device" -- force --out /dev/full
 for name in - /dev/stdout /dev/null named in.csv; do
   expect 2 "--out: expected a directory, for the command writes several files, got \"$name\"" -- "$forceshade" plot --law wall --out $name
@@ -29,7 +29,7 @@ ln -s made.csv loose.csv; ln -s nowhere/made.csv lost.csv; ln -s round.csv round
 ln -s absent folder
 expect 0 "" -- force --out loose.csv
 same "$row" "$(tail -1 made.csv)"
-expect 0 "" -- "$forceshade" geometry --json loose.json
+expect 0 "" -- "$forceshade" laws --json loose.json
 grep -q theta made.json || { echo "FAILED: no JSON behind the link"; exit 1; }
 for replacing in "" --overwrite; do
   expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record loose.fsr $replacing
@@ -37,7 +37,8 @@ for replacing in "" --overwrite; do
 done
 expect 2 "nowhere/made.csv: cannot open for writing: No such file or directory" -- force --out lost.csv
 expect 2 "round.csv: cannot open for writing: Too many levels of symbolic links" -- force --out round.csv
-expect 2 '--out: expected a directory, got "folder", a symbolic link to "absent", which is not there' -- "$forceshade" plot --law wall --out folder
+expect 2 '--out: expected a directory, got "folder", a symbolic link to "absent", which is not there' -- \
+  "$forceshade" plot --law wall --out folder
 same "folder loose.csv loose.fsr loose.json lost.csv round.csv" "$(find . -type l -printf '%f\n' | sort | paste -sd ' ')"
 
 # NPY: 64 bytes' multiple of a header, then 25 bytes a row.

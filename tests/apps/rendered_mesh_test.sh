@@ -47,11 +47,12 @@ expect 2 "--friction: expected one coefficient of friction" -- "$forceshade" for
 expect 2 "expected a dynamic coefficient of at most the static one" -- "$forceshade" force $mesh --friction 0.2,0.3 --input stroke.csv
 expect 2 "--contact: expected friction, or no coefficient above 0 of --friction, got \"sub-goal\"" -- \
   "$forceshade" force $mesh --friction 0.3 --contact sub-goal --input stroke.csv
-expect 2 "--friction: expected without --materials, got both" -- "$forceshade" force $mesh --friction 0.3 --materials hard.toml --input stroke.csv
+expect 2 "--friction: expected without --materials, got both" -- \
+  "$forceshade" force $mesh --friction 0.3 --materials hard.toml --input stroke.csv
 printf 'friction = [0.2, 0.3]\nmesh = "cube.off"\nunit = "mm"\n' > falling.toml
 expect 2 "falling.toml: line 1: friction: expected a dynamic" -- "$forceshade" force --subject falling.toml --input stroke.csv
 printf 'v 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl rubber\ng tyre\nf 1 2 3\n' > named.obj
-"$forceshade" mesh info named.obj --unit mm > named.txt
+"$forceshade" mesh check named.obj --unit mm > named.txt
 grep -q "^materials  *rubber (1 faces)$" named.txt && grep -q "^groups  *tyre (1 faces)$" named.txt || { cat named.txt; exit 1; }
 printf '[[material]]\nname = "a"\ngroups = ["tire"]\n' > tire.toml
 expect 2 "tire.toml: line 3: groups: expected a group or material of the mesh's file (rubber, tyre), got \"tire\"; the nearest is tyre" -- \
@@ -162,7 +163,8 @@ done
 expect 0 "wall.obj        states        held    20 cases" -- "$forceshade" properties $textured --cases 20
 expect 2 "--texture-scale is required beside --shading texture:FILE" -- "$forceshade" force --mesh wall.obj --unit mm \
   --shading texture:ramp.toml --input above.csv
-expect 2 "--texture-scale: expected the shading texture:FILE beside it, got vertex" -- "$forceshade" force $mesh --texture-scale 1 --input above.csv
+expect 2 "--texture-scale: expected the shading texture:FILE beside it, got vertex" -- \
+  "$forceshade" force $mesh --texture-scale 1 --input above.csv
 expect 2 "wall.off: has no texture coordinates" -- "$forceshade" force --mesh wall.off --unit mm --shading texture:ramp.toml \
   --texture-scale 1 --input above.csv
 expect 2 "--shading: expected one of vertex, edge, none, texture:FILE; got \"texture\"" -- "$forceshade" force $mesh \

@@ -6,14 +6,12 @@ table="--scene scenes/table.toml"
 
 # Its contents, before it is rendered.
 expect 0 "held: a scene of 42 faces" -- "$forceshade" mesh check scenes/table.toml
-expect 0 "objects: board (2 faces), box (12 faces), knob (28 faces)" -- "$forceshade" mesh check scenes/table.toml
-expect 0 "groups: knob/side (16 faces), knob/top (6 faces), knob/bottom (6 faces)" -- "$forceshade" mesh check scenes/table.toml
-expect 0 "objects          board (2 faces), box (12 faces), knob (28 faces)" -- "$forceshade" mesh info scenes/table.toml
-expect 0 "groups           knob/side (16 faces)" -- "$forceshade" mesh info scenes/table.toml
-expect 0 "box              -64, -64, 0 to 64, 64, 20.1 mm" -- "$forceshade" mesh info scenes/table.toml
+expect 0 "objects          board (2 faces), box (12 faces), knob (28 faces)" -- "$forceshade" mesh check scenes/table.toml
+expect 0 "groups           knob/side (16 faces), knob/top (6 faces), knob/bottom (6 faces)" -- "$forceshade" mesh check scenes/table.toml
+expect 0 "box              -64, -64, 0 to 64, 64, 20.1 mm" -- "$forceshade" mesh check scenes/table.toml
 expect 0 '"board": 2' -- "$forceshade" mesh check scenes/table.toml --json
 expect 0 "object knob: 2 faces with more than 3 corners" -- bash -c "'$forceshade' mesh check scenes/table.toml | sed s/10/2/"
-expect 0 "groups: side (16 faces), top (6 faces), bottom (6 faces)" -- "$forceshade" mesh check scenes/knob.obj --unit mm
+expect 0 "groups           side (16 faces), top (6 faces), bottom (6 faces)" -- "$forceshade" mesh check scenes/knob.obj --unit mm
 expect 0 '"side": 16' -- "$forceshade" mesh check scenes/knob.obj --unit mm --json
 expect 2 "--unit: expected none beside a scene" -- "$forceshade" mesh check scenes/table.toml --unit mm
 expect 2 "--unit" -- "$forceshade" mesh check scenes/knob.obj
@@ -42,10 +40,10 @@ same "$("$forceshade" force $table --stiffness 0.25 --input stroke.csv)" "$("$fo
 expect 0 "table.toml      states        held    50 cases" -- "$forceshade" properties $table --cases 50
 expect 0 "drawn/table-mesh.svg" -- "$forceshade" plot $table --input stroke.csv --azimuth 30 --out drawn
 expect 2 "--azimuth: expected --mesh or --scene beside it" -- "$forceshade" plot --law wall --azimuth 3 --out other
-expect 0 "" -- "$forceshade" positions $table --points 60 --out points.csv
+expect 0 "" -- "$forceshade" conform positions $table --points 60 --out points.csv
 expect 0 "" -- "$forceshade" force $table --input points.csv --out given.csv
-expect 0 "held: " -- "$forceshade" compare $table --forces given.csv
-expect 1 "correctly rounded" -- "$forceshade" compare $table --stiffness 0.3 --forces given.csv
+expect 0 "held: " -- "$forceshade" conform judge $table given.csv
+expect 1 "correctly rounded" -- "$forceshade" conform judge $table --stiffness 0.3 given.csv
 expect 0 "held, not certified: 1250 points" -- "$forceshade" certify $table --points 1000 --cases 50 --out certificate
 certificate="--certificate certificate/certificate.json --device simulated --free-run"
 expect 0 "UNCERTIFIED" -- "$forceshade" drive $table --uncertified --device simulated --free-run --seconds 0.2 --record run.fsr
@@ -61,7 +59,8 @@ python3 -c 'import json, sys; sys.stdout.write(json.load(open(sys.argv[1]))["sub
   certificate/certificate.json > scenes/quoted.toml
 same 'scene = "table.toml"
 stiffness = "0.5N/mm"' "$(cat scenes/quoted.toml)"
-expect 1 "the certificate has 1000 points for table.toml; driving needs at least" -- "$forceshade" drive --subject scenes/quoted.toml $certificate --seconds 0.1
+expect 1 "the certificate has 1000 points for table.toml; driving needs at least" -- \
+  "$forceshade" drive --subject scenes/quoted.toml $certificate --seconds 0.1
 # A renderer of another program gets the ground as a mesh.
 expect 1 "a wall in Python 1 does not render table.toml" -- "$forceshade" conform $table --points 300 \
   --command "python3 $examples/renderers/wall.py"
@@ -75,7 +74,8 @@ fi
 sed 's/"0.1mm"/-1/' scenes/table.toml > scenes/crossing.toml
 for command in "mesh check scenes/crossing.toml" "force --scene scenes/crossing.toml"; do
   code=2; [ "${command%% *}" = force ] || code=1
-  expect $code "object board, face 0 (line 7), and object knob, face 0 (line 19), meet, but have no vertex in common" -- "$forceshade" $command
+  expect $code "object board, face 0 (line 7), and object knob, face 0 (line 19), meet, but have no vertex in common" -- \
+    "$forceshade" $command
 done
 expect 2 "--self-intersecting: expected without friction" -- "$forceshade" force --scene scenes/crossing.toml --self-intersecting
 expect 2 "--self-intersecting: expected without friction" -- "$forceshade" mesh check scenes/crossing.toml --self-intersecting
@@ -109,9 +109,10 @@ cp -r scenes otherwise && sed -i s/^2,-20,15/2,-20,14/ otherwise/box_sliding.csv
 expect 2 "moved.fsr: digest is " -- "$forceshade" recording recompute moved.fsr --scene otherwise/moving.toml
 expect 2 "expected 1000 Hz, for which the motions of moving.toml are made, got 500" -- "$forceshade" drive $moving --uncertified \
   --rate 500 --device simulated --seconds 0.1
-expect 2 "expected no object with a motion, since the window of a mouse shows a surface that stays" -- "$forceshade" drive $moving --uncertified \
+expect 2 "expected no object with a motion, since the window of a mouse shows a surface that stays" -- \
+  "$forceshade" drive $moving --uncertified \
   --device mouse
-expect 0 '"kind": "scene"' -- bash -c "'$forceshade' vectors $moving --points 30 --out vectors.json && cat vectors.json"
+expect 0 '"kind": "scene"' -- bash -c "'$forceshade' conform vectors $moving --points 30 --out vectors.json && cat vectors.json"
 expect 1 "a wall in Python 1 does not render moving.toml" -- "$forceshade" conform $moving --points 300 \
   --command "python3 $examples/renderers/wall.py"
 sed -i s/^2,/0,/ otherwise/box_sliding.csv
@@ -125,6 +126,6 @@ expect 0 "(time up)" -- "$forceshade" drive --scene scenes/alone.toml $certifica
 sed s/box_sliding/knob_turning/ scenes/alone.toml > scenes/turning.toml
 expect 1 "refused to drive" -- "$forceshade" drive --scene scenes/turning.toml $certificate
 expect 1 "refused to drive" -- "$forceshade" drive $moving $certificate
-expect 2 "expected an object without a motion, whose mesh can be looked at, got none" -- "$forceshade" mesh info scenes/alone.toml
+expect 2 "expected an object without a motion, whose mesh can be looked at, got none" -- "$forceshade" mesh check scenes/alone.toml
 expect 2 "expected meshes alone in the picture of a scene, got the object wall" -- "$forceshade" plot --scene scenes/alone.toml --out other
 echo "$checks checks"

@@ -3,15 +3,16 @@
 # do not keep to the protocol.
 . "$(dirname "$0")/expect.sh"
 exact=$(realpath "$(dirname "$0")/exact_simulator.py")
-conform() { "$forceshade" conform --answer-timeout 120 "$@"; }
+conform() { "$forceshade" conform simulator --answer-timeout 120 "$@"; }
 
-expect 0 "an exact simulator 1, a simulator: it has none" -- conform --simulator "python3 -S $exact" --json held.json --junit found.xml --out page.html
+expect 0 "an exact simulator 1, a simulator: it has none" -- \
+  conform --command "python3 -S $exact" --json held.json --junit found.xml --out page.html
 same "0 true 23" "$(grep -c '"held": false' held.json) $(sed -n 's/^  "held": \(.*\),/\1/p' held.json) $(grep -c '<testcase' found.xml)"
 same "1 1 1" "$(grep -c '<svg role="img"' page.html) $(grep -c '>Held</p>' page.html) $(grep -c '</html>' page.html)"
 
 # Wrong in one thing, and what it declares is another thing too. tests/conformance/planted_simulator_defects_test.cpp has the others.
 changed "$exact" '"smallest_radius_m": 0' '"smallest_radius_m": 0.05' '"reports": "force"' '"reports": "impulse"'  # and it is a force
-expect 1 "not applicable to 11 cases, since its smallest radius is 0.05 m" -- conform --simulator "python3 -S mutated.py" --json found.json
+expect 1 "not applicable to 11 cases, since its smallest radius is 0.05 m" -- conform --command "python3 -S mutated.py" --json found.json
 fits "$examples/../docs/conformance-schema.json" held.json found.json
 same "the static force is the same at any rate
 what is reported agrees with the motion" "$(jq -r '.invariants[] | select(.held == false) | .name' found.json)"
@@ -24,7 +25,7 @@ expect 0 "not worse: 0 got worse, 0 got better" -- compare found.json found.json
 # Its declaration is demanded.
 refuses() {
   changed "$exact" "$1" "$2"
-  expect 1 "$3" -- conform --simulator "python3 -S mutated.py"
+  expect 1 "$3" -- conform --command "python3 -S mutated.py"
 }
 refuses '"kind": "simulator", ' "" 'the simulator'"'"'s hello has no key "kind"; expected "simulator"'
 refuses '"hard"' '"firm"' 'has constraint "firm"; expected "hard", "soft" or "penalty"'
@@ -40,10 +41,9 @@ refuses '"contacts": contacts' '"contacts": {}' "expected a list of contacts"
 refuses 'for force in asked["applied"]]}' 'for force in asked["applied"][1:]]}' 'answered 240 forces with 239 entries of "motion"'
 refuses '{"motion": [world' '{"moved": [world' 'answered without a list "motion"'
 changed "$exact" '"reports": "force"' '"reports": "nothing"' "            return  # goodbye" "            sys.exit(5)"
-expect 1 "the simulator ended with exit code 5" -- conform --simulator "python3 -S mutated.py"
-expect 1 "the simulator ended without an answer" -- conform --simulator true
-expect 1 "the simulator did not answer within 0.3 s" -- "$forceshade" conform --simulator "sleep 100" --answer-timeout 0.3
-expect 1 "expected a JSON object in one line" -- conform --simulator "read line; echo 1e999; cat"
-expect 2 "expected --command, --object, --simulator or --recording, got none" -- conform
-expect 2 "--simulator" -- conform --command true --simulator true
-expect 2 "--simulator" -- conform --law wall --simulator true
+expect 1 "the simulator ended with exit code 5" -- conform --command "python3 -S mutated.py"
+expect 1 "the simulator ended without an answer" -- conform --command true
+expect 1 "the simulator did not answer within 0.3 s" -- "$forceshade" conform simulator --command "sleep 100" --answer-timeout 0.3
+expect 1 "expected a JSON object in one line" -- conform --command "read line; echo 1e999; cat"
+expect 2 "conform simulator: expected --command, got none" -- conform
+expect 2 'unknown option "--law"' -- conform --law wall --command true

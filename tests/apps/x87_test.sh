@@ -4,12 +4,12 @@
 library=$(realpath "$2")
 export ASAN_OPTIONS=verify_asan_link_order=0  # of a build with sanitizers
 bump=(--law bump-cylinder)
-expect 0 "" -- "$forceshade" positions "${bump[@]}" --points 20000 --out asked.csv
+expect 0 "" -- "$forceshade" conform positions "${bump[@]}" --points 20000 --out asked.csv
 expect 0 "" -- "$forceshade" force "${bump[@]}" --input asked.csv --out forces.csv
 energy=("$forceshade" energy --height-map "$examples/leather.toml" --depth 0.2 --stiffness 0.5)
 same "$("${energy[@]}")" "$(LD_PRELOAD=$library "${energy[@]}")"
 for preloaded in "" "$library"; do
-  expect 0 "correctly rounded 20000 of 20000" -- env LD_PRELOAD="$preloaded" "$forceshade" compare "${bump[@]}" --forces forces.csv
+  expect 0 "correctly rounded 20000 of 20000" -- env LD_PRELOAD="$preloaded" "$forceshade" conform judge "${bump[@]}" forces.csv
   expect 0 "held" -- env LD_PRELOAD="$preloaded" "$forceshade" certify "${bump[@]}" --points 30000 --out certificate --overwrite
   expect 0 "held" -- env LD_PRELOAD="$preloaded" "$forceshade" properties "${bump[@]}" --cases 500
 done

@@ -196,7 +196,7 @@ std::vector<OneField> fields_of_points() {
   return all;
 }
 
-// Each field of what a part of an exhaustive run holds. `differs` is where the merged certificate does.
+// Each field of what a certificate of sweeps holds. `differs` is where the merged certificate does.
 std::vector<OneField> fields_of_sweeps() {
   std::vector<OneField> all{
       {[](Certificate& c) { c.sweeps.seconds += 1; }, {"/exhaustive/seconds"}},
@@ -263,70 +263,36 @@ TEST(one_field, of_points_is_written_read_and_judged_alone) {
   }
 }
 
-// Three parts of the made sweeps, each with inputs in both, and the points.
-std::vector<CertificateFile> made_parts() {
+// The made sweeps, and the points.
+std::vector<CertificateFile> made_files() {
   const Certificate whole = tests::made_certificate_with_sweeps();
-  std::vector<CertificateFile> files;
-  for (std::uint64_t k = 1; k <= 3; ++k) {
-    Certificate part{whole.build, 1, {}, part_of(whole.sweeps, k, 3), whole.date, whole.processor};
-    part.sweeps.next = part.sweeps.end;
-    files.push_back({"part " + std::to_string(k), part});
-  }
-  files.push_back({"points", tests::made_certificate()});
-  return files;
+  return {{"sweeps", {whole.build, 1, {}, whole.sweeps, whole.date, whole.processor}}, {"points", tests::made_certificate()}};
 }
 
-TEST(one_field, of_any_part_reaches_the_merged_certificate) {
-  const Certificate base = merged(made_parts());
+TEST(one_field, of_sweeps_reaches_the_merged_certificate) {
+  const Certificate base = merged(made_files());
   EXPECT_TRUE(base.held());
   EXPECT_EQ(refusal_of(base), "");
-  EXPECT_EQ(base.sweeps.inputs(), 9000U);
-  EXPECT_EQ(base.sweeps.stages, (std::array<std::uint64_t, 3>{11700, 270, 30}));
-  EXPECT_EQ(base.sweeps.seconds, 7.5);
-  for (const std::size_t part : {0U, 1U, 2U})
-    for (const OneField& field : fields_of_sweeps())
-      for (const bool in_order : {true, false}) {
-        std::vector<CertificateFile> files = made_parts();
-        field.change(files[part].certificate);
-        files[part].certificate = again(files[part].certificate);
-        if (!in_order) std::reverse(files.begin(), files.end());
-        expect_row(merged(files), base, field, files[part].name);
-      }
+  for (const OneField& field : fields_of_sweeps())
+    for (const bool in_order : {true, false}) {
+      std::vector<CertificateFile> files = made_files();
+      field.change(files[0].certificate);
+      files[0].certificate = again(files[0].certificate);
+      if (!in_order) std::reverse(files.begin(), files.end());
+      expect_row(merged(files), base, field, "sweeps");
+    }
 }
 
 TEST(one_field, of_points_reaches_the_merged_certificate) {
-  const Certificate base = merged(made_parts());
+  const Certificate base = merged(made_files());
   for (const OneField& field : fields_of_points()) {
-    std::vector<CertificateFile> files = made_parts();
+    std::vector<CertificateFile> files = made_files();
     field.change(files.back().certificate);
     const bool is_of_build = !(files.back().certificate.build == tests::made_build());
     if (is_of_build)
       EXPECT_THROW(merged(files), CertificateError);
     else
       expect_row(merged(files), base, field, "merged points");
-  }
-}
-
-// Changes that make another sweep: no part of the one joins those of the other.
-TEST(one_field, of_a_sweep_or_of_a_part_s_units_does_not_join) {
-  const std::vector<std::pair<std::string, std::function<void(Sweeps&)>>> changes{
-      {"law", [](Sweeps& s) { s.results[0].sweep.law = LawId::bump_3p; }},
-      {"radius", [](Sweeps& s) { s.results[0].sweep.parameters.radius = 20; }},
-      {"width", [](Sweeps& s) { s.results[0].sweep.parameters.width = 20; }},
-      {"stiffness of the last", [](Sweeps& s) { s.results[1].sweep.parameters.stiffness = 1; }},
-      {"kind", [](Sweeps& s) { s.results[0].sweep.kind = SweepKind::line; }},
-      {"at of the last", [](Sweeps& s) { s.results[1].sweep.at = 0.5F; }},
-      {"number of sweeps", [](Sweeps& s) { s.results.pop_back(); }},
-      {"first", [](Sweeps& s) { ++s.first; }},
-      {"first, earlier", [](Sweeps& s) { --s.first; }},
-      {"end", [](Sweeps& s) { s.next = ++s.end; }},
-      {"end, earlier", [](Sweeps& s) { s.next = --s.end; }},
-      {"next", [](Sweeps& s) { --s.next; }},
-  };
-  for (const auto& [name, change] : changes) {
-    std::vector<CertificateFile> files = made_parts();
-    change(files[1].certificate.sweeps);
-    EXPECT_THROW(merged(files), CertificateError) << name;
   }
 }
 

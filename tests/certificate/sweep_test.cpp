@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exhaustive sweeps: they reach every input once, notice one wrong bit, and their parts join only if they fit.
+// Exhaustive sweeps: they reach every input once, and notice one wrong bit; certificates join only if they fit.
 
 #include <gtest/gtest.h>
 
@@ -131,126 +131,64 @@ TEST(sweep, plan_has_what_each_law_needs) {
   EXPECT_THROW(planned({{LawId::bump_3p}, kBump, {1.0F}}), std::invalid_argument) << "w > 2R";
 }
 
-// Two sweeps; only units that cost next to nothing are done below.
-Sweeps small_plan() {
-  return planned({{LawId::wall, LawId::bump_1p}, kBump, {15.24F}, false, true, false});
+// As if everything had been swept.
+CertificateFile swept(const std::string& name) {
+  Sweeps sweeps = planned({{LawId::wall, LawId::bump_1p}, kBump, {15.24F}, false, true, false});
+  sweeps.next = sweeps.end;
+  sweeps.seconds = 3;
+  sweeps.results[0].inputs = 6;
+  return {name, {current_build(), 3, {}, sweeps, "2026-01-31T23:59:59Z", "one"}};
 }
 
-std::string text_of(Sweeps sweeps) {
-  sweeps.seconds = 0;
-  return to_json({current_build(), 0, {}, sweeps, "2026-01-31T23:59:59Z"});
+CertificateFile of_points() {
+  CertificateFile points{"points", {current_build(), 1, {{}}, {}, "2026-02-01T00:00:00Z", "another"}};
+  points.certificate.subjects[0].seeds = {7};
+  return points;
 }
 
-TEST(sweep, goes_on_where_it_was_stopped_with_any_number_of_threads) {
-  Sweeps part = part_of(small_plan(), 1, 256);
-  ASSERT_EQ(part.end, 4U);
-  const Sweeps at_once = continued(part, 100, 1);
-  EXPECT_TRUE(at_once.is_finished());
-  EXPECT_EQ(at_once.inputs(), 4 * (2U << kUnitBits));
-  const Sweeps half = continued(part, 2, 2);
-  EXPECT_FALSE(half.is_finished());
-  const Sweeps read_back = from_json(text_of(half), "here.json").sweeps;
-  EXPECT_EQ(text_of(continued(read_back, 100, 3)), text_of(at_once));
-}
-
-TEST(sweep, adds_the_time_that_it_takes_to_that_before) {
-  Sweeps part = part_of(small_plan(), 1, 256);
-  part.seconds = 1000;
-  EXPECT_GT(continued(part, 1, 1).seconds, 1000);
-}
-
-// The findings before a stop stay, and later ones are added.
-TEST(sweep, keeps_what_it_found_when_it_goes_on) {
-  Sweeps part = part_of(small_plan(), 1, 256);
-  part = continued(part, 2, 1);
-  const std::uint64_t inputs = part.inputs();
-  const auto stages = part.stages;
-  part.results[0].mismatches = 3;
-  part.counterexamples = {"at 1", "at 2", "at 3"};
-  const Sweeps end = continued(from_json(text_of(part), "here.json").sweeps, 2, 1);
-  EXPECT_TRUE(end.is_finished());
-  EXPECT_EQ(end.results[0].mismatches, 3U);
-  EXPECT_EQ(end.counterexamples, part.counterexamples);
-  EXPECT_EQ(end.inputs(), 2 * inputs);
-  for (std::size_t i = 0; i < stages.size(); ++i) EXPECT_EQ(end.stages[i], 2 * stages[i]);
-}
-
-TEST(sweep, parts_tile_the_whole) {
-  std::uint64_t end = 0;
-  for (std::uint64_t k = 1; k <= 7; ++k) {
-    const Sweeps part = part_of(small_plan(), k, 7);
-    EXPECT_EQ(part.first, end);
-    end = part.end;
+TEST(merge, joins_sweeps_and_a_certificate_of_points_in_any_order) {
+  for (const bool sweeps_first : {true, false}) {
+    std::vector<CertificateFile> files{swept("sweeps"), of_points()};
+    if (!sweeps_first) std::swap(files[0], files[1]);
+    const Certificate both = merged(files);
+    EXPECT_EQ(both.seeds(), std::vector<std::uint64_t>{7});
+    EXPECT_EQ(both.subjects.size(), 1U);
+    EXPECT_EQ(both.sweeps.inputs(), 6U);
+    EXPECT_TRUE(both.sweeps.is_whole());
+    EXPECT_EQ(both.seconds, 4);
+    EXPECT_EQ(both.date, "2026-02-01T00:00:00Z") << "the latest";
+    EXPECT_EQ(both.processor, sweeps_first ? "one; another" : "another; one") << "in the order of the files";
   }
-  EXPECT_EQ(end, small_plan().units());
-}
-
-// As if part k of n had been swept.
-CertificateFile finished_part(std::uint64_t k, std::uint64_t n) {
-  Sweeps part = part_of(small_plan(), k, n);
-  part.next = part.end;
-  part.seconds = 1;
-  part.results[0].inputs = k;
-  return {"part " + std::to_string(k), {current_build(), 1, {}, part, "2026-01-31T23:59:59Z", "one"}};
-}
-
-std::string refusal_to_merge(const std::vector<CertificateFile>& files) {
-  try {
-    merged(files);
-  } catch (const CertificateError& error) {
-    return error.what();
-  }
-  return "merged";
-}
-
-TEST(merge, joins_parts_in_any_order_and_a_certificate_of_points) {
-  const Certificate sum = merged({finished_part(3, 3), finished_part(1, 3), finished_part(2, 3)});
-  EXPECT_TRUE(sum.held());
-  EXPECT_EQ(sum.sweeps.inputs(), 6U);
-  EXPECT_EQ(sum.sweeps.seconds, 3);
-  Certificate points{current_build(), 1, {}, {}};
-  points.subjects.push_back({});
-  points.subjects[0].seeds = {7};
-  const Certificate both = merged({finished_part(1, 2), {"points", points}, finished_part(2, 2)});
-  EXPECT_EQ(both.seeds(), std::vector<std::uint64_t>{7});
-  EXPECT_EQ(both.subjects.size(), 1U);
-  EXPECT_TRUE(both.sweeps.is_whole());
-  CertificateFile elsewhere = finished_part(2, 2), here = finished_part(1, 2);
-  elsewhere.certificate.date = "2026-02-01T00:00:00Z";
-  here.certificate.processor = "one";
-  elsewhere.certificate.processor = "another";
-  const Certificate two = merged({elsewhere, here});
-  EXPECT_EQ(two.date, "2026-02-01T00:00:00Z") << "the latest";
-  EXPECT_EQ(two.processor, "another; one") << "in the order of the files";
 }
 
 TEST(merge, refuses_what_does_not_fit_and_names_it) {
   const auto expect = [](const std::vector<CertificateFile>& files, const char* words) {
-    const std::string answer = refusal_to_merge(files);
-    EXPECT_NE(answer.find(words), std::string::npos) << answer;
+    try {
+      merged(files);
+      ADD_FAILURE() << "merged: " << words;
+    } catch (const CertificateError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
   };
-  expect({}, "expected at least one part");
-  expect({finished_part(1, 3), finished_part(3, 3)}, "missing part: units 341 to 682, between part 1 and part 3");
-  expect({finished_part(2, 2)}, "missing part: units 0 to 512, before part 2");
-  expect({finished_part(1, 2)}, "missing part: units 512 to 1024, after part 1");
-  expect({finished_part(1, 2), finished_part(1, 2), finished_part(2, 2)}, "overlaps part 1");
-  CertificateFile other = finished_part(2, 2);
+  expect({}, "expected at least one certificate");
+  expect({of_points()}, "points: expected another certificate to join it to");
+  expect({swept("a"), of_points(), swept("b")}, "b: expected no sweeps; a has them");
+  CertificateFile part = swept("part");
+  --part.certificate.sweeps.next;
+  expect({of_points(), part}, "part: expected whole sweeps, got a part of them");
+  part = swept("part");
+  part.certificate.sweeps.first = 1;
+  expect({of_points(), part}, "part: expected whole sweeps, got a part of them");
+  CertificateFile other = of_points();
   other.certificate.build.library_digest = "0";
-  expect({finished_part(1, 2), other}, "part 2: expected the build of part 1");
-  other = finished_part(2, 2);
-  --other.certificate.sweeps.next;
-  expect({finished_part(1, 2), other}, "part 2: expected a finished part; units 1023 to 1024 are not done");
-  other = finished_part(2, 2);
-  other.certificate.sweeps.results[0].sweep.parameters.stiffness = 1;
-  expect({finished_part(1, 2), other}, "part 2: expected the sweeps of part 1");
-  const CertificateFile points{"points", {current_build(), 1, {{}}, {}}};
-  expect({points}, "points: expected another certificate to join it to");
+  expect({swept("sweeps"), other}, "points: expected the build of sweeps");
 }
 
 TEST(merge, does_not_certify_a_part_or_a_mismatch) {
-  EXPECT_FALSE(finished_part(1, 2).certificate.held());
-  EXPECT_TRUE(finished_part(1, 1).certificate.held());
-  Certificate wrong = finished_part(1, 1).certificate;
+  Certificate part = swept("part").certificate, wrong = part;
+  EXPECT_TRUE(part.held());
+  part.sweeps.next = --part.sweeps.end;
+  EXPECT_FALSE(part.held());
   wrong.sweeps.results[1].mismatches = 1;
   EXPECT_FALSE(wrong.held());
 }

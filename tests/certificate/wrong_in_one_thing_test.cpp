@@ -27,17 +27,13 @@ constexpr Parameters kWithTies{5, 6, 0.5F};  // its axis is 4 mm deep: forces ar
 constexpr std::uint64_t kPoints = 5000;      // two chunks, of 4096 and 904
 constexpr std::size_t kLastOfChunk = 4095;
 
-// The certificate after it was written, read, merged with both parts of a sweep, written and read.
+// The certificate after it was written, read, merged with sweeps, written and read.
 Certificate after_the_whole_way(const Certificate& certificate) {
   const auto again = [](const Certificate& one) { return from_json(to_json(one), "here.json"); };
-  const Sweeps plan = planned({{LawId::wall}, kBumpOfLaw, {15.24F}, false, true, false});
-  std::vector<CertificateFile> files{{"points", again(certificate)}};
-  for (const std::uint64_t k : {1U, 2U}) {
-    Certificate part{current_build(), 1, {}, part_of(plan, k, 2), certificate.date, certificate.processor};
-    part.sweeps.next = part.sweeps.end;
-    files.push_back({"part " + std::to_string(k), again(part)});
-  }
-  return again(merged(files));
+  Sweeps sweeps = planned({{LawId::wall}, kBumpOfLaw, {15.24F}, false, true, false});
+  sweeps.next = sweeps.end;
+  const Certificate swept{current_build(), 1, {}, sweeps, certificate.date, certificate.processor};
+  return again(merged({{"points", again(certificate)}, {"sweeps", again(swept)}}));
 }
 
 Certificate checked_alone(const std::shared_ptr<const Subject>& subject, std::uint64_t points = kPoints, int cases = 10) {

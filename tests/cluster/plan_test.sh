@@ -100,7 +100,7 @@ certify plan "${what[@]}" --seed 2 --units 20 --out seed > /dev/null; rm -r seed
 expect 2 "the digest of the plan" -- certify merge seed --out no
 
 # Sweeps: the same units as without a plan.
-certify plan --exhaustive --law bump-1p-shaded --sweeps directions --radius 20mm --units 16 --out sweep > sweep.txt 2>&1 ||
+certify plan --exhaustive directions --law bump-1p-shaded --radius 20mm --units 16 --out sweep > sweep.txt 2>&1 ||
   grep -q "expected a kind of sweep" sweep.txt || { echo "FAILED: $(cat sweep.txt)"; exit 1; }
 
 # Attributes that come late, and links whose answer is lost.

@@ -1,4 +1,4 @@
-// ammo.js (Bullet as WebAssembly, package ammojs-typed) on the protocol of `forceshade conform --simulator`.
+// ammo.js (Bullet as WebAssembly, package ammojs-typed) on the protocol of `forceshade conform simulator`.
 import load from 'ammojs-typed';
 import {simulate, version} from './simulator.mjs';
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bullet on the protocol of `forceshade conform --simulator`; --fix-internal-edges is for its internal edge utility.
+// Bullet on the protocol of `forceshade conform simulator`; --fix-internal-edges is for its internal edge utility.
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
 #include <btBulletDynamicsCommon.h>
 

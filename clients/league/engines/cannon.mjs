@@ -1,4 +1,4 @@
-// cannon-es on the protocol of `forceshade conform --simulator`.
+// cannon-es on the protocol of `forceshade conform simulator`.
 import * as CANNON from 'cannon-es';
 import {simulate, version, xyz} from './simulator.mjs';
 

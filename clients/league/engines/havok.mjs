@@ -1,4 +1,4 @@
-// Havok (package @babylonjs/havok) on the protocol of `forceshade conform --simulator`.
+// Havok (package @babylonjs/havok) on the protocol of `forceshade conform simulator`.
 import {readFileSync} from 'node:fs';
 import {simulate, version} from './simulator.mjs';
 import load from '@babylonjs/havok';

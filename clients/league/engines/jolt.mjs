@@ -1,4 +1,4 @@
-// Jolt (package jolt-physics) on the protocol of `forceshade conform --simulator`: node jolt.mjs [--fix-internal-edges].
+// Jolt (package jolt-physics) on the protocol of `forceshade conform simulator`: node jolt.mjs [--fix-internal-edges].
 import load from 'jolt-physics';
 import {option, simulate, version} from './simulator.mjs';
 

@@ -1,4 +1,4 @@
-// MuJoCo (package mujoco-js) on the protocol of `forceshade conform --simulator`. A ground of triangles is a rigid flex, since a mesh
+// MuJoCo (package mujoco-js) on the protocol of `forceshade conform simulator`. A ground of triangles is a rigid flex, since a mesh
 // would be replaced by its convex hull.
 import load from 'mujoco-js';
 import {simulate, version} from './simulator.mjs';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ODE on the protocol of `forceshade conform --simulator`; with --contact-surface-layer, the sphere may sink by 1 mm, as its
+// ODE on the protocol of `forceshade conform simulator`; with --contact-surface-layer, the sphere may sink by 1 mm, as its
 // manual advises against contacts that come and go.
 #include <ode/ode.h>
 

@@ -1,4 +1,4 @@
-// PhysX (package physx-js-webidl) on the protocol of `forceshade conform --simulator`.
+// PhysX (package physx-js-webidl) on the protocol of `forceshade conform simulator`.
 import {readFileSync} from 'node:fs';
 import {simulate, version, xyz} from './simulator.mjs';
 import load from 'physx-js-webidl';

@@ -1,4 +1,4 @@
-// Rapier on the protocol of `forceshade conform --simulator`: node rapier.mjs VERSION [--fix-internal-edges]
+// Rapier on the protocol of `forceshade conform simulator`: node rapier.mjs VERSION [--fix-internal-edges]
 // [--force-events], VERSION one of 0.11, 0.14, 0.19, 0.21. It reports the impulse of each contact of a manifold, or what the events of
 // contact forces say.
 import {option, simulate, version, xyz} from './simulator.mjs';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the lines that `forceshade conform --simulator` writes (docs/conformance-protocol.md) and answers with those of an
+// Reads the lines that `forceshade conform simulator` writes (docs/conformance-protocol.md) and answers with those of an
 // engine.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Reads the lines that `forceshade conform --simulator` writes (docs/conformance-protocol.md) and answers with those of an engine.
+// Reads the lines that `forceshade conform simulator` writes (docs/conformance-protocol.md) and answers with those of an engine.
 // open(scene) builds a world, {step(force), free()}; step gives the state after the step: {position, velocity, contacts}, arrays.
 // JSON has no number that is not finite: null stands for NaN, both ways.
 import {createInterface} from 'node:readline';

@@ -11,8 +11,9 @@
 
 namespace forceshade::conformance {
 
-// The word by which this program becomes that process: it is called with it and the file (apps/render_object.cpp).
-inline constexpr const char* kRenderObject = "render-object";
+// The program of that process (apps/render_object.cpp), which is called with the file; its place beside the folder of this
+// program.
+inline constexpr const char* kObjectProgram = "libexec/forceshade/forceshade-object";
 
 // That process is told this line to say how often and how much the object allocated in its answers so far:
 // {"calls":2,"bytes":96}, or {} where it does not know.
@@ -20,7 +21,7 @@ inline constexpr std::string_view kAllocations = R"({"allocations":true})";
 // The exit code of that process after goodbye and close(): none that an object gives that ends it itself.
 inline constexpr int kObjectEndedWell = 83;
 
-// For the program that runs render_object().
+// Throws files::BadInput where that program is not there.
 OpenRenderer object_door(const std::string& file, const files::ProcessLimits& limits = {});
 
 }  // namespace forceshade::conformance

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "files/quantity.h"
 #include "forceshade/bad_input.h"
@@ -23,32 +24,31 @@ constexpr std::array kTimes{FileUnit{"s", 0}, FileUnit{"ms", -3}, FileUnit{"us",
 constexpr std::array kLengths{FileUnit{"mm", 1}, FileUnit{"cm", 10}, FileUnit{"m", 1000}, FileUnit{"in", 25.4}};
 constexpr std::array kForces{FileUnit{"N", 1}, FileUnit{"mN", 1e-3}};
 
-// The unit of these columns: as the option has it, or as the end of each name does.
-double unit_of(std::span<const std::string> names, std::span<const FileUnit> units, const std::string& given,
-               const std::string& option) {
+const FileUnit* find(std::span<const FileUnit> units, std::string_view name) {
+  const auto found = std::ranges::find(units, name, &FileUnit::name);
+  return found == units.end() ? nullptr : &*found;
+}
+
+// Takes the unit of these columns, one of `units`, out of the given ones; or that in which each name ends.
+double unit_of(std::span<const std::string> names, std::span<const FileUnit> units, std::vector<std::string>& given) {
   std::string choices;
   for (const FileUnit& unit : units) choices += (choices.empty() ? "" : ", ") + std::string(unit.name);
-  const auto find = [&](std::string_view name) { return std::ranges::find(units, name, &FileUnit::name); };
-  if (!given.empty() && find(given) == units.end())
-    throw BadInput(option + ": expected one of " + choices + ", got \"" + given + '"');
-  const auto without_unit = [&](const std::string& name) {
-    return BadInput(option + ": expected one of " + choices + ", because the column " + name + " does not end in its unit");
-  };
-  const auto with_other_unit = [&](const std::string& name, std::string_view ending, std::string_view expected) {
-    return BadInput(option + ": the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
-                    std::string(expected));
-  };
-  std::string_view unit = given;
+  const auto word = std::ranges::find_if(given, [&](const std::string& name) { return find(units, name) != nullptr; });
+  const bool is_given = word != given.end();
+  const FileUnit* unit = is_given ? find(units, *word) : nullptr;
+  if (is_given) given.erase(word);
   for (const std::string& name : names) {
     const std::string_view ending = std::string_view(name).substr(std::min(name.rfind('_') + 1, name.size()));
-    if (name.find('_') == std::string::npos || find(ending) == units.end()) {
-      if (given.empty()) throw without_unit(name);
-      continue;
-    }
-    if (unit.empty()) unit = ending;
-    if (unit != ending) throw with_other_unit(name, ending, unit);
+    const FileUnit* const its = name.find('_') == std::string::npos ? nullptr : find(units, ending);
+    if (its == nullptr && is_given) continue;
+    if (its == nullptr)
+      throw BadInput("--units: expected one of " + choices + ", because the column " + name + " does not end in its unit");
+    if (unit != nullptr && unit != its)
+      throw BadInput("--units: the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
+                     std::string(unit->name));
+    unit = its;
   }
-  return find(unit)->size;
+  return unit->size;
 }
 
 bool is_whole(const std::string& text) {
@@ -61,7 +61,7 @@ bool Columns::are_numbered() const {
   return std::ranges::all_of(names, is_whole);
 }
 
-Columns columns_of(const std::string& text, const Units& units) {
+Columns columns_of(const std::string& text, const std::string& units) {
   Columns columns;
   if (!text.empty()) {
     columns.names.fill("");
@@ -81,9 +81,15 @@ Columns columns_of(const std::string& text, const Units& units) {
       if (columns.names[i].empty()) throw refused("has no " + std::string(Columns::kWhat[i]));
   }
   const std::span<const std::string> names(columns.names);
-  columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, units.time, "--time-unit"));
-  columns.millimetres = unit_of(names.subspan(1, 3), kLengths, units.length, "--length-unit");
-  columns.newtons = unit_of(names.last(3), kForces, units.force, "--force-unit");
+  std::vector<std::string> given;
+  if (!units.empty()) given = files::at_commas(units);
+  columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, given));
+  columns.millimetres = unit_of(names.subspan(1, 3), kLengths, given);
+  columns.newtons = unit_of(names.last(3), kForces, given);
+  if (!given.empty())
+    throw BadInput(
+        "--units: expected a unit of time (s, ms, us, ns), of length (mm, cm, m, in) and of force (N, mN), each once; got \"" +
+        given.front() + '"');
   return columns;
 }
 

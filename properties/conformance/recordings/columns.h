@@ -19,14 +19,9 @@ struct Columns {
   bool are_numbered() const;
 };
 
-// Units as they were given; empty where they were not.
-struct Units {
-  std::string time, length, force;
-};
-
 // text: "t=time_s,x=px,y=py,z=pz,fx=f1,fy=f2,fz=f3", or nothing, for the names of `forceshade recording export`. A column's
-// name may end in its unit: px_m. Throws BadInput, also for a unit that is not known.
-Columns columns_of(const std::string& text, const Units& units);
+// name may end in its unit: px_m. units: those of the others, "m,mN". Throws BadInput, also for a unit that is not known.
+Columns columns_of(const std::string& text, const std::string& units);
 
 // The turn of the recording's axes into those of the scene: "x,z,-y" says that its first axis is the scene's x, its second the
 // scene's z, its third the scene's -y. Throws BadInput.

@@ -43,7 +43,7 @@ def run(*words):
 
 def through_files(force, folder):
     asked, mine = folder / "asked.csv", folder / "mine.csv"
-    subprocess.run([command(), "positions", *ASKED, "--out", asked], check=True)
+    subprocess.run([command(), "conform", "positions", *ASKED, "--out", asked], check=True)
     with open(asked, newline="") as file, open(mine, "w", newline="") as out:
         rows = csv.DictReader(file)
         writer = csv.writer(out)
@@ -51,7 +51,7 @@ def through_files(force, folder):
         for row in rows:
             at = (float(np.float32(row[name])) for name in ("x_mm", "y_mm", "z_mm"))
             writer.writerow([*row.values(), *(float(np.float32(number)).hex() for number in force(*at, 0.5))])
-    return {"exact": run("compare", *ASKED[:4], "--forces", mine)}
+    return {"exact": run("conform", "judge", *ASKED[:4], mine)}
 
 
 def through_a_process(program):
