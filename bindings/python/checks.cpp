@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bindings/python/arrays.h"
@@ -66,6 +67,40 @@ py::tuple read_certificate(const std::string& path) {
   return standing_of(properties::from_json(text, path), text);
 }
 
+py::dict dict_of(const properties::PlanState& state) {
+  py::dict all;
+  all["digest"] = state.digest;
+  all["units"] = state.units;
+  all["done"] = state.done;
+  all["taken"] = state.taken;
+  all["expired"] = state.expired;
+  all["missing"] = state.missing;
+  all["alarms"] = state.alarms;
+  return all;
+}
+
+py::dict make_plan(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& subject,
+                   std::uint64_t points, std::uint64_t cases, std::uint64_t seed, std::uint64_t units) {
+  const properties::PlanRequest request{subject, points, cases, seed, {{}, {}, {}}, units};
+  return dict_of(interruptible([&](const std::atomic<bool>& stop) { return properties::make_plan(folder, request, stop); }));
+}
+
+py::dict plan_state(const std::string& folder) {
+  return dict_of(interruptible([&](const std::atomic<bool>& stop) { return properties::state_of_plan(folder, stop); }));
+}
+
+void work_on_plan(const std::string& folder, unsigned threads, bool waits) {
+  expect_arithmetic();
+  interruptible([&](const std::atomic<bool>& stop) { return properties::work_on_plan(folder, {threads, waits}, stop); });
+}
+
+// The certificate as certify() has it, and the state.
+py::tuple merged_plan(const std::string& folder) {
+  const properties::MergedPlan merged =
+      interruptible([&](const std::atomic<bool>& stop) { return properties::merged_plan(folder, stop); });
+  return py::make_tuple(standing_of(merged.certificate, properties::to_json(merged.certificate)), dict_of(merged.state));
+}
+
 void write(const std::string& path, const std::string& text) {
   const py::gil_scoped_release released;
   files::write_file(path, text);
@@ -80,6 +115,10 @@ void add_checks(py::module_& module) {
   module.def("points_of_kind", [](const std::string& kind) { return properties::points_of_kind(kind); });
   module.attr("usual_cases") = properties::kCases;  // required for driving a device
   module.def("write_file", &write);
+  module.def("make_plan", &make_plan);
+  module.def("plan_state", &plan_state);
+  module.def("work_on_plan", &work_on_plan);
+  module.def("merged_plan", &merged_plan);
 }
 
 }  // namespace forceshade::python

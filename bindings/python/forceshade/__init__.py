@@ -32,7 +32,7 @@ if int(_numpy.__version__.split(".")[0]) >= 2:
         "expected a NumPy before 2, such as Debian's python3-numpy, or: pip install 'numpy<2'"
     )
 
-from ._checks import Certificate, PropertyResult, certify, properties
+from ._checks import Certificate, PlanState, PropertyResult, certify, make_plan, merged_plan, plan_state, properties, work_on_plan
 from ._conform import Conformance, OpenedRenderer, RendererOfScenes, conform
 from ._exact import ExactForce, Geometry, geometry
 from ._forceshade import Error, library_digest
@@ -60,6 +60,7 @@ __all__ = [
     "Mesh",
     "OpenedRenderer",
     "Place",
+    "PlanState",
     "Pose",
     "PropertyResult",
     "Recording",
@@ -75,7 +76,11 @@ __all__ = [
     "geometry",
     "laws",
     "library_digest",
+    "make_plan",
+    "merged_plan",
+    "plan_state",
     "properties",
     "read_recording",
     "read_subject",
+    "work_on_plan",
 ]

@@ -7,7 +7,7 @@ import errno
 import json
 import operator
 import os
-from typing import Any, NamedTuple, Sequence
+from typing import Any, Mapping, NamedTuple, Sequence
 
 from . import _forceshade
 from ._subject import File, Subject, path_of
@@ -133,3 +133,68 @@ def certify(
     if path is not None:
         _forceshade.write_file(path, made[0])
     return _certificate(*made)
+
+
+class PlanState(NamedTuple):
+    """The state of a plan of work, which any number of processes and machines do (docs/cluster.md)."""
+
+    digest: str
+    units: int
+    done: int
+    taken: int
+    expired: int
+    """Units whose process gave no sign of life for longer than their lease."""
+    missing: str
+    """The units without a result, in words; empty where all are done."""
+    alarms: list[str]
+    """Files that differ from the result of the same unit: one machine computes wrongly."""
+
+
+def _path(folder: File) -> str:
+    return os.fsdecode(os.fspath(folder))
+
+
+def make_plan(
+    folder: File,
+    subject: Mapping[str, str],
+    *,
+    points: int = 0,
+    cases: int = _forceshade.usual_cases,
+    seed: int = 0,
+    units: int = 1000,
+) -> PlanState:
+    """Divides what certify() does into about so many units of work in a new folder, as forceshade certify plan does.
+
+    subject: options of docs/subjects.md, such as {"law": "all"}. points: of each subject; 0: as many as forceshade drive requires.
+    """
+    made = _forceshade.make_plan(
+        _path(folder),
+        list(subject.items()),
+        _count(points, "points", 0, 10**12),
+        _count(cases, "cases", 1, 10**9),
+        _count(seed, "seed", 0, 2**64 - 1),
+        _count(units, "units", 1, 10**6),
+    )
+    return PlanState(**made)
+
+
+def plan_state(folder: File) -> PlanState:
+    """The state of the plan in a folder, whoever made it."""
+    return PlanState(**_forceshade.plan_state(_path(folder)))
+
+
+def work_on_plan(folder: File, *, threads: int | None = None, wait: bool = True) -> PlanState:
+    """Does units until all are done, beside any number of other processes; without wait, until the others have taken the rest.
+    Ctrl-C ends it, and what is done stays."""
+    count = len(os.sched_getaffinity(0)) if threads is None else threads
+    _forceshade.work_on_plan(_path(folder), _count(count, "threads", 1, 1024), wait)
+    return plan_state(folder)
+
+
+def merged_plan(folder: File) -> Certificate:
+    """The certificate of a plan whose units are all done. Raises Error where units are missing or two results differ."""
+    certificate, state = _forceshade.merged_plan(_path(folder))
+    if state["missing"] or state["alarms"]:
+        why = ", ".join(state["alarms"]) + " differ from the results beside them" if state["alarms"] else "missing: " + state["missing"]
+        raise _forceshade.Error(f"{_path(folder)}: there is no certificate; {why}")
+    return _certificate(*certificate)

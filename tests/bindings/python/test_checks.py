@@ -42,6 +42,21 @@ def test_a_certificate_is_that_of_the_command(bump, tmp_path):
             assert mine[key] == value, key
 
 
+def test_a_plan_gives_the_certificate_of_one_process(wall, tmp_path):
+    folder = tmp_path / "plan"
+    made = forceshade.make_plan(folder, {"law": "wall", "stiffness": "0.5"}, points=20000, cases=20, seed=5, units=4)
+    assert made.units > 4 and made.done == 0 and forceshade.plan_state(folder).missing.startswith("units 0 to ")
+    refused(forceshade.Error, "there is no certificate; missing: units 0 to ", forceshade.merged_plan, folder)
+    refused(forceshade.Error, "is there already", forceshade.make_plan, folder, {"law": "wall"})
+    refused(ValueError, "threads is 0; expected 1 to", forceshade.work_on_plan, folder, threads=0)
+    state = forceshade.work_on_plan(folder, threads=2)
+    assert state.done == state.units and not state.missing and not state.alarms and state.digest == made.digest
+    whole, alone = forceshade.merged_plan(folder), forceshade.certify(wall, points=20000, cases=20, seed=5)
+    for key, value in alone.contents["subjects"][0].items():
+        if key not in ("options", "subject_file"):
+            assert whole.contents["subjects"][0][key] == value, key
+
+
 def test_a_certificate_of_python_drives_a_device_with_the_command_and_no_other_subject(wall, tmp_path):
     path = tmp_path / "certificate.json"
     assert forceshade.certify(wall, out=path).standing == "sufficient"
