@@ -13,6 +13,7 @@
 #include "apps/command.h"
 #include "apps/junit.h"
 #include "apps/options.h"
+#include "apps/output_options.h"
 #include "apps/part_times.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"

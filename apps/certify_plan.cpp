@@ -17,9 +17,9 @@
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
-#include "certificate/report/thesis.h"
 #include "files/printable.h"
 #include "forceshade/certify.h"
+#include "report/thesis.h"
 
 namespace forceshade::apps {
 namespace {
@@ -30,7 +30,7 @@ constexpr const char* kPlanFolderWords = "folder of a plan, made by 'certify pla
 properties::SweepPlan sweep_plan(const std::vector<std::string>& kinds, const subjects::Options& named) {
   for (const std::string_view kind : subjects::kKinds)
     if (kind != "law" && named.has(kind))
-      throw BadInput("--exhaustive: expected --law, got --" + std::string(kind) + ", which has too many inputs to sweep");
+      throw Error("--exhaustive: expected --law, got --" + std::string(kind) + ", which has too many inputs to sweep");
   const auto is_chosen = [&](const char* kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
   properties::SweepPlan plan{{}, {}, {}, is_chosen("directions"), is_chosen("heights"), is_chosen("lines")};
   for (const DescribedLaw& law : subjects::laws_of(named)) {

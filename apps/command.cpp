@@ -29,11 +29,11 @@ void make_directory(const std::string& option, const std::string& path) {
     if (!error && fs::create_directory(so_far, error)) made_directories.push_back(so_far);
   }
   if (fs::is_symlink(path) && !fs::exists(path, error))
-    throw BadInput(option + ": expected a directory, got \"" + path + "\", a symbolic link to \"" +
-                   fs::read_symlink(path).string() + "\", which is not there");
+    throw Error(option + ": expected a directory, got \"" + path + "\", a symbolic link to \"" +
+                fs::read_symlink(path).string() + "\", which is not there");
   if (error || access(path.c_str(), W_OK) != 0)
-    throw BadInput(option + ": expected a directory that can be written to, got \"" + path + '"' +
-                   (error ? ": " + error.message() : ""));
+    throw Error(option + ": expected a directory that can be written to, got \"" + path + '"' +
+                (error ? ": " + error.message() : ""));
 }
 
 void remove_unused_directories() {

@@ -8,24 +8,24 @@
 #include <vector>
 
 #include "files/output_file.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/law.h"
 
 namespace forceshade::apps {
 
-using files::BadInput;  // becomes exit code 2
+using Error = Error;  // becomes exit code 2
 using files::write_file;
 
 enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3, kInterrupted = 130 };
 
-// The result of a build(); throws BadInput, which begins with `what`.
+// The result of a build(); throws Error, which begins with `what`.
 template <class L>
 L built(std::variant<L, ParameterError> law, const std::string& what = "--") {
-  if (const auto* error = std::get_if<ParameterError>(&law)) throw BadInput(what + error->message());
+  if (const auto* error = std::get_if<ParameterError>(&law)) throw Error(what + error->message());
   return std::get<L>(std::move(law));
 }
 
-// Throws BadInput, naming the option, unless the directory is there or can be made, and can be written to.
+// Throws Error, naming the option, unless the directory is there or can be made, and can be written to.
 void make_directory(const std::string& option, const std::string& path);
 
 // Removes those directories that make_directory() made and in which nothing was written: a command that fails leaves none

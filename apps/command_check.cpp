@@ -2,7 +2,7 @@
 #include "apps/command_check.h"
 
 #include "device/retrace.h"
-#include "recorder/settings.h"
+#include "run/recorder/settings.h"
 
 namespace forceshade::apps {
 

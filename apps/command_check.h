@@ -15,7 +15,7 @@ namespace forceshade::apps {
 class CommandCheck {
  public:
   // In a recording from before format 4, or of a law that was placed elsewhere, the commands cannot be computed: why_not() says
-  // so. Throws RecordingError for settings that cannot be read.
+  // so. Throws Error for settings that cannot be read.
   explicit CommandCheck(const recorder::Recording& recording);
   ~CommandCheck();
 

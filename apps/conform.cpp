@@ -20,9 +20,9 @@
 #include "properties/conformance/doors/object_door.h"
 #include "properties/conformance/doors/process_door.h"
 #include "properties/conformance/judgement_text.h"
-#include "properties/conformance/report/page.h"
 #include "properties/conformance/simulators/conform_simulator.h"
 #include "properties/conformance/simulators/simulator_process.h"
+#include "report/conformance/page.h"
 
 namespace forceshade::apps {
 namespace {
@@ -46,7 +46,6 @@ struct Answerer {
 // Runs check(monitor) with a line of progress.
 template <class Check>
 auto with_line(const std::string& name, const Check& check) {
-  watch_for_interrupt();
   ProgressLine line(name);
   return check(Monitor([&](double done) { line.draw(done); }, interrupted()));
 }
@@ -137,6 +136,7 @@ void add_conform(CLI::App& app, int& result) {
     if (!its->renderer.object.empty()) files::open_input(its->renderer.object);
     its->conform.tolerance = parse_tolerance(its->tolerance);
     outputs->expect_room();
+    watch_for_interrupt();
     const Description description = subject->description();
     const conformance::Circumstances circumstances{its->conform, properties::current_build().version, repeated(*command)};
     const auto found = with_line(description.name, [&](const Monitor& monitor) {
@@ -158,6 +158,7 @@ void add_conform_simulator(CLI::App& conform, int& result) {
   const auto outputs = std::make_shared<ConformOutputs>(*command);
   command->callback([its, outputs, command, &result] {
     outputs->expect_room();
+    watch_for_interrupt();
     namespace simulators = conformance::simulators;
     const auto found = with_line("simulator", [&](const Monitor& monitor) {
       return simulators::conform_simulator(simulators::simulator_process(its->command, its->limits()), monitor);

@@ -10,7 +10,7 @@
 #include "apps/output_options.h"
 #include "apps/standard_streams.h"
 #include "properties/conformance/judgement_text.h"
-#include "properties/conformance/report/comparison.h"
+#include "report/conformance/comparison.h"
 
 namespace forceshade::apps {
 namespace {

@@ -53,7 +53,7 @@ conformance::Tolerance parse_tolerance(const std::string& text) {
   if (text.empty()) return {};
   const auto tolerance = conformance::tolerance_of(text);
   if (!tolerance)
-    throw BadInput(
+    throw Error(
         "--tolerance: expected a number with ulp (a whole one), N or %, such as \"4 ulp\", \"1e-6 N\" or \"0.1 %\", got \"" +
         text + '"');
   return *tolerance;

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "apps/junit.h"
-#include "certificate/report/report.h"
 #include "properties/conformance/conform.h"
 #include "properties/conformance/tolerance.h"
+#include "report/report.h"
 
 namespace forceshade::apps {
 
@@ -32,7 +32,7 @@ class ConformOutputs {
  public:
   explicit ConformOutputs(CLI::App& command, bool has_page = true);
 
-  // Throws BadInput where one of the files cannot be written, before a long run.
+  // Throws Error where one of the files cannot be written, before a long run.
   void expect_room() const;
 
   // Returns the exit code.
@@ -50,7 +50,7 @@ void add_cases(std::vector<JunitCase>& cases, const std::string& suite, const st
 
 // --tolerance: the largest distance of a force from the exact one.
 CLI::Option* add_tolerance(CLI::App& command, std::string& value);
-// Throws BadInput. An empty text is none: correctly rounded.
+// Throws Error. An empty text is none: correctly rounded.
 conformance::Tolerance parse_tolerance(const std::string& text);
 
 }  // namespace forceshade::apps

@@ -18,7 +18,7 @@
 #include "properties/conformance/recordings/columns.h"
 #include "properties/conformance/recordings/judged_recording.h"
 #include "properties/conformance/recordings/recording_text.h"
-#include "properties/conformance/report/page.h"
+#include "report/conformance/page.h"
 
 namespace forceshade::apps {
 namespace {
@@ -32,9 +32,9 @@ int judge(const RecordingOptions& its, const SubjectOption& subject, const Confo
           const std::string& repeated) {
   conformance::RecordingOptions options = its.judged;
   if (options.fits && !subject.is_given())
-    throw BadInput("--fit: expected " + subjects::words_of_kinds("or") + " with it, got none");
+    throw Error("--fit: expected " + subjects::words_of_kinds("or") + " with it, got none");
   if (options.fits && its.tolerance.empty())
-    throw BadInput("--tolerance: expected one in N or % beside --fit, since a fitted force is never correctly rounded");
+    throw Error("--tolerance: expected one in N or % beside --fit, since a fitted force is never correctly rounded");
   options.tolerance = parse_tolerance(its.tolerance);
   if (!its.frame.empty()) options.turn = conformance::turn_of_frame(its.frame);
   if (!its.offset.empty()) options.offset = conformance::offset_of(its.offset);
@@ -46,8 +46,8 @@ int judge(const RecordingOptions& its, const SubjectOption& subject, const Confo
   std::optional<Description> description;
   if (subject.is_given()) description = subject.description();
   if (description && std::holds_alternative<DescribedScene>(description->what))
-    throw BadInput(description->name +
-                   ": expected no object with a motion, since a recording does not say in which tick it began");
+    throw Error(description->name +
+                ": expected no object with a motion, since a recording does not say in which tick it began");
   std::optional<ProgressLine> line(its.file);
   const conformance::JudgedRecording found = conformance::judge_recording(
       measured, description, options, Monitor([&](double done) { line->draw(done); }, interrupted()));

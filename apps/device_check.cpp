@@ -77,7 +77,7 @@ void check_open(const DeviceCheckOptions& options, device::Attendant& prepares, 
   }
   const device::Capabilities capabilities = opened->capabilities();
   checks.add(check_identity(capabilities));
-  prepares.report("reading the device for " + files::shortest(options.seconds) +
+  prepares.report("reading the device for " + shortest(options.seconds) +
                   " s without any force; leave it at rest to measure its noise, or move it and press its buttons to see them");
   const double rate = std::min(kRate, capabilities.highest_rate);
   seen = device::observe_without_force(*opened, rate, options.seconds, interrupted());

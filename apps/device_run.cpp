@@ -16,11 +16,11 @@
 #include "apps/terminal_attendant.h"
 #include "apps/trip_words.h"
 #include "device/passive_rate.h"
-#include "device/run/summary.h"
-#include "device/run/words.h"
 #include "files/output_file.h"
 #include "files/printable.h"
 #include "forceshade/checks.h"
+#include "run/summary.h"
+#include "run/words.h"
 
 namespace forceshade::apps {
 namespace {

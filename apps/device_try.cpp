@@ -59,31 +59,31 @@ float gentle_stiffness(const std::string& text) {
   const float stiffness = files::parse_stiffness("--stiffness", text);
   built(fast::Law::build(LawId::wall, {.stiffness = stiffness}));
   if (stiffness <= kHighestStiffness) return stiffness;
-  throw BadInput("--stiffness: expected at most " + files::shortest(kHighestStiffness) + " N/mm for a first contact, got " +
-                 files::shortest(stiffness) + "; 'forceshade drive' renders stiffer walls");
+  throw Error("--stiffness: expected at most " + shortest(kHighestStiffness) + " N/mm for a first contact, got " +
+              shortest(stiffness) + "; 'forceshade drive' renders stiffer walls");
 }
 
 std::optional<int> dead_man_button(const DeviceTryOptions& options, int buttons) {
   if (options.dead_man == kNoButton) {
     if (buttons == 0) return std::nullopt;
-    throw BadInput("--dead-man: expected a button from 0 to " + std::to_string(buttons - 1) +
-                   ", got \"none\"; without a button to let go of, only letting go of the stylus stops a run");
+    throw Error("--dead-man: expected a button from 0 to " + std::to_string(buttons - 1) +
+                ", got \"none\"; without a button to let go of, only letting go of the stylus stops a run");
   }
   if (buttons == 0)
-    throw BadInput("--dead-man: expected none, because the device has no buttons, got \"" + options.dead_man + '"');
+    throw Error("--dead-man: expected none, because the device has no buttons, got \"" + options.dead_man + '"');
   return static_cast<int>(parse_whole("--dead-man", options.dead_man, {0, static_cast<std::uint64_t>(buttons) - 1}));
 }
 
 void expect_done(device::Attendant& person, const std::string& words) {
   if (person.did(words)) return;
   if (interrupted()) throw Interrupted("the run had not begun");
-  throw BadInput("the terminal: expected somebody who goes through the steps of a first contact, got no answer");
+  throw Error("the terminal: expected somebody who goes through the steps of a first contact, got no answer");
 }
 
 std::string first_step(float stiffness) {
   return "First contact, step 1 of 2. Nothing pushes yet.\n"
          "You will feel a wall: the horizontal plane at the height of the device's origin, " +
-         files::shortest(stiffness) + " N/mm, never more than " + files::shortest(kPeakForce) +
+         shortest(stiffness) + " N/mm, never more than " + shortest(kPeakForce) +
          " N.\n"
          "Clear the space around the arm. Have the power switch or the emergency switch of the device within reach.";
 }
@@ -93,7 +93,7 @@ std::string second_step(const std::optional<int>& button, double seconds) {
                                         " down, and keep it down: without it there is no "
                                         "force. To stop, let go of it, or press Ctrl-C."
                                   : "the device has no button to hold down. To stop, let go of the stylus, or press Ctrl-C.";
-  return "First contact, step 2 of 2. The run begins when this is done, and lasts " + files::shortest(seconds) +
+  return "First contact, step 2 of 2. The run begins when this is done, and lasts " + shortest(seconds) +
          " s.\n"
          "Take the stylus with two fingers, well above the plane; " +
          hold + "\nAfter half a second in the air, lower the tip slowly onto the wall, press a little, and rise again.";
@@ -103,12 +103,12 @@ int run(DeviceTryOptions options) {
   const float stiffness = gentle_stiffness(options.stiffness);
   if (options.record.empty()) options.record = system::date("forceshade-try-%Y%m%d-%H%M%SZ.fsr");
   if (files::format_ending(options.record) != ".fsr")
-    throw BadInput("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
+    throw Error("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
   const Rendering wall = built(rendering_of(LawId::wall, {.stiffness = stiffness}));
   const run::Certified covered = run::certified(options.certificate, wall.identity);
   if (!may_be_driven(covered, options.uncertified)) {
     std::fprintf(stderr, "forceshade: to have one: forceshade certify --law wall --stiffness %s --out DIR\n",
-                 files::shortest(stiffness).c_str());
+                 shortest(stiffness).c_str());
     return kFailed;
   }
 

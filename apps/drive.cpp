@@ -46,7 +46,7 @@ Controller controller_named(const std::string& name) {
 // Each of them alone is fine.
 void expect_consistent(const DriveOptions& options) {
   if (!options.record.empty() && options.record == options.json)
-    throw BadInput("--record and --json: expected two files, got \"" + options.json + "\" for both");
+    throw Error("--record and --json: expected two files, got \"" + options.json + "\" for both");
   if (!options.cpu) return;
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
@@ -55,8 +55,8 @@ void expect_consistent(const DriveOptions& options) {
   std::string processors;
   for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu)
     if (CPU_ISSET(cpu, &allowed)) processors += (processors.empty() ? "" : ", ") + std::to_string(cpu);
-  throw BadInput("--cpu: expected one of the processors that the command may run on (" + processors + "), got " +
-                 std::to_string(*options.cpu));
+  throw Error("--cpu: expected one of the processors that the command may run on (" + processors + "), got " +
+              std::to_string(*options.cpu));
 }
 
 // mouse, mouse:MODEL or simulated:MODEL:mouse.
@@ -88,8 +88,7 @@ int run(const DriveOptions& options, const SubjectOption& subject, const Placeme
   if (!may_be_driven(covered, options.uncertified)) return kFailed;
 
   if (std::holds_alternative<DescribedScene>(described->what) && is_of_a_mouse(options.device))
-    throw BadInput(described->name +
-                   ": expected no object with a motion, since the window of a mouse shows a surface that stays");
+    throw Error(described->name + ": expected no object with a motion, since the window of a mouse shows a surface that stays");
   end_runs_in_order();
   std::optional<SurfaceCut> cut;  // of a device that is steered in a window
   SteeringAttendant prepares(options.in_reset_pose, options.dead_man.has_value(),

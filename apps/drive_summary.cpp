@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <string>
 
-#include "device/run/rule_names.h"
-#include "device/run/summary.h"
+#include "run/rule_names.h"
+#include "run/summary.h"
 
 namespace forceshade::apps {
 namespace {

@@ -16,7 +16,7 @@ namespace forceshade::apps {
 
 class DriveWindow {
  public:
-  // Opens the window; throws window::Error. What is given by reference lives longer. certified: words about the certificate.
+  // Opens the window; throws Error. What is given by reference lives longer. certified: words about the certificate.
   DriveWindow(const Description& what, SurfaceCut& cut, const device::Placement& placement, device::Steering& steering,
               const std::string& certified);
 

@@ -156,7 +156,7 @@ void answer(const Verdict& verdict, const EnergyOptions& options) {
 
 void run_law(const EnergyOptions& options, const DescribedLaw& described, float depth) {
   const auto law = std::get<reference::Law>(reference::Law::build(described.law, described.parameters));
-  if (const auto error = reference::depth_error(law, depth)) throw BadInput("--" + error->message());
+  if (const auto error = reference::depth_error(law, depth)) throw Error("--" + error->message());
   answer(verdict_on(law, depth), options);
 }
 
@@ -165,7 +165,7 @@ int run_height_map(const EnergyOptions& options, const std::string& name, const 
   const reference::Slice slice{options.along == "x" ? reference::Slice::Along::x : reference::Slice::Along::y,
                                files::parse_length("--at", options.at), files::parse_length("--from", options.from),
                                files::parse_length("--to", options.to)};
-  if (const auto error = reference::slice_error(law, slice, depth)) throw BadInput(name + ": " + error->message());
+  if (const auto error = reference::slice_error(law, slice, depth)) throw Error(name + ": " + error->message());
   watch_for_interrupt();
   try {
     answer(verdict_on(law, name, slice, depth), options);
@@ -209,7 +209,7 @@ void add_energy(CLI::App& app, int& result) {
       print_energy_of_mesh(what.name, *mesh, depth, files::parse_length("--length", options->length),
                            files::parse_length("--step", options->step), options->json);
     else if (std::holds_alternative<DescribedScene>(what.what))
-      throw BadInput(what.name + ": expected a scene without objects that move, got one with them");
+      throw Error(what.name + ": expected a scene without objects that move, got one with them");
     else
       result = run_height_map(*options, what.name, std::get<DescribedHeightMap>(what.what), depth);
   });

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 void expect_length(const char* option, float value, float least, float most) {
-  if (!(value >= least && value <= most)) throw BadInput(ParameterError{option, "mm", value, least, most}.message());
+  if (!(value >= least && value <= most)) throw Error(ParameterError{option, "mm", value, least, most}.message());
 }
 
 struct MeshVerdict {
@@ -118,7 +118,7 @@ void print(const MeshVerdict& verdict) {
 
 void print_energy_of_mesh(const std::string& name, const MeshRendering& rendering, float depth, float length, float step,
                           const std::string& json) {
-  if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw BadInput(name + ": " + why);
+  if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw Error(name + ": " + why);
   expect_length("--depth", depth, 0x1p-10F, 100);
   expect_length("--length", length, 0x1p-10F, 10000);
   expect_length("--step", step, 0x1p-10F, 100);

@@ -28,11 +28,8 @@ RowFormat format_of(const ForceOptions& options) {
   return files::is_named_npy(options.out) ? RowFormat::npy : RowFormat::csv;
 }
 
-RowStatus row_status(Status status, bool is_unfinished) {
-  return is_unfinished               ? RowStatus::unfinished
-         : status == Status::contact ? RowStatus::contact
-         : status == Status::free    ? RowStatus::free
-                                     : RowStatus::invalid;
+RowStatus row_status(Status status) {
+  return status == Status::unfinished ? RowStatus::unfinished : static_cast<RowStatus>(status);
 }
 
 // By the fast path, or by the reference; in a CSV a law's to any number of digits. Built before anything is read.
@@ -42,17 +39,17 @@ Answer answer_of(const ForceOptions& options, const SubjectOption& option) {
   if (options.path == "reference" && a_law != nullptr && format_of(options) == RowFormat::csv)
     return [law = built(reference::Law::build(a_law->law, a_law->parameters)), digits = options.digits](const auto& position) {
       reference::DecimalForce answer = law.decimal(position, digits);
-      return AnsweredRow{{}, row_status(answer.status, false), {{std::move(answer.x), "0", std::move(answer.z)}}};
+      return AnsweredRow{{}, row_status(answer.status), {{std::move(answer.x), "0", std::move(answer.z)}}};
     };
   const std::shared_ptr<const properties::Subject> subject = properties::subject_of(what);
   if (options.path == "reference")
     return [subject, reference = std::shared_ptr(subject->open_reference())](const auto& position) {
       const reference::Rounded answer = reference->step(position);
-      return AnsweredRow{answer.force, row_status(answer.status, answer.is_unfinished), std::nullopt};
+      return AnsweredRow{answer.force, row_status(answer.status), std::nullopt};
     };
   return [session = std::shared_ptr(subject->renderer().open())](const auto& position) {
     const fast::Evaluation answer = session->step(position);
-    return AnsweredRow{answer.force, row_status(answer.status, answer.is_unfinished), std::nullopt};
+    return AnsweredRow{answer.force, row_status(answer.status), std::nullopt};
   };
 }
 
@@ -89,10 +86,9 @@ void add_force(CLI::App& app, int& result) {
       ->capture_default_str();
   command->callback([options, subject, digits, &result] {
     if (!digits->empty() && options->path != "reference")
-      throw BadInput("--digits: expected --path reference beside it, got --path fast, which prints the shortest form");
+      throw Error("--digits: expected --path reference beside it, got --path fast, which prints the shortest form");
     if (!digits->empty() && format_of(*options) == RowFormat::npy)
-      throw BadInput("--digits: expected a CSV file as --out beside it, got \"" + options->out +
-                     "\", which has binary32 numbers");
+      throw Error("--digits: expected a CSV file as --out beside it, got \"" + options->out + "\", which has binary32 numbers");
     result = run(*options, *subject);
   });
 }

@@ -19,9 +19,9 @@ constexpr const char* kLayout =
 static_assert(std::endian::native == std::endian::little, "numbers are written as they are in memory");
 
 void write_row(std::ostream& out, const Eigen::Vector3f& position, const AnsweredRow& row) {
-  for (const float coordinate : position) out << files::shortest(coordinate) << ',';
+  for (const float coordinate : position) out << shortest(coordinate) << ',';
   for (std::size_t i = 0; i < 3; ++i)
-    out << (row.decimal ? (*row.decimal)[i] : files::shortest(row.force[static_cast<Eigen::Index>(i)])) << ',';
+    out << (row.decimal ? (*row.decimal)[i] : shortest(row.force[static_cast<Eigen::Index>(i)])) << ',';
   out << kRowStatusNames[static_cast<std::size_t>(row.status)] << '\n';
 }
 

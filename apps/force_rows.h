@@ -40,7 +40,7 @@ struct RowCount {
 
 // A row for each row of `in`, which messages call `file`. One that cannot be answered gets nan for its force and the status
 // "undecided", and a line on `complaints` that names its line. An NPY file is kept in memory, 25 bytes a row, until its number
-// of rows is known. Throws files::Error for a row that cannot be read, and Interrupted.
+// of rows is known. Throws Error for a row that cannot be read, and Interrupted.
 RowCount answer_rows(std::istream& in, const std::string& file, RowFormat format, std::ostream& out, std::ostream& complaints,
                      const Answer& answer);
 

@@ -74,8 +74,7 @@ std::string help_text(const CLI::App& command) {
   };
   text += help_rows("Arguments", options_where([](const CLI::Option& each) { return each.get_positional(); }));
   std::string commands;
-  for (const CLI::App* verb : verbs_of(command))
-    commands += help_row(verb->get_name(), verb->get_description());
+  for (const CLI::App* verb : verbs_of(command)) commands += help_row(verb->get_name(), verb->get_description());
   if (!commands.empty()) text += "\nCommands:\n" + commands;
   for (const std::string_view group : kOptionGroups)
     text +=

@@ -14,13 +14,13 @@
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/subject_option.h"
-#include "certificate/report/thesis.h"
 #include "files/quantity.h"
 #include "forceshade/heights.h"
 #include "forceshade/reference.h"
 #include "reference/profile.h"
 #include "reference/theta_critical.h"
-#include "rendering/subjects/height_map.h"
+#include "report/thesis.h"
+#include "subjects/height_map.h"
 
 namespace forceshade::apps {
 namespace {
@@ -105,7 +105,7 @@ bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots,
 
 void print_polygons_of_map(const LawsOptions& options) {
   if (!options.json.empty() && options.json == options.out)
-    throw BadInput("--json and --out: expected two files, got \"" + options.json + "\" for both");
+    throw Error("--json and --out: expected two files, got \"" + options.json + "\" for both");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
   subjects::expect_valid(options.height_map, {map, height::Mode::force_shaded});
   try {
@@ -132,11 +132,11 @@ void print_polygons_of_map(const LawsOptions& options) {
     if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
     const auto shaded =
         reference::HeightMapField::build({map.parts, {{height::Polygons{knots}}}}, height::Mode::force_shaded, 1);
-    if (const auto* error = std::get_if<ParameterError>(&shaded)) throw BadInput(options.out + ": " + error->message());
+    if (const auto* error = std::get_if<ParameterError>(&shaded)) throw Error(options.out + ": " + error->message());
     write_file(options.out,
                heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.out).parent_path()));
   } catch (const std::invalid_argument& error) {
-    throw BadInput(options.height_map + ": " + error.what());
+    throw Error(options.height_map + ": " + error.what());
   }
 }
 

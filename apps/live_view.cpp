@@ -8,7 +8,7 @@
 #include <string>
 
 #include "apps/live_line.h"
-#include "device/run/rule_names.h"
+#include "run/rule_names.h"
 
 namespace forceshade::apps {
 namespace {

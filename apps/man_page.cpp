@@ -96,7 +96,7 @@ const CLI::App& found(const CLI::App& program, const std::vector<std::string>& w
   for (const std::string& word : words) {
     const std::vector<const CLI::App*> verbs = verbs_of(*command);
     const auto verb = std::ranges::find(verbs, word, [](const CLI::App* each) { return each->get_name(); });
-    if (verb == verbs.end()) throw BadInput("man: expected the name of a command, got \"" + word + '"');
+    if (verb == verbs.end()) throw Error("man: expected the name of a command, got \"" + word + '"');
     command = *verb;
   }
   return *command;
@@ -183,7 +183,7 @@ void add_man(CLI::App& app) {
       std::fputs(man_page(found(app, *words), version).c_str(), stdout);
       return;
     }
-    if (!words->empty()) throw BadInput("--out: expected no command beside it, got \"" + words->front() + '"');
+    if (!words->empty()) throw Error("--out: expected no command beside it, got \"" + words->front() + '"');
     std::vector<std::string> names;
     for (const CLI::App* each : tree(app)) names.push_back(page_name(*each) + ".1");
     out->expect_room_for(names);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade mesh: whether a file holds a mesh or scene that can be rendered, what is in it, and the repair of a mesh.
 
-#include "rendering/subjects/mesh.h"
+#include "subjects/mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@
 #include "forceshade/meshes.h"
 #include "properties/worst_tick.h"
 #include "rendering/meshes/save.h"
-#include "rendering/subjects/scene.h"
+#include "subjects/scene.h"
 
 namespace forceshade::apps {
 namespace {
@@ -51,12 +51,12 @@ Input read(const MeshFileOptions& options) {
     return {{load_mesh(options.file, subjects::unit_named(options.unit)), {}}, options.self_intersecting};
   }
   if (!options.unit.empty())
-    throw BadInput("--unit: expected none beside a scene, whose objects have units of their own, got \"" + options.unit + '"');
+    throw Error("--unit: expected none beside a scene, whose objects have units of their own, got \"" + options.unit + '"');
   subjects::Options given{{"scene", options.file}};
   if (options.self_intersecting) given.add({"self-intersecting", "true"});
   subjects::Scene scene = subjects::load_scene(given);
   if (scene.ground.objects.empty())
-    throw BadInput(options.file + ": expected an object without a motion, whose mesh can be looked at, got none");
+    throw Error(options.file + ": expected an object without a motion, whose mesh can be looked at, got none");
   return {std::move(scene.ground), scene.options.is_true("self-intersecting")};
 }
 
@@ -184,7 +184,7 @@ properties::WorstTick worst_tick(mesh::CheckedMesh& checked) {
 }
 
 std::string shortest(double number) {
-  return files::shortest(static_cast<float>(number));
+  return forceshade::shortest(static_cast<float>(number));
 }
 
 void add_facts(Json& json, const mesh::Facts& facts) {
@@ -208,9 +208,7 @@ void print_row(const char* name, const std::string& value) {
 }
 
 void print_facts(const mesh::Facts& facts) {
-  const auto point = [](const mesh::Vertex& v) {
-    return files::shortest(v[0]) + ", " + files::shortest(v[1]) + ", " + files::shortest(v[2]);
-  };
+  const auto point = [](const mesh::Vertex& v) { return shortest(v[0]) + ", " + shortest(v[1]) + ", " + shortest(v[2]); };
   print_row("faces",
             std::to_string(facts.triangles) + " in " + std::to_string(facts.parts) + (facts.parts == 1 ? " part" : " parts"));
   print_row("vertices", std::to_string(facts.vertices) + ", " + std::to_string(facts.unused_vertices) + " of them in no face");
@@ -268,7 +266,7 @@ int check(const MeshFileOptions& options) {
 
 int repair(const MeshFileOptions& options) {
   Input input = load(options);
-  if (input.is_scene()) throw BadInput(options.file + ": expected a mesh to repair, got a scene; repair the mesh of an object");
+  if (input.is_scene()) throw Error(options.file + ": expected a mesh to repair, got a scene; repair the mesh of an object");
   mesh::LoadedMesh& loaded = input.ground.loaded;
   std::vector<std::string> done = loaded.notes;
   if (!loaded.normals.empty() || !loaded.texture.empty()) done.emplace_back("normals and texture are left out");

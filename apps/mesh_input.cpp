@@ -14,7 +14,7 @@
 
 #include "apps/progress_line.h"
 #include "apps/signals.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 
 namespace forceshade::apps {
 namespace {
@@ -29,7 +29,7 @@ class TemporaryFile {
   TemporaryFile() {
     std::string pattern = (fs::temp_directory_path() / "forceshade-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
-      throw files::BadInput("standard input: cannot be kept in " + pattern + ": " + std::generic_category().message(errno));
+      throw Error("standard input: cannot be kept in " + pattern + ": " + std::generic_category().message(errno));
     folder_ = pattern;
   }
   ~TemporaryFile() {
@@ -75,7 +75,7 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
     std::ofstream copy(unnamed, std::ios::binary);
     if (std::cin.peek() != std::char_traits<char>::eof()) copy << std::cin.rdbuf();
     if (interrupted()) throw Interrupted();  // which ends the input, too
-    if (!copy.flush()) throw files::BadInput("standard input: cannot be kept in " + unnamed.parent_path().string());
+    if (!copy.flush()) throw Error("standard input: cannot be kept in " + unnamed.parent_path().string());
   }
   std::ifstream in(unnamed, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
@@ -83,10 +83,9 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
   fs::rename(unnamed, named);
   try {
     return mesh::load_with_corners(named, unit);
-  } catch (const mesh::Error& error) {
-    const std::string words = error.what(), name = named.string();
-    if (!words.starts_with(name + ": ")) throw;
-    throw mesh::Error(kStandardInput, words.substr(name.size() + 2));
+  } catch (const Error& error) {
+    if (!std::string_view(error.what()).starts_with(named.string() + ": ")) throw;
+    throw Error(kStandardInput, std::string(error.reason()));
   }
 }
 

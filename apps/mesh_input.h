@@ -10,7 +10,7 @@
 namespace forceshade::apps {
 
 // As mesh::load_with_corners(). Standard input has no name that ends in its format; the format is the one that its text begins
-// as. Throws mesh::Error, with "standard input" for the file where it is that.
+// as. Throws Error, with "standard input" for the file where it is that.
 mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit);
 
 // mesh::check() with its progress on standard error. file: what the progress is called by.

@@ -16,8 +16,8 @@
 #include "forceshade/heights.h"
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/save.h"
-#include "rendering/subjects/height_map.h"
-#include "rendering/subjects/options.h"
+#include "subjects/height_map.h"
+#include "subjects/options.h"
 
 namespace forceshade::apps {
 namespace {
@@ -56,7 +56,7 @@ void expect_options_of(const std::string& shape, const CLI::App& command) {
   const std::string_view options = std::ranges::find(kShapeOptions, shape, &ShapeOptions::shape)->options;
   for (const char* option : {"--radius", "--across-radius", "--width", "--size", "--cells", "--height-map"})
     if (command.count(option) > 0 && options.find(option) == std::string_view::npos)
-      throw BadInput(std::string(option) + ": has no effect on the shape " + shape + "; expected " + std::string(options));
+      throw Error(std::string(option) + ": has no effect on the shape " + shape + "; expected " + std::string(options));
 }
 
 // The lowest binary32 number above which, in this column, a height map exerts no force: its surface, rounded up.
@@ -66,8 +66,7 @@ double surface_of(const fast::HeightMapField& field, double x, double y) {
   };
   float low = -9999, high = 9999;
   if (!is_free(high) || is_free(low))
-    throw BadInput("--height-map: at x = " + files::shortest(x) + " mm, y = " + files::shortest(y) +
-                   " mm no surface is found within 9999 mm");
+    throw Error("--height-map: at x = " + shortest(x) + " mm, y = " + shortest(y) + " mm no surface is found within 9999 mm");
   while (true) {
     const auto middle = static_cast<float>((static_cast<double>(low) + static_cast<double>(high)) / 2);
     if (middle == low || middle == high || high - low < 0x1p-30F) return static_cast<double>(high);
@@ -78,7 +77,7 @@ double surface_of(const fast::HeightMapField& field, double x, double y) {
 double length(const char* name, const std::string& text) {
   const float length = files::parse_length(name, text);
   if (!(length > 0 && length <= 20000))
-    throw BadInput(std::string(name) + ": expected a length above 0 and up to 20000 mm, got \"" + text + '"');
+    throw Error(std::string(name) + ": expected a length above 0 and up to 20000 mm, got \"" + text + '"');
   return static_cast<double>(length);
 }
 
@@ -90,13 +89,13 @@ mesh::TriangleMesh made(const MakeOptions& options) {
                                            : is_large              ? "50mm"
                                                                    : subjects::kUsualRadius);
   if (options.height_map.empty() && options.shape == "height-map")
-    throw BadInput("--height-map: expected a height map for the shape height-map, got none");
+    throw Error("--height-map: expected a height map for the shape height-map, got none");
   if (options.shape == "icosphere") return mesh::icosphere(options.cells, radius);
   if (options.shape == "cube") return mesh::cube(size);
   if (options.shape == "wall") return mesh::thin_wall(size, size, options.cells, options.cells);
   if (options.shape == "torus" && !(across_radius < radius))
-    throw BadInput("--across-radius: expected less than --radius, " + files::shortest(static_cast<float>(radius)) +
-                   " mm, got \"" + options.across_radius + '"');
+    throw Error("--across-radius: expected less than --radius, " + shortest(static_cast<float>(radius)) + " mm, got \"" +
+                options.across_radius + '"');
   if (options.shape == "torus") return mesh::torus(radius, across_radius, options.cells, std::max(options.cells / 2, 3U));
   if (options.shape == "bump") return mesh::bump(radius, width, size, options.cells);
   if (options.shape == "cylinder-bump") return mesh::cylinder_bump(radius, width, size, options.cells);
@@ -112,7 +111,7 @@ int make(const MakeOptions& options) {
     const bool is_solid = options.shape == "icosphere" || options.shape == "cube" || options.shape == "torus";
     write_made(options.out, made(options), is_solid ? &mesh::texture_from_box : &mesh::texture_from_above);
   } catch (const std::invalid_argument& error) {
-    throw BadInput("mesh make " + options.shape + ": " + error.what());
+    throw Error("mesh make " + options.shape + ": " + error.what());
   }
   return kHeld;
 }

@@ -2,7 +2,6 @@
 #include "apps/options.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <system_error>
 #include <utility>
@@ -11,15 +10,14 @@
 #include "apps/tell.h"
 #include "files/shell.h"
 #include "files/suggestion.h"
-#include "rendering/subjects/file.h"
+#include "subjects/file.h"
+#include "text/number_text.h"
 
 namespace forceshade::apps {
 namespace {
 
-// Without an exponent, so that 100000 is not 1e+05.
 std::string written(double value) {
-  std::array<char, 400> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr};
+  return without_exponent(value);
 }
 std::string written(std::uint64_t value) {
   return std::to_string(value);
@@ -199,8 +197,8 @@ void refuse_options_before_verbs(CLI::App& command) {
     verb->preparse_callback([&command, verb](std::size_t) {
       for (const CLI::Option* option : command.get_options())
         if (!option->empty() && option != command.get_help_ptr())
-          throw files::BadInput(option->get_name() + ": expected after '" + command.get_name() + ' ' + verb->get_name() +
-                                "' or not at all, got before it");
+          throw Error(option->get_name() + ": expected after '" + command.get_name() + ' ' + verb->get_name() +
+                      "' or not at all, got before it");
     });
     refuse_options_before_verbs(*verb);
   }
@@ -212,7 +210,7 @@ std::string repeated(const CLI::App& command) {
     const std::string& group = option->get_group();
     if (group != kSubjectGroup && group != kEvidenceGroup) continue;
     std::vector<std::string> values = option->results();
-    // What stands for the value where --timing has none is not its default.
+    // The word for a value that --timing lacks is not its default.
     if (values.empty() && group == kEvidenceGroup && option->get_expected_min() > 0 && !option->get_default_str().empty())
       values = {option->get_default_str()};
     if (values.empty()) continue;

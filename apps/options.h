@@ -68,7 +68,7 @@ CLI::Validator one_of(std::vector<std::string> words);
 // Every option of the command and of its subcommands then refuses an empty value, and one that is given twice says so.
 void refuse_empty_values(CLI::App& command);
 
-// Every verb of the command then throws BadInput where an option of the command stands before it.
+// Every verb of the command then throws Error where an option of the command stands before it.
 void refuse_options_before_verbs(CLI::App& command);
 
 // The command as it is typed to do the same again: its subject and evidence, what was given and what holds unless it is.

@@ -54,7 +54,7 @@ std::string shorten_standard_output(std::string& path) {
 }  // namespace
 
 void expect_room_for_results(const std::string& json, const std::string& junit) {
-  if (!json.empty() && json == junit) throw BadInput("--json and --junit: expected two files, got \"" + json + "\" for both");
+  if (!json.empty() && json == junit) throw Error("--json and --junit: expected two files, got \"" + json + "\" for both");
   expect_folder_of("--json", json);
   expect_folder_of("--junit", junit);
 }
@@ -64,7 +64,7 @@ bool overwrites(const CLI::App& command) {
 }
 
 void expect_new(const CLI::App& command, const std::string& option, const std::string& path) {
-  if (const std::string words = refusal(command, path); !words.empty()) throw BadInput(option + ": " + words);
+  if (const std::string words = refusal(command, path); !words.empty()) throw Error(option + ": " + words);
 }
 
 void expect_folder_of(const std::string& option, const std::string& path) {
@@ -73,7 +73,7 @@ void expect_folder_of(const std::string& option, const std::string& path) {
   if (path.empty() || files::is_written_directly(path)) return;
   const fs::path file = files::followed(path), folder = file.has_parent_path() ? file.parent_path() : ".";
   if (!fs::is_directory(folder, ignored) || ::access(folder.c_str(), W_OK | X_OK) != 0)
-    throw BadInput(option + ": expected a file in a folder that can be written to, got \"" + path + '"');
+    throw Error(option + ": expected a file in a folder that can be written to, got \"" + path + '"');
 }
 
 CLI::Option* add_output(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
@@ -109,7 +109,7 @@ void OutFolder::make_unclaimed() const {
   std::error_code ignored;
   const fs::file_status there = fs::status(path_, ignored);
   if (files::is_written_directly(path_) || (fs::exists(there) && !fs::is_directory(there)))
-    throw BadInput("--out: expected a directory, for the command writes several files, got \"" + path_ + '"');
+    throw Error("--out: expected a directory, for the command writes several files, got \"" + path_ + '"');
   make_directory("--out", path_);
 }
 
@@ -117,7 +117,7 @@ void OutFolder::claim() const {
   try {
     folder_ = std::make_unique<files::OutputFolder>(path_);  // the one before, if any, is given up last
   } catch (const files::OutputError& error) {
-    throw BadInput(std::string("--out: ") + error.what());
+    throw Error(std::string("--out: ") + error.what());
   }
 }
 
@@ -138,7 +138,7 @@ void OutFolder::expect_room_for(const std::vector<std::string>& files) const {
   for (const std::string& name : files) {
     const fs::path file = fs::path(path_) / name;
     if (const fs::file_status at = fs::symlink_status(file, ignored); fs::exists(at) && !fs::is_regular_file(at))
-      throw BadInput("--out: expected a new file or a regular one, got \"" + file.string() + '"');
+      throw Error("--out: expected a new file or a regular one, got \"" + file.string() + '"');
     expect_new(command_, "--out", file);
   }
 }

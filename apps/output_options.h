@@ -25,16 +25,16 @@ CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& w
 // --junit FILE.
 CLI::Option* add_junit(CLI::App& command, std::string& path);
 
-// Throws BadInput, naming the option, where the file is there and may not be replaced. The option was added by a function of
+// Throws Error, naming the option, where the file is there and may not be replaced. The option was added by a function of
 // this file, or the command has an OutFolder.
 void expect_new(const CLI::App& command, const std::string& option, const std::string& path);
 
-// Throws BadInput, naming the option, where no file can be made at this path, because its folder is not there or cannot be
+// Throws Error, naming the option, where no file can be made at this path, because its folder is not there or cannot be
 // written to. So a long run does not have to end before this is reported. An empty path is an option that was not given.
 void expect_folder_of(const std::string& option, const std::string& path);
 
 // The values of --json and --junit of a command: two files, each with a folder that can be written to, before a long run.
-// Throws BadInput.
+// Throws Error.
 void expect_room_for_results(const std::string& json, const std::string& junit);
 
 // True if --overwrite was given.
@@ -49,10 +49,10 @@ class OutFolder {
   // The command needs it. Not where a subcommand has an --out of its own: then make() says that it is missing.
   void require() { option_->required(); }
 
-  // The folder is there afterwards. Throws BadInput, also where another process has it.
+  // The folder is there afterwards. Throws Error, also where another process has it.
   void make() const;
 
-  // Throws BadInput where the folder cannot be made or written to, another process has it, or it has one of these files, unless
+  // Throws Error where the folder cannot be made or written to, another process has it, or it has one of these files, unless
   // it may be replaced. Only the folders that it is in are there afterwards, so that folder() can make it whole.
   void expect_room_for(const std::vector<std::string>& files) const;
 

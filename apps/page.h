@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "certificate/report/report.h"
 #include "files/printable.h"
+#include "report/report.h"
 
 namespace forceshade::apps {
 
@@ -15,7 +15,7 @@ template <class ToHtml>
 std::string page_of(const std::string& file, const ToHtml& to_html) {
   try {
     return to_html(properties::Pictures::all);
-  } catch (const properties::PlotError& error) {
+  } catch (const Error& error) {
     std::fprintf(stderr, "forceshade: %s has no pictures: %s\n", files::printable(file).c_str(), error.what());
     return to_html(properties::Pictures::none);
   }

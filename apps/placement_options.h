@@ -13,7 +13,7 @@ class PlacementOptions {
  public:
   explicit PlacementOptions(CLI::App& command);
 
-  // Throws BadInput.
+  // Throws Error.
   device::Placement placement() const;
 
  private:

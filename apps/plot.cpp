@@ -14,9 +14,6 @@
 #include "apps/output_options.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
-#include "certificate/report/mesh_picture.h"
-#include "certificate/report/pictures.h"
-#include "certificate/report/thesis_figures.h"
 #include "files/csv.h"
 #include "files/output_folder.h"
 #include "files/quantity.h"
@@ -24,6 +21,9 @@
 #include "properties/mesh_energy.h"
 #include "properties/mesh_subject.h"
 #include "rendering/meshes/placement.h"
+#include "report/mesh_picture.h"
+#include "report/pictures.h"
+#include "report/thesis_figures.h"
 
 namespace forceshade::apps {
 namespace {
@@ -59,7 +59,7 @@ struct PlotOptions {
     const properties::Range range{files::parse_length("--at", y), files::parse_length("--from", from),
                                   files::parse_length("--to", to)};
     const auto check = [](const std::string& option, float got, float low, float high) {
-      if (!(got >= low && got <= high)) throw BadInput("--" + ParameterError{option.c_str(), "mm", got, low, high}.message());
+      if (!(got >= low && got <= high)) throw Error("--" + ParameterError{option.c_str(), "mm", got, low, high}.message());
     };
     check("at", range.y, -9999, 9999);
     check("from", range.from, -9999, 9999);
@@ -81,10 +81,10 @@ struct PlannedView {
 PlannedView view_of_law(const DescribedLaw& described) {
   return {std::string(name_of(described.law)), [id = described.law, parameters = described.parameters] {
             SideView view = side_view(properties::Drawn(id, parameters));
-            view.heading = {view.name, has_bump_geometry(id) ? "R = " + files::shortest(parameters.radius) +
-                                                                   " mm, w = " + files::shortest(parameters.width) + " mm, "
+            view.heading = {view.name, has_bump_geometry(id) ? "R = " + shortest(parameters.radius) +
+                                                                   " mm, w = " + shortest(parameters.width) + " mm, "
                                                              : ""};
-            view.heading.parameters += "K = " + files::shortest(parameters.stiffness) + " N/mm";
+            view.heading.parameters += "K = " + shortest(parameters.stiffness) + " N/mm";
             return view;
           }};
 }
@@ -93,8 +93,8 @@ PlannedView view_of_height_map(const std::string& title, const DescribedHeightMa
   const std::string name = std::filesystem::path(title).stem();
   return {name, [=] {
             SideView view = side_view(built(properties::fast_rendering(its.map, its.mode, its.stiffness)), name, range);
-            view.heading = {title, std::string(name_of(its.mode)) + ", K = " + files::shortest(its.stiffness) +
-                                       " N/mm, y = " + files::shortest(range.y) + " mm"};
+            view.heading = {title, std::string(name_of(its.mode)) + ", K = " + shortest(its.stiffness) +
+                                       " N/mm, y = " + shortest(range.y) + " mm"};
             return view;
           }};
 }
@@ -117,7 +117,7 @@ void write(const Picture& picture, const std::string& stem, const files::OutputF
     try {
       std::string bytes = file(picture);
       if (!interrupted()) return bytes;
-    } catch (const properties::PlotError&) {  // a terminal's Ctrl-C ends gnuplot, too
+    } catch (const Error&) {  // a terminal's Ctrl-C ends gnuplot, too
       if (!interrupted()) throw;
     }
     throw Interrupted("not all pictures were drawn");
@@ -152,7 +152,7 @@ mesh::TriangleMesh first_tick_of(const Description& described) {
   for (const auto& [name, what, motion] : std::get<DescribedScene>(described.what).objects) {
     const auto* its = std::get_if<MeshRendering>(&what.what);
     if (its == nullptr)
-      throw BadInput(described.name + ": expected meshes alone in the picture of a scene, got the object " + name);
+      throw Error(described.name + ": expected meshes alone in the picture of a scene, got the object " + name);
     const auto before = static_cast<std::uint32_t>(all.vertices.size());
     const std::vector<mesh::Vertex> vertices = mesh::placed(its->mesh().vertices, motion.at(0));
     all.vertices.insert(all.vertices.end(), vertices.begin(), vertices.end());
@@ -167,12 +167,11 @@ struct MeshPlotOptions {
 
   // Coloured by what the shading can give to the hand.
   void draw_energy(const std::string& title, const MeshRendering& rendering, const OutFolder& out) const {
-    if (!input.empty()) throw BadInput("--input: expected without --what energy, got both");
-    if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw BadInput(title + ": " + why);
+    if (!input.empty()) throw Error("--input: expected without --what energy, got both");
+    if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw Error(title + ": " + why);
     std::vector<double> rates = properties::largest_turns(rendering).of_triangle;
     for (double& rate : rates) rate *= static_cast<double>(rendering.stiffness);
-    const std::string words =
-        "; K = " + files::shortest(rendering.stiffness) + " N/mm; mJ for each mm of path 1 mm deep, at most";
+    const std::string words = "; K = " + shortest(rendering.stiffness) + " N/mm; mJ for each mm of path 1 mm deep, at most";
     draw(title, "-energy", rendering.mesh(), {}, words, out, rates);
   }
 
@@ -181,17 +180,17 @@ struct MeshPlotOptions {
     if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(rendering.stiffness));
     std::string words;
     if (!path.empty())
-      words = "; K = " + files::shortest(rendering.stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) +
+      words = "; K = " + shortest(rendering.stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) +
               ", sides " + std::string(name_of(rendering.sides));
     const auto unfinished =
-        std::ranges::count_if(path, [](const Ticked& one) { return one.tick.status == mesh::TickStatus::unfinished; });
+        std::ranges::count_if(path, [](const Ticked& one) { return one.tick.status == Status::unfinished; });
     if (unfinished > 0) words += "; " + std::to_string(unfinished) + " of " + std::to_string(path.size()) + " ticks unfinished";
     draw(title, "-mesh", rendering.mesh(), path, words, out);
   }
 
   // A scene whose objects move, in its first tick.
   void draw(const Description& scene, const OutFolder& out) const {
-    if (!input.empty()) throw BadInput("--input: expected without objects that move, got " + scene.name);
+    if (!input.empty()) throw Error("--input: expected without objects that move, got " + scene.name);
     draw(scene.name, "-mesh", first_tick_of(scene), {}, "; the first tick", out);
   }
 
@@ -252,7 +251,7 @@ void add_plot(CLI::App& app, int&) {
   const auto turn = [&](const char* name, double& degrees, const char* help, double most) {
     of_a_mesh.push_back(add_angle(*command, name, help, {-most, most}, [&degrees](double given, const files::Angle&) {
                           degrees = given;
-                        })->default_str(files::shortest(degrees)));
+                        })->default_str(shortest(degrees)));
   };
   turn("--azimuth", mesh_options->direction.azimuth, "of the view of a mesh or scene: from -y towards +x", 360);
   turn("--elevation", mesh_options->direction.elevation, "of the view of a mesh or scene: above the plane of x and y", 90);
@@ -262,18 +261,18 @@ void add_plot(CLI::App& app, int&) {
   command->callback([subject, options, mesh_options, of_a_mesh, what_picture, out] {
     watch_for_interrupt();
     if (options->what == "thesis") {
-      if (subject->is_given()) throw BadInput("--what: expected no subject beside thesis, got one");
+      if (subject->is_given()) throw Error("--what: expected no subject beside thesis, got one");
       return draw_thesis(*out);
     }
     const std::vector<Description> all = subject->descriptions();
     if (const auto* mesh = std::get_if<MeshRendering>(&all.front().what)) {
       if (what_picture->empty()) return mesh_options->draw(all.front().name, *mesh, *out);
-      if (options->what != "energy") throw BadInput("--what: expected energy for a mesh, got \"" + options->what + "\"");
+      if (options->what != "energy") throw Error("--what: expected energy for a mesh, got \"" + options->what + "\"");
       return mesh_options->draw_energy(all.front().name, *mesh, *out);
     }
     if (std::holds_alternative<DescribedScene>(all.front().what)) return mesh_options->draw(all.front(), *out);
     for (const CLI::Option* option : of_a_mesh)
-      if (!option->empty()) throw BadInput(option->get_name() + ": expected --mesh or --scene beside it, got another subject");
+      if (!option->empty()) throw Error(option->get_name() + ": expected --mesh or --scene beside it, got another subject");
     const std::vector<Kind> kinds = options->kinds();
     std::vector<PlannedView> views;
     for (const Description& what : all) views.push_back(view_of(what, *options));

@@ -55,7 +55,8 @@ std::string fault_of_former_words(std::span<const FormerWords> former, const std
 }
 
 // The reason why the first word is no command; empty where it is one, or a flag of the program.
-std::string fault_of_first_word(const CLI::App& app, std::span<const FormerWords> former, const std::vector<std::string>& words) {
+std::string fault_of_first_word(const CLI::App& app, std::span<const FormerWords> former,
+                                const std::vector<std::string>& words) {
   if (words.empty()) return "";
   if (const std::string now = fault_of_former_words(former, words); !now.empty()) return now;
   const std::string& first = words.front();
@@ -135,8 +136,9 @@ int run(const Program& program, const std::vector<std::string>& arguments) {
   add_commands(app, program.commands, line.words, result);
   refuse_empty_values(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) refuse_options_before_verbs(*command);
-  app.footer(std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
-             of_program("\n'forceshade help COMMAND' explains a command,\n'forceshade man COMMAND | man -l -' shows its page."));
+  app.footer(
+      std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
+      of_program("\n'forceshade help COMMAND' explains a command,\n'forceshade man COMMAND | man -l -' shows its page."));
   if (const std::string fault = fault_of_first_word(app, program.former, line.words); !fault.empty()) {
     tell(fault);
     return kBadInput;
@@ -156,7 +158,7 @@ int run(const Program& program, const std::vector<std::string>& arguments) {
     const std::string undone = error.what(), unsaid = Interrupted().what();
     tell("interrupted" + (undone == unsaid ? "" : ": " + undone));
     return kInterrupted;
-  } catch (const BadInput& error) {
+  } catch (const Error& error) {
     std::cerr << program_name() << ": ";
     print_lines(error.has_lines() ? error.what() : files::printable(line.placed(error.what())));
     return kBadInput;

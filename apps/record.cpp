@@ -12,11 +12,11 @@
 #include "apps/signals.h"
 #include "apps/subject_option.h"
 #include "apps/tell.h"
-#include "device/run/words.h"
 #include "files/printable.h"
 #include "forceshade/checks.h"
 #include "forceshade/recording.h"
 #include "properties/binary32.h"
+#include "run/words.h"
 
 namespace forceshade::apps {
 namespace {
@@ -80,8 +80,8 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
   for (const auto& [key, expected] : run::metadata_of(subject->identity())) {
     const auto found = recording.metadata().find(key);
     if (found == recording.metadata().end() || found->second != expected)
-      throw BadInput(options.file + ": " + key + " is " +
-                     (found == recording.metadata().end() ? "not recorded" : found->second) + "; expected " + expected);
+      throw Error(options.file + ": " + key + " is " + (found == recording.metadata().end() ? "not recorded" : found->second) +
+                  "; expected " + expected);
   }
   const std::vector<std::string> problems = problems_of(recording);
   for (const std::string& problem : problems) tell(problem);
@@ -104,8 +104,8 @@ int recompute(const RecordOptions& options, const SubjectOption& subject_option)
       const reference::Rounded exact = reference->step({x, y, z});
       const auto& [fx, fy, fz] = sample.law_force;
       const bool is_same =
-          static_cast<std::uint8_t>(exact.status) == sample.status && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all();
-      contacts += exact.status == Status::contact ? 1 : 0;
+          finished(exact.status) == finished(sample.law_status()) && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all();
+      contacts += finished(exact.status) == Status::contact ? 1 : 0;
       if (is_same || ++differences > kListed) continue;
       tell("tick " + std::to_string(sample.tick) + ": recorded " + properties::show(Eigen::Vector3f(fx, fy, fz)) +
            " N, expected " + properties::show(exact.force) + " N");

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "rendering/subjects/file.h"
+#include "subjects/file.h"
 
 namespace forceshade::apps {
 namespace {
@@ -38,11 +38,10 @@ ExpandedLine expand_subject_files(const std::vector<std::string>& words) {
       line.words.push_back(words[i]);
       continue;
     }
-    if (is_expanded) throw files::BadInput("--subject: expected once, got several times");
+    if (is_expanded) throw Error("--subject: expected once, got several times");
     is_expanded = true;
     const std::string file = has_value ? words[i].substr(kOption.size() + 1) : i + 1 < words.size() ? words[++i] : "";
-    if (file.empty() || (!has_value && file.starts_with("-")))
-      throw files::BadInput("--subject: expected a file after it, got none");
+    if (file.empty() || (!has_value && file.starts_with("-"))) throw Error("--subject: expected a file after it, got none");
     append(file, line);
   }
   return line;

@@ -18,7 +18,7 @@ struct ExpandedLine {
   std::string placed(const std::string& message) const;
 };
 
-// Throws BadInput as subjects::options_of_file() does, and where several files are named, or none.
+// Throws Error as subjects::options_of_file() does, and where several files are named, or none.
 ExpandedLine expand_subject_files(const std::vector<std::string>& words);
 
 }  // namespace forceshade::apps

@@ -2,7 +2,7 @@
 #pragma once
 // The subject of a command: --law with its parameters, --height-map SPEC, --mesh FILE or --scene FILE, or --subject with a file
 // that has these options. Commands that need no more than a subject do not distinguish them. What the options mean is for
-// rendering/subjects/read.h to say.
+// subjects/read.h to say.
 
 #include <map>
 #include <memory>
@@ -12,7 +12,7 @@
 #include "apps/command.h"
 #include "forceshade/properties.h"
 #include "forceshade/renderer.h"
-#include "rendering/subjects/read.h"
+#include "subjects/read.h"
 
 namespace forceshade::apps {
 
@@ -27,7 +27,7 @@ class SubjectOption {
   // Those that were given. Throws CLI::RequiredError where none is.
   subjects::Options options() const;
 
-  // One, or all laws. The check of a mesh or scene draws its progress. Throws BadInput, naming the option or file, the line,
+  // One, or all laws. The check of a mesh or scene draws its progress. Throws Error, naming the option or file, the line,
   // the value and what was expected; and Interrupted.
   std::vector<Description> descriptions() const;
   Description description() const { return std::move(descriptions().front()); }
@@ -58,7 +58,7 @@ class BumpOptions {
   // From then on they are refused beside this option.
   void allow_instead(CLI::Option* other);
 
-  // With a stiffness of 1 N/mm, which the geometry does not need. Throws BadInput.
+  // With a stiffness of 1 N/mm, which the geometry does not need. Throws Error.
   Parameters bump() const;
 
  private:

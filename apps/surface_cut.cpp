@@ -57,7 +57,7 @@ Section cut_field(fast::Session& session, const Region& region, double y) {
   for (int i = 0; i <= kColumns; ++i) {
     Column column{x_of_column(region, i), {}};
     const auto is_inside = [&](double z) {
-      return session.step({static_cast<float>(column.x), static_cast<float>(y), static_cast<float>(z)}).status ==
+      return finished(session.step({static_cast<float>(column.x), static_cast<float>(y), static_cast<float>(z)}).status) ==
              Status::contact;
     };
     bool was_inside = is_inside(region.top);

@@ -9,7 +9,7 @@ namespace forceshade::apps {
 namespace {
 
 std::string milliseconds(double ms) {
-  return files::shortest(std::round(10 * ms) / 10) + " ms";
+  return shortest(std::round(10 * ms) / 10) + " ms";
 }
 
 std::string cause_and_help(const device::ServoResult& run) {
@@ -34,7 +34,7 @@ std::string words_of_trip(const device::ServoResult& run) {
   const std::string rule(name_of(run.trip->rule));
   if (run.trip->rule != device::Rule::watchdog && run.trip->rule != device::Rule::missed_deadlines) return rule;
   return rule + ": tick " + std::to_string(run.worst_delay.tick) + " began " + milliseconds(run.worst_delay.late_ms) +
-         " after it was due, and --watchdog-timeout " + files::shortest(run.watchdog_timeout) + " allows " +
+         " after it was due, and --watchdog-timeout " + shortest(run.watchdog_timeout) + " allows " +
          milliseconds(1e3 * run.watchdog_timeout) + ": " + cause_and_help(run);
 }
 

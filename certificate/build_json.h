@@ -11,10 +11,10 @@ namespace forceshade::properties {
 
 nlohmann::ordered_json build_json(const Build& build);
 
-// Throws JsonError.
+// Throws Error.
 Build build_from(Fields fields);
 
-// The member is a SHA-256 of 64 hex digits. Throws JsonError.
+// The member is a SHA-256 of 64 hex digits. Throws Error.
 std::string digest_from(Fields& fields, const char* key);
 
 }  // namespace forceshade::properties

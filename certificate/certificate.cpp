@@ -10,7 +10,7 @@
 #include "certificate/certificate_text.h"
 #include "rendering/breakdown.h"
 #include "rendering/identity/identity_json.h"
-#include "rendering/number_text.h"
+#include "text/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -93,8 +93,8 @@ Json sweeps_json(const Sweeps& sweeps) {
 // JSON has no infinity and no NaN: written, they would be null.
 void refuse_what_is_not_finite(const Json& json, const std::string& place) {
   if (json.is_number_float() && !std::isfinite(json.get<double>()))
-    throw CertificateError("no certificate can be written: " + place + " is " + digits(json.get<double>(), 6) +
-                           "; expected a finite number");
+    throw Error("no certificate can be written: " + place + " is " + digits(json.get<double>(), 6) +
+                "; expected a finite number");
   if (!json.is_structured()) return;
   for (const auto& member : json.items())
     refuse_what_is_not_finite(member.value(), json.is_array() ? place + '[' + member.key() + ']'

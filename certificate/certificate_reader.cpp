@@ -41,7 +41,7 @@ Parameters parameters_from(LawId law, Fields fields) {
   }
   p.stiffness = fields.binary32("stiffness_N_per_mm");
   const auto built = fast::Law::build(law, p);
-  if (const auto* error = std::get_if<ParameterError>(&built)) throw JsonError(error->message());
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw Error(error->message());
   fields.end();
   return p;
 }
@@ -49,7 +49,7 @@ Parameters parameters_from(LawId law, Fields fields) {
 LawId law_id_from(Fields& fields, const char* key) {
   const std::string name = fields.text(key);
   if (const auto id = law_named(name)) return *id;
-  throw JsonError("unknown law \"" + name + "\"");
+  throw Error("unknown law \"" + name + "\"");
 }
 
 // Each of `names` is counted, nothing else is, and the counts are those of all points.
@@ -180,11 +180,11 @@ IdentityParameters any_parameters_from(Fields fields) {
 IdentityParameters map_parameters_from(Fields fields) {
   const std::string word = fields.text("rendering");
   const auto is_it = [&](const height::ModeName& one) { return one.name == word; };
-  if (std::none_of(height::kModes.begin(), height::kModes.end(), is_it)) throw JsonError("unknown rendering \"" + word + "\"");
+  if (std::none_of(height::kModes.begin(), height::kModes.end(), is_it)) throw Error("unknown rendering \"" + word + "\"");
   // The domain of a stiffness is the same for every law and map.
   const float stiffness = fields.binary32("stiffness_N_per_mm");
   const auto wall = fast::Law::build(LawId::wall, {.stiffness = stiffness});
-  if (const auto* error = std::get_if<ParameterError>(&wall)) throw JsonError(error->message());
+  if (const auto* error = std::get_if<ParameterError>(&wall)) throw Error(error->message());
   fields.end();
   return {{"rendering", word}, {"stiffness_N_per_mm", stiffness}};
 }
@@ -245,7 +245,7 @@ SweepResult sweep_from(Fields& fields) {
   const Parameters parameters = parameters_from(law, fields.object("parameters"));
   const std::string word = fields.text("kind");
   const auto kind = std::find(kSweepKinds.begin(), kSweepKinds.end(), word);
-  if (kind == kSweepKinds.end()) throw JsonError("unknown kind of sweep \"" + word + "\"");
+  if (kind == kSweepKinds.end()) throw Error("unknown kind of sweep \"" + word + "\"");
   SweepResult result{{law, parameters, static_cast<SweepKind>(kind - kSweepKinds.begin()), fields.binary32("at_mm")},
                      fields.count("inputs"),
                      fields.count("mismatches")};
@@ -267,8 +267,8 @@ Sweeps sweeps_from(Fields fields) {
   sweeps.next = units.count("next");
   if (!(sweeps.first <= sweeps.next && sweeps.next <= sweeps.end && sweeps.end <= sweeps.units()) ||
       units.count("of") != sweeps.units())
-    throw JsonError("units: expected first <= next <= end <= of = " + std::to_string(sweeps.units()) + ", got " +
-                    fields.any("units").dump());
+    throw Error("units: expected first <= next <= end <= of = " + std::to_string(sweeps.units()) + ", got " +
+                fields.any("units").dump());
   units.end();
   sweeps.seconds = fields.number("seconds");
   fields.expect("seconds", sweeps.seconds >= 0, "0 or more");
@@ -306,8 +306,8 @@ std::string date_from(Fields& fields) {
 Certificate certificate_from(Fields fields) {
   const std::uint64_t schema = fields.count("schema");
   if (schema < kOldestCertificateSchema || schema > kCertificateSchema)
-    throw JsonError("schema is " + std::to_string(schema) + "; expected " + std::to_string(kOldestCertificateSchema) + " or " +
-                    std::to_string(kCertificateSchema) + ": certify again");
+    throw Error("schema is " + std::to_string(schema) + "; expected " + std::to_string(kOldestCertificateSchema) + " or " +
+                std::to_string(kCertificateSchema) + ": certify again");
   for (const auto& [key, words] : {std::pair{"statement", kStatement}, {"method", kMethod}}) {
     const std::string text = fields.text(key);
     fields.expect(key, text == words, "the words of schema " + std::to_string(schema));
@@ -336,17 +336,17 @@ Certificate from_json(const std::string& text, const std::string& file) {
   try {
     const nlohmann::json json = json_from(text);
     return certificate_from({json, ""});
-  } catch (const JsonError& error) {
-    throw CertificateError(file + ": expected a forceshade certificate (schema " + std::to_string(kOldestCertificateSchema) +
-                           " or " + std::to_string(kCertificateSchema) + "): " + error.what());
+  } catch (const Error& error) {
+    throw Error(file + ": expected a forceshade certificate (schema " + std::to_string(kOldestCertificateSchema) + " or " +
+                std::to_string(kCertificateSchema) + "): " + error.what());
   }
 }
 
 std::string read_certificate(const std::string& file) {
   try {
     return text_of_json_file(file, "a certificate");
-  } catch (const JsonError& error) {
-    throw CertificateError(file + ": " + error.what());
+  } catch (const Error& error) {
+    throw Error(file + ": " + error.what());
   }
 }
 

@@ -37,9 +37,9 @@ class Chunk {
       exact_.push_back(rounded(*reference, answer, i));
       const reference::Rounded& exact = exact_.back();
       ++tally.methods[static_cast<std::size_t>(exact.method)];
-      ++tally.statuses[static_cast<std::size_t>(exact.status)];
+      ++tally.statuses[static_cast<std::size_t>(finished(exact.status))];
       const Eigen::Vector3f& at = aimed.position;
-      if (exact.status == Status::contact && exact.ulps_from_tie > 0)
+      if (finished(exact.status) == Status::contact && exact.ulps_from_tie > 0)
         tally.call({at.x(), at.y(), at.z(), static_cast<double>(exact.ulps_from_tie)});
       if (const auto what = exception_of(*session)) fault(i, RendererThrew(at, *what).what());
       if (auto words = difference(at, {answer.force, answer.status}, exact)) fault(i, explained(subject, answer, *words));

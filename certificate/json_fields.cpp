@@ -27,27 +27,27 @@ std::string shown(const nlohmann::json& value) {
 
 nlohmann::json json_from(std::string_view text) {
   if (text.size() > kLargestJson)
-    throw JsonError(std::to_string(text.size()) + " bytes; expected at most " + std::to_string(kLargestJson));
+    throw Error(std::to_string(text.size()) + " bytes; expected at most " + std::to_string(kLargestJson));
   std::vector<std::set<std::string>> keys;
   const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& value) {
-    if (depth > kDeepestJson) throw JsonError("more than " + std::to_string(kDeepestJson) + " levels of objects and arrays");
+    if (depth > kDeepestJson) throw Error("more than " + std::to_string(kDeepestJson) + " levels of objects and arrays");
     if (event == nlohmann::json::parse_event_t::object_start) keys.emplace_back();
     if (event == nlohmann::json::parse_event_t::object_end) keys.pop_back();
     if (event == nlohmann::json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
-      throw JsonError("the key " + shown(value) + " stands twice in one object");
+      throw Error("the key " + shown(value) + " stands twice in one object");
     return true;
   };
   try {
     return nlohmann::json::parse(text, check);
   } catch (const nlohmann::json::parse_error& error) {
-    throw JsonError(files::json_fault(text, error.byte));
+    throw Error(files::json_fault(text, error.byte));
   } catch (const nlohmann::json::exception&) {
-    throw JsonError("expected numbers that binary64 can hold, got a larger one");
+    throw Error("expected numbers that binary64 can hold, got a larger one");
   }
 }
 
 std::string text_of_json_file(const std::string& file, const std::string& expected) {
-  const auto refuse = [](const std::string& why) { throw JsonError("cannot be read: " + why); };
+  const auto refuse = [](const std::string& why) { throw Error("cannot be read: " + why); };
   if (files::is_named_pipe(file)) refuse("it is a named pipe; expected " + expected);
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
@@ -62,16 +62,16 @@ std::string text_of_json_file(const std::string& file, const std::string& expect
 }
 
 Fields::Fields(const nlohmann::json& object, std::string path) : json_(&object), path_(std::move(path)) {
-  if (!object.is_object()) throw JsonError((path_.empty() ? "it" : path_) + " is " + shown(object) + "; expected an object");
+  if (!object.is_object()) throw Error((path_.empty() ? "it" : path_) + " is " + shown(object) + "; expected an object");
 }
 
 void Fields::refuse(const std::string& key, const nlohmann::json& value, const std::string& expected) const {
-  throw JsonError(place(key) + " is " + shown(value) + "; expected " + expected);
+  throw Error(place(key) + " is " + shown(value) + "; expected " + expected);
 }
 
 const nlohmann::json& Fields::any(const char* key) {
   const auto found = json_->find(key);
-  if (found == json_->end()) throw JsonError(place(key) + " is missing");
+  if (found == json_->end()) throw Error(place(key) + " is missing");
   read_.insert(key);
   return *found;
 }
@@ -166,13 +166,13 @@ std::array<double, 2> Fields::interval(const char* key) {
     if (!ends[i].is_number() || !std::isfinite(ends[i].get<double>()))
       refuse(key + ('[' + std::to_string(i) + ']'), ends[i], "a finite number");
   const std::array<double, 2> values{ends[0].get<double>(), ends[1].get<double>()};
-  if (!(values[0] <= values[1])) throw JsonError(place(key) + " is " + ends.dump() + "; expected " + kExpected);
+  if (!(values[0] <= values[1])) throw Error(place(key) + " is " + ends.dump() + "; expected " + kExpected);
   return values;
 }
 
 void Fields::end() const {
   for (const auto& member : json_->items())
-    if (!read_.contains(member.key())) throw JsonError(place(shown(member.key())) + " is no key of a certificate");
+    if (!read_.contains(member.key())) throw Error(place(shown(member.key())) + " is no key of a certificate");
 }
 
 }  // namespace forceshade::properties

@@ -8,28 +8,26 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace forceshade::properties {
+#include "forceshade/error.h"
 
-// Names the place, the value and what was expected: "laws[0].points is 0.5; expected a whole number from 0 to 2^64 - 1".
-struct JsonError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+namespace forceshade::properties {
 
 inline constexpr std::size_t kLargestJson = 16U << 20;  // bytes: ten times the largest certificate
 inline constexpr int kDeepestJson = 16;                 // levels of objects and arrays; a certificate has six
 
-// Throws JsonError where the text is no JSON, is larger or deeper than that, or has a key twice in one object.
+// Throws Error where the text is no JSON, is larger or deeper than that, or has a key twice in one object. An Error of this
+// header names no file, but the place, the value and what was expected: "laws[0].points is 0.5; expected a whole number from 0
+// to 2^64 - 1".
 nlohmann::json json_from(std::string_view text);
 
-// The bytes of a file, at most so many. expected: "a certificate", for a file that is empty. Throws JsonError.
+// The bytes of a file, at most so many. expected: "a certificate", for a file that is empty. Throws Error.
 std::string text_of_json_file(const std::string& file, const std::string& expected);
 
-// The members of one object, each read once by its key. The getters throw JsonError where a member is missing or is not what
+// The members of one object, each read once by its key. The getters throw Error where a member is missing or is not what
 // its getter gives.
 class Fields {
  public:

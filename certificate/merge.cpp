@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <functional>
 #include <iterator>
 
 #include "forceshade/certify.h"
@@ -84,7 +83,7 @@ std::vector<SubjectResult> joined_subjects(const std::vector<CertificateFile>& f
         continue;
       }
       if (const std::string expected = contradiction(found->subject, subject); !expected.empty())
-        throw CertificateError(name + ": " + subject.name() + ": expected " + expected + "; " + found->file + " has it");
+        throw Error(name + ": " + subject.name() + ": expected " + expected + "; " + found->file + " has it");
       add(found->subject, subject);
     }
   std::vector<SubjectResult> subjects;
@@ -98,8 +97,8 @@ Sweeps sweeps_of(const std::vector<CertificateFile>& files) {
   for (const CertificateFile& file : files) {
     const Sweeps& sweeps = file.certificate.sweeps;
     if (sweeps.results.empty()) continue;
-    if (found != nullptr) throw CertificateError(file.name + ": expected no sweeps; " + found->name + " has them");
-    if (!sweeps.is_whole()) throw CertificateError(file.name + ": expected whole sweeps, got a part of them");
+    if (found != nullptr) throw Error(file.name + ": expected no sweeps; " + found->name + " has them");
+    if (!sweeps.is_whole()) throw Error(file.name + ": expected whole sweeps, got a part of them");
     found = &file;
   }
   return found == nullptr ? Sweeps{} : found->certificate.sweeps;
@@ -108,15 +107,14 @@ Sweeps sweeps_of(const std::vector<CertificateFile>& files) {
 }  // namespace
 
 Certificate merged(std::vector<CertificateFile> files) {
-  if (files.empty()) throw CertificateError("expected at least one certificate");
+  if (files.empty()) throw Error("expected at least one certificate");
   const CertificateFile first = files.front();
   for (const CertificateFile& file : files)
     if (!(file.certificate.build == first.certificate.build))
-      throw CertificateError(file.name + ": expected the build of " + first.name + " (digest " +
-                             first.certificate.build.library_digest + ", " + first.certificate.build.instruction_set +
-                             "), got another (" + file.certificate.build.library_digest + ", " +
-                             file.certificate.build.instruction_set + ")");
-  if (files.size() < 2) throw CertificateError(first.name + ": expected another certificate to join it to");
+      throw Error(file.name + ": expected the build of " + first.name + " (digest " + first.certificate.build.library_digest +
+                  ", " + first.certificate.build.instruction_set + "), got another (" + file.certificate.build.library_digest +
+                  ", " + file.certificate.build.instruction_set + ")");
+  if (files.size() < 2) throw Error(first.name + ": expected another certificate to join it to");
   Certificate result = first.certificate;
   result.subjects = joined_subjects(files);
   result.sweeps = sweeps_of(files);

@@ -32,7 +32,7 @@ SweepPlan sweeps_from(Fields fields) {
   SweepPlan plan{{}, {}, {}};
   for (const std::string& name : fields.texts("laws")) {
     const auto law = law_named(name);
-    if (!law) throw JsonError("unknown law \"" + name + "\"");
+    if (!law) throw Error("unknown law \"" + name + "\"");
     plan.laws.push_back(*law);
   }
   plan.parameters = {fields.binary32("radius_mm"), fields.binary32("width_mm"), fields.binary32("stiffness_N_per_mm")};
@@ -97,9 +97,8 @@ Plan plan_from_json(const std::string& text, const std::string& file) {
       read_points(fields, plan);
     fields.end();
     return plan;
-  } catch (const JsonError& error) {
-    throw CertificateError(file + ": expected a plan of forceshade certify (schema " + std::to_string(kPlanSchema) +
-                           "): " + error.what());
+  } catch (const Error& error) {
+    throw Error(file + ": expected a plan of forceshade certify (schema " + std::to_string(kPlanSchema) + "): " + error.what());
   }
 }
 

@@ -26,7 +26,7 @@ struct Plan {
 
 std::string to_json(const Plan& plan);
 
-// Throws CertificateError, naming the file, the key, its value and what was expected.
+// Throws Error, naming the file, the key, its value and what was expected.
 Plan plan_from_json(const std::string& text, const std::string& file);
 
 // One line that is the same for the same subject.

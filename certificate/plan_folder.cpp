@@ -76,10 +76,10 @@ void touch(const fs::path& path) {
 }  // namespace
 
 void PlanFolder::create(const fs::path& path, const std::string& plan) {
-  if (fs::exists(path / kPlan)) throw CertificateError((path / kPlan).string() + ": is there already; expected a new folder");
+  if (fs::exists(path / kPlan)) throw Error((path / kPlan).string() + ": is there already; expected a new folder");
   for (const char* folder : {kResults, kClaims, kRuns}) make_folder(path / folder);
   if (files::write_once(path / kPlan, plan) == files::Written::differs)
-    throw CertificateError((path / kPlan).string() + ": another plan came first; expected a new folder");
+    throw Error((path / kPlan).string() + ": another plan came first; expected a new folder");
 }
 
 fs::path PlanFolder::result_file(std::uint64_t unit) const {
@@ -127,7 +127,7 @@ std::string PlanFolder::kept(std::uint64_t unit) const {
   const std::size_t line = whole.find('\n');
   std::string text = whole.substr(0, line);
   if (line == std::string::npos || with_sum(text) != whole)
-    throw CertificateError(file.string() + ": is damaged, its sum is not that of its bytes; remove it and do the unit again");
+    throw Error(file.string() + ": is damaged, its sum is not that of its bytes; remove it and do the unit again");
   return text;
 }
 

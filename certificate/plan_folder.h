@@ -29,7 +29,7 @@ class PlanFolder {
  public:
   PlanFolder(std::filesystem::path path, std::uint64_t units) : path_(std::move(path)), units_(units) {}
 
-  // Makes the folders and, last, the plan's file. Throws files::OutputError, and CertificateError where there is a plan.
+  // Makes the folders and, last, the plan's file. Throws files::OutputError, and Error where there is a plan.
   static void create(const std::filesystem::path& path, const std::string& plan);
 
   const std::filesystem::path& path() const { return path_; }
@@ -48,7 +48,7 @@ class PlanFolder {
   // that differs is kept beside it. Returns whether that was so. Throws files::OutputError.
   [[nodiscard]] bool keep(std::uint64_t unit, const std::string& text) const;
 
-  // The text that was kept. Throws CertificateError where the file is damaged.
+  // The text that was kept. Throws Error where the file is damaged.
   std::string kept(std::uint64_t unit) const;
 
   // The units that are taken, by one listing.

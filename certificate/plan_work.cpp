@@ -20,14 +20,13 @@
 #include "files/printable.h"
 #include "forceshade/certify.h"
 #include "rendering/identity/digest.h"
-#include "rendering/subjects/read.h"
+#include "subjects/read.h"
 #include "system/system.h"
 
 namespace forceshade::properties {
 namespace {
 
 namespace fs = std::filesystem;
-using files::BadInput;
 
 constexpr std::size_t kMostRanges = 10;
 constexpr double kSecondsBetweenNotes = 10;
@@ -44,7 +43,7 @@ struct OpenedPlan {
   Units units() const { return {work().items(), plan.parts_of_a_unit}; }
 };
 
-// Throws BadInput, also where a subject is no longer the one that was planned.
+// Throws Error, also where a subject is no longer the one that was planned.
 OpenedPlan built(Plan plan, const std::string& digest, const std::atomic<bool>& stop) {
   OpenedPlan opened{std::move(plan), digest};
   const Plan& its = opened.plan;
@@ -61,8 +60,8 @@ OpenedPlan built(Plan plan, const std::string& digest, const std::atomic<bool>& 
   for (std::size_t i = 0; i < opened.what.subjects.size() && !its.identities.empty(); ++i) {
     const std::string line = identity_line(opened.what.subjects[i]->identity());
     if (i >= its.identities.size() || its.identities[i] != line)
-      throw BadInput("the subject is no longer the one that was planned: expected " +
-                     (i < its.identities.size() ? its.identities[i] : "none") + ", got " + line);
+      throw Error("the subject is no longer the one that was planned: expected " +
+                  (i < its.identities.size() ? its.identities[i] : "none") + ", got " + line);
   }
   return opened;
 }
@@ -73,7 +72,7 @@ OpenedPlan opened(const std::string& folder, bool works, const std::atomic<bool>
   Plan plan = plan_from_json(text, file);
   Build here = current_build();
   if (!works) here.instruction_set = plan.build.instruction_set;
-  if (const std::string why = refusal_of_build(plan, here); !why.empty()) throw BadInput(file + ": " + why);
+  if (const std::string why = refusal_of_build(plan, here); !why.empty()) throw Error(file + ": " + why);
   return built(std::move(plan), digest_of_text(text), stop);
 }
 
@@ -193,7 +192,7 @@ PlanState make_plan(const std::string& folder, const PlanRequest& request, const
     for (const auto& each : all) opened.plan.identities.push_back(identity_line(each->identity()));
   }
   const std::vector<Item> items = opened.work().items();
-  if (items.empty()) throw BadInput("--exhaustive: expected a kind of sweep that the law has, got none of them");
+  if (items.empty()) throw Error("--exhaustive: expected a kind of sweep that the law has, got none of them");
   opened.plan.parts_of_a_unit = parts_for_units(items, request.units);
   const std::string text = to_json(opened.plan);
   PlanFolder::create(folder, text);
@@ -207,7 +206,7 @@ PlanState state_of_plan(const std::string& folder, const std::atomic<bool>& stop
 }
 
 Worked work_on_plan(const std::string& path, const PlanWorker& worker, const std::atomic<bool>& stop) {
-  if (const char* fault = fast::arithmetic_fault()) throw BadInput(std::string("nothing can be certified: ") + fault);
+  if (const char* fault = fast::arithmetic_fault()) throw Error(std::string("nothing can be certified: ") + fault);
   const OpenedPlan plan = opened(path, true, stop);
   const Units units = plan.units();
   const PlanFolder folder(path, units.count());

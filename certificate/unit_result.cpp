@@ -42,7 +42,7 @@ Json found_json(ItemKind kind, const Found& found) {
   Json loops = Json::array();
   for (const LoopEnergy& e : found.energies.loops) {
     if (!std::isfinite(e.depth_mm + e.bound_mJ[0] + e.bound_mJ[1] + e.witness_mJ + e.measured_mJ))
-      throw CertificateError("no result can be written: an energy per loop is no finite number");
+      throw Error("no result can be written: an energy per loop is no finite number");
     loops.push_back(
         {{"depth_mm", e.depth_mm}, {"bound_mJ", e.bound_mJ}, {"witness_mJ", e.witness_mJ}, {"measured_mJ", e.measured_mJ}});
   }
@@ -133,8 +133,8 @@ Found unit_from_text(const std::string& text, const std::string& plan, std::uint
     Found found = found_from(item.kind, fields);
     fields.end();
     return found;
-  } catch (const JsonError& error) {
-    throw CertificateError(file + ": expected the result of a unit of this plan: " + error.what());
+  } catch (const Error& error) {
+    throw Error(file + ": expected the result of a unit of this plan: " + error.what());
   }
 }
 

@@ -9,11 +9,11 @@
 
 namespace forceshade::properties {
 
-// plan: the digest of the plan that the unit is of. One line of JSON, without its end. Throws CertificateError where an energy
+// plan: the digest of the plan that the unit is of. One line of JSON, without its end. Throws Error where an energy
 // is not finite.
 std::string text_of_unit(const std::string& plan, std::uint64_t number, const Units& units, const Found& found);
 
-// Throws CertificateError, naming the file, where the text is of another plan or unit, or is no such text.
+// Throws Error, naming the file, where the text is of another plan or unit, or is no such text.
 Found unit_from_text(const std::string& text, const std::string& plan, std::uint64_t number, const Units& units,
                      const std::string& file);
 

@@ -65,6 +65,8 @@ if(CMAKE_CROSSCOMPILING)
   find_path(FORCESHADE_BOOST boost/multiprecision/cpp_int.hpp REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include)
   set(FORCESHADE_HEADERS ${PROJECT_BINARY_DIR}/headers)
   file(MAKE_DIRECTORY ${FORCESHADE_HEADERS})
+  # Boost's assertions name their headers: the library has the same bytes wherever it is built.
+  add_compile_options(-ffile-prefix-map=${FORCESHADE_HEADERS}=headers)
   file(CREATE_LINK ${FORCESHADE_BOOST}/boost ${FORCESHADE_HEADERS}/boost SYMBOLIC)
   find_path(FORCESHADE_EIGEN Eigen3Config.cmake REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/share/eigen3/cmake)
   set(Eigen3_DIR ${FORCESHADE_EIGEN})

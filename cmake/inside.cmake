@@ -1,5 +1,5 @@
 # Inside another project: the names that an installed package gives its libraries (cmake/install.cmake).
-foreach(library IN ITEMS system files heights meshes subjects identity renderer certificate recorder run reference properties certify)
+foreach(library IN ITEMS system files toml heights meshes subjects identity renderer certificate recorder run reference properties certify)
   if(TARGET forceshade_${library} AND NOT TARGET forceshade::${library})
     add_library(forceshade::${library} ALIAS forceshade_${library})
   endif()

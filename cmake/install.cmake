@@ -26,11 +26,11 @@ if(FORCESHADE_EXACT_SIDE)
   install(TARGETS forceshade_reference_c EXPORT forceshade_reference-c_targets LIBRARY COMPONENT libforceshade-reference0
           NAMELINK_COMPONENT libforceshade-dev)
   install(FILES include/forceshade.h include/forceshade_reference.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(PROGRAMS device/stand_ins/forceshade-standin DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT forceshade)
-  install(FILES device/stand_ins/forceshade-standin.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT forceshade)
-  install(DIRECTORY device/stand_ins/haply DESTINATION ${CMAKE_INSTALL_DATADIR}/forceshade/stand_ins COMPONENT forceshade
+  install(PROGRAMS tests/stand_ins/forceshade-standin DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT forceshade)
+  install(FILES tests/stand_ins/forceshade-standin.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT forceshade)
+  install(DIRECTORY tests/stand_ins/haply DESTINATION ${CMAKE_INSTALL_DATADIR}/forceshade/stand_ins COMPONENT forceshade
           PATTERN __pycache__ EXCLUDE)
-  install(DIRECTORY device/stand_ins/dhd DESTINATION ${CMAKE_INSTALL_DATADIR}/forceshade/stand_ins COMPONENT forceshade
+  install(DIRECTORY tests/stand_ins/dhd DESTINATION ${CMAKE_INSTALL_DATADIR}/forceshade/stand_ins COMPONENT forceshade
           FILES_MATCHING PATTERN *.py)
   install(TARGETS stand_in_dhd LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/forceshade COMPONENT forceshade NAMELINK_SKIP)
   set(made ${PROJECT_BINARY_DIR}/apps/documentation)
@@ -47,7 +47,7 @@ if(FORCESHADE_EXACT_SIDE)
   # A library that needs more than Eigen is a component of its own: find_package(forceshade COMPONENTS c reference-c heights
   # meshes subjects run properties).
   # Each component's libraries, and the components that it links.
-  set(libraries_of_heights heights)
+  set(libraries_of_heights toml heights)
   set(libraries_of_meshes meshes)
   set(libraries_of_subjects subjects)
   set(libraries_of_run identity renderer certificate recorder run)
@@ -65,15 +65,15 @@ if(FORCESHADE_EXACT_SIDE)
   add_library(forceshade_kit INTERFACE)
   target_include_directories(forceshade_kit INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/forceshade/kit>)
   target_link_libraries(forceshade_kit INTERFACE forceshade_program forceshade_report forceshade_window CLI11::CLI11
-                        nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus)
+                        nlohmann_json::nlohmann_json forceshade_toml)
   foreach(library IN ITEMS kit command_parts program report window)
     set_target_properties(forceshade_${library} PROPERTIES EXPORT_NAME ${library})
     install(TARGETS forceshade_${library} EXPORT forceshade_kit_targets COMPONENT kit)
   endforeach()
   install(EXPORT forceshade_kit_targets NAMESPACE forceshade:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade COMPONENT kit)
-  install(DIRECTORY apps certificate device files properties recorder rendering system window
+  install(DIRECTORY apps certificate device files properties rendering report run subjects system text window
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/forceshade/kit COMPONENT kit
-          FILES_MATCHING PATTERN *.h PATTERN *.inc PATTERN stand_ins EXCLUDE)
+          FILES_MATCHING PATTERN *.h PATTERN *.inc)
 endif()
 foreach(set IN LISTS export_sets)
   install(EXPORT ${set} NAMESPACE forceshade:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/forceshade)
@@ -101,7 +101,7 @@ if(FORCESHADE_EXACT_SIDE)
   install_pc(forceshade-reference DESCRIPTION "Exact forces, property tests and certificates, for C and other languages"
              REQUIRES "forceshade-c" LIBRARIES "-lforceshade-reference")
   install_pc(forceshade-heights DESCRIPTION "Height maps from TOML, image and array files"
-             REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights")
+             REQUIRES "forceshade, libpng, libtiff-4, tomlplusplus" LIBRARIES "-lforceshade_heights -lforceshade_toml")
   install_pc(forceshade-meshes DESCRIPTION "Triangle meshes from files, checked and repaired"
              REQUIRES "forceshade" LIBRARIES "-lforceshade_meshes -pthread")
   set(run_libraries "-lforceshade_run -lforceshade_recorder -lforceshade_certificate -lforceshade_renderer -lforceshade_identity")

@@ -76,7 +76,7 @@ std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendan
     known += (known.empty() ? "" : &kind == &kKinds.back() ? " or " : ", ") + kind.form();
     names.emplace_back(kind.name);
   }
-  throw UnknownDevice("unknown device \"" + name + "\": expected " + known + files::suggestion(first, names));
+  throw Error("unknown device \"" + name + "\": expected " + known + files::suggestion(first, names));
 }
 
 std::unique_ptr<Device> open_device(const std::string& name) {

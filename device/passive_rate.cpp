@@ -2,17 +2,15 @@
 #include "device/passive_rate.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "device/simulated/hand.h"
+#include "text/number_text.h"
 
 namespace forceshade::device {
 namespace {
 
-std::string rounded(double number, int digits = 3) {
-  char words[32];
-  std::snprintf(words, sizeof words, "%.*g", digits, number);
-  return words;
+std::string rounded(double number, int count = 3) {
+  return digits(number, count);
 }
 
 }  // namespace

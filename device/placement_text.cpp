@@ -8,7 +8,7 @@
 #include "fast/domain.h"
 #include "files/csv.h"
 #include "files/quantity.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 
 namespace forceshade::device {
 namespace {
@@ -16,8 +16,8 @@ namespace {
 // "z90", "x-90deg": the axis, and how many quarter turns.
 std::pair<int, int> quarter_turns(const std::string& text) {
   const auto refuse = [&] {
-    return files::BadInput("--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"" + text +
-                           "\"; another angle would round the force");
+    return Error("--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"" + text +
+                 "\"; another angle would round the force");
   };
   const std::size_t axis = std::string_view("xyz").find(text.empty() ? ' ' : text[0]);
   if (axis == std::string_view::npos) throw refuse();
@@ -35,12 +35,10 @@ device::Placement parse_placement(const std::string& origin, const std::string& 
   Eigen::Vector3f shift{0, 0, 0};
   if (!origin.empty()) {
     const std::vector<std::string> lengths = files::at_commas(origin);
-    if (lengths.size() != 3)
-      throw files::BadInput("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"" + origin + '"');
+    if (lengths.size() != 3) throw Error("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"" + origin + '"');
     for (std::size_t i = 0; i < 3; ++i) {
       const float length = files::parse_length("--origin", lengths[i]);
-      if (!fast::in_domain(length))
-        throw files::BadInput("--origin: expected at most 10000 mm each way, got \"" + lengths[i] + '"');
+      if (!fast::in_domain(length)) throw Error("--origin: expected at most 10000 mm each way, got \"" + lengths[i] + '"');
       shift[static_cast<Eigen::Index>(i)] = length;
     }
   }

@@ -26,7 +26,7 @@ Replay::Replay(std::vector<Reading> recording) : recording_(std::move(recording)
   for (std::size_t i = 0; i < recording_.size(); ++i)
     if (!std::isfinite(recording_[i].time) || (i > 0 && !(recording_[i].time > recording_[i - 1].time)))
       throw std::invalid_argument("replay: reading " + std::to_string(i) +
-                                  ": expected a finite time after the one before, got " + files::shortest(recording_[i].time));
+                                  ": expected a finite time after the one before, got " + shortest(recording_[i].time));
 }
 
 Replay Replay::load(const std::string& path) {
@@ -37,10 +37,10 @@ Replay Replay::load(const std::string& path) {
     const Reading reading{{rows.binary32(1), rows.binary32(2), rows.binary32(3)}, rows.binary64(0)};
     if (!std::isfinite(reading.time)) throw rows.unexpected(0, "a finite time");
     if (!recording.empty() && !(reading.time > recording.back().time))
-      throw rows.unexpected(0, "a time after " + files::shortest(recording.back().time));
+      throw rows.unexpected(0, "a time after " + shortest(recording.back().time));
     recording.push_back(reading);
   }
-  if (recording.empty()) throw files::Error(path + ": expected at least one recorded position, got none");
+  if (recording.empty()) throw Error(path + ": expected at least one recorded position, got none");
   return Replay(std::move(recording));
 }
 

@@ -40,9 +40,8 @@ Retraced Retrace::next(const Sample& sample) noexcept {
   const Eigen::Vector3f desired = vector_of(sample.law_force);
   Verdict verdict{.force = desired};
   if (supervisor_)
-    verdict =
-        supervisor_->supervise(reading, state_of(sample), desired, static_cast<Status>(sample.status),
-                               static_cast<double>(sample.wakeup_ns) / 1e9, (sample.device_state & Sample::kUnfinished) != 0);
+    verdict = supervisor_->supervise(reading, state_of(sample), desired, sample.law_status(),
+                                     static_cast<double>(sample.wakeup_ns) / 1e9);
   Retraced retraced;
   retraced.force = controller_.limited(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(retraced.force, controller_.account().owed());

@@ -32,16 +32,13 @@ std::size_t ticks_in(std::optional<double> seconds, double rate_hz) {
 }
 
 void check(const ServoOptions& options, const Capabilities& capabilities) {
-  const auto refuse = [](const std::string& what, double got) {
-    throw std::invalid_argument(what + ", got " + files::shortest(got));
-  };
+  const auto refuse = [](const std::string& what, double got) { throw std::invalid_argument(what + ", got " + shortest(got)); };
   if (!(options.rate_hz >= kLowestRateHz && options.rate_hz <= kHighestRateHz))
-    refuse("rate: expected " + files::shortest(kLowestRateHz) + " to " + files::shortest(kHighestRateHz) + " Hz",
-           options.rate_hz);
+    refuse("rate: expected " + shortest(kLowestRateHz) + " to " + shortest(kHighestRateHz) + " Hz", options.rate_hz);
   if (options.max_seconds && !(*options.max_seconds > 0 && std::isfinite(*options.max_seconds)))
     refuse("seconds: expected a positive number", *options.max_seconds);
   if (options.watchdog_timeout && !(*options.watchdog_timeout > 0 && *options.watchdog_timeout <= kLongestWatchdogTimeout))
-    refuse("watchdog timeout: expected at most " + files::shortest(kLongestWatchdogTimeout) + " s", *options.watchdog_timeout);
+    refuse("watchdog timeout: expected at most " + shortest(kLongestWatchdogTimeout) + " s", *options.watchdog_timeout);
   // A limit that is not a number would limit nothing.
   const auto expect_number = [](const char* what, bool number) {
     if (!number) throw std::invalid_argument(std::string("the device's ") + what + " is not a number");
@@ -199,8 +196,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   const State state = device_.state();
   Verdict verdict{.force = desired};
   if (supervisor_)
-    verdict = supervisor_->supervise(reading, state, desired, evaluation.status, static_cast<double>(latency) / 1e9,
-                                     evaluation.is_unfinished);
+    verdict = supervisor_->supervise(reading, state, desired, evaluation.status, static_cast<double>(latency) / 1e9);
   const Eigen::Vector3f force = controller_->limited(reading, verdict.force);
   if (supervisor_) supervisor_->commanded(force, controller_->account().owed());
   device_.allow(controller_->allowance());
@@ -218,7 +214,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   if (late) ++result.missed_deadlines;
   if (computed > period_) ++result.overruns;
   if (evaluation.status == Status::invalid) ++result.invalid_positions;
-  if (evaluation.is_unfinished) ++result.unfinished_ticks;
+  if (evaluation.status == Status::unfinished) ++result.unfinished_ticks;
   if (!state.forces_on) ++result.forces_off_ticks;
   result.forces_off = state.forces_on ? nullptr : state.forces_off;
   result.peak_force_N = std::max(result.peak_force_N, force.cast<double>().norm());
@@ -231,7 +227,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   sample.wakeup_ns = latency;
   sample.law_force = array(evaluation.force);
   sample.force = array(placement.turned_to_subject(force));
-  sample.status = static_cast<std::uint8_t>(evaluation.status);
+  sample.status = static_cast<std::uint8_t>(finished(evaluation.status));
   sample.late = late;
   sample.limited = verdict.limited.bits();
   sample.altered = force != verdict.force;
@@ -239,7 +235,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   sample.shown = session_.shown();
   sample.temperature = state.temperature;
   sample.device_state = (state.calibrated ? Sample::kCalibrated : 0) | (state.forces_on ? Sample::kForcesOn : 0) |
-                        (evaluation.is_unfinished ? Sample::kUnfinished : 0);
+                        (evaluation.status == Status::unfinished ? Sample::kUnfinished : 0);
   if (reading.sent) {
     sample.device_state |= Sample::kReportsSent;
     sample.sent_work = reading.sent->work;
@@ -293,7 +289,7 @@ std::string_view name_of(EndReason reason) noexcept {
 }
 
 ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop) {
-  if (const char* fault = fast::arithmetic_fault()) throw FloatingPointModeError(fault);
+  if (const char* fault = fast::arithmetic_fault()) throw Error(fault);
   check(options, device.capabilities());
   const auto run = std::make_unique<Run>(device, session, options, stop);
   {

@@ -66,7 +66,7 @@ Supervisor::Supervisor(const SupervisorLimits& limits, double rate) noexcept
     : limits_(limits), period_(1 / rate), motor_(as_one_motor(limits)), oscillation_(limits.resolution, period_) {}
 
 Verdict Supervisor::supervise(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status,
-                              double late, bool unfinished) noexcept {
+                              double late) noexcept {
   if (!limits_.acts_on_lateness) late = 0;
   Verdict verdict;
   const auto trip = [&](Rule rule) {
@@ -75,7 +75,7 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
   };
   if (!trip_) {
     memory_.behind = late > period_ ? Rule::missed_deadlines : Rule::unfinished;
-    memory_.late_ticks = late > period_ || unfinished ? memory_.late_ticks + 1 : 0;
+    memory_.late_ticks = late > period_ || status == Status::unfinished ? memory_.late_ticks + 1 : 0;
     if (const auto rule = trip_rule(reading, state, desired, status, late)) trip(*rule);
   }
   if (!trip_) {

@@ -33,9 +33,9 @@ class Supervisor {
   Supervisor(const SupervisorLimits& limits, double rate) noexcept;
 
   // Once a tick. `desired` and `status` are the law's, at the reading's position; `late` is by how many seconds the tick began
-  // after it was due; `unfinished` as fast::Evaluation has it.
-  Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status, double late,
-                    bool unfinished = false) noexcept;
+  // after it was due.
+  Verdict supervise(const Reading& reading, const State& state, const Eigen::Vector3f& desired, Status status,
+                    double late) noexcept;
 
   // Takes the force that was in the end commanded, where it is not the verdict's, and PassivityAccount::owed(), in mJ. The
   // next tick's rules go by what the hand was given: by what the device says it sent or, where it says nothing, by this.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "files/input_file.h"
-#include "files/shortest.h"
+#include "text/number_text.h"
 
 struct csv_parser;
 

@@ -7,15 +7,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "forceshade/error.h"
 
 namespace forceshade::files {
 
 // The program did not answer as it has to: what() says how it ended, that it took too long, or what it wrote instead.
-struct ProcessFailed : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct ProcessFailed : Error {
+  using Error::Error;
 };
 
 struct ProcessLimits {

@@ -17,18 +17,17 @@ constexpr std::array<unsigned char, 6> kMagic{0x93, 'N', 'U', 'M', 'P', 'Y'};
 std::string read_header(std::istream& in) {
   std::array<unsigned char, 12> head{};
   in.read(reinterpret_cast<char*>(head.data()), 10);
-  if (!in || !std::equal(kMagic.begin(), kMagic.end(), head.begin())) throw NpyFault("has no NPY header");
+  if (!in || !std::equal(kMagic.begin(), kMagic.end(), head.begin())) throw Error("has no NPY header");
   if (head[6] < 1 || head[6] > 3 || head[7] != 0)
-    throw NpyFault("is of NPY version " + std::to_string(head[6]) + '.' + std::to_string(head[7]) +
-                   "; expected 1.0, 2.0 or 3.0");
+    throw Error("is of NPY version " + std::to_string(head[6]) + '.' + std::to_string(head[7]) + "; expected 1.0, 2.0 or 3.0");
   std::size_t length = head[8] + 256U * head[9];
   if (head[6] >= 2) {
     in.read(reinterpret_cast<char*>(&head[10]), 2);
     length += (std::size_t{head[10]} << 16) + (std::size_t{head[11]} << 24);
   }
-  if (!in || length > kLongestHeader) throw NpyFault("has no NPY header");
+  if (!in || length > kLongestHeader) throw Error("has no NPY header");
   std::string header(length, '\0');
-  if (!in.read(header.data(), static_cast<std::streamsize>(length))) throw NpyFault("is truncated");
+  if (!in.read(header.data(), static_cast<std::streamsize>(length))) throw Error("is truncated");
   return header;
 }
 
@@ -105,11 +104,11 @@ std::optional<std::vector<std::uint64_t>> numbers_of(std::string_view tuple) {
 
 NpyHead read_npy_head(std::istream& in) {
   auto entries = entries_of(read_header(in));
-  if (!entries) throw NpyFault("has no NPY header: expected a dictionary of descr, fortran_order and shape");
+  if (!entries) throw Error("has no NPY header: expected a dictionary of descr, fortran_order and shape");
   const std::string &order = entries->at("fortran_order"), &shape = entries->at("shape");
-  if (order != "False" && order != "True") throw NpyFault("has fortran_order " + order + "; expected True or False");
+  if (order != "False" && order != "True") throw Error("has fortran_order " + order + "; expected True or False");
   auto numbers = numbers_of(shape);
-  if (!numbers) throw NpyFault("is of shape (" + shape + "); expected whole numbers");
+  if (!numbers) throw Error("is of shape (" + shape + "); expected whole numbers");
   return {entries->at("descr"), order == "True", shape, std::move(*numbers)};
 }
 

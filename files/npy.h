@@ -6,10 +6,11 @@
 #include <cctype>
 #include <cstdint>
 #include <istream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "forceshade/error.h"
 
 namespace forceshade::files {
 
@@ -24,12 +25,8 @@ struct NpyHead {
   std::vector<std::uint64_t> shape;
 };
 
-// A fault in the head of a file, in words that go on after its name: "has no NPY header".
-struct NpyFault : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// Reads the head of a file of version 1 to 3, so that its numbers follow. Throws NpyFault.
+// Reads the head of a file of version 1 to 3, so that its numbers follow. Throws Error, in words that go on
+// after the file's name: "has no NPY header".
 NpyHead read_npy_head(std::istream& in);
 
 // True if the file's name ends as that of an array: .npy, in small or in capital letters.

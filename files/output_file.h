@@ -4,14 +4,15 @@
 
 #include <memory>
 #include <ostream>
-#include <stdexcept>
 #include <string>
+
+#include "forceshade/error.h"
 
 namespace forceshade::files {
 
 // what() names the path and the system's reason.
-struct OutputError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct OutputError : Error {
+  using Error::Error;
 };
 
 // Writes to PATH.partial-XXXXXXXX beside PATH; commit() puts it in the place of PATH, and without commit() nothing is left.

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 
 namespace forceshade::files {
 namespace {
@@ -24,8 +24,8 @@ constexpr const char *kLength = "a length such as 15.24, 15.24mm, 600mil, 0.6in,
                      *kStiffness = "a stiffness such as 0.5, 0.5N/mm or 500N/m",
                      *kAngle = "an angle such as 30, 30deg or 0.5rad";
 
-BadInput refusal(const std::string& name, const std::string& expected, const std::string& text) {
-  return BadInput(name + ": expected " + expected + ", got \"" + text + "\"");
+Error refusal(const std::string& name, const std::string& expected, const std::string& text) {
+  return Error(name + ": expected " + expected + ", got \"" + text + "\"");
 }
 
 // The number and the word behind it.

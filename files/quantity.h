@@ -10,7 +10,7 @@
 
 namespace forceshade::files {
 
-// These throw BadInput. `name` is what a message calls the quantity.
+// These throw Error. `name` is what a message calls the quantity.
 
 // Millimetres, and the binary32 number nearest to them.
 Decimal exact_length(const std::string& name, const std::string& text);

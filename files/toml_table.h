@@ -19,7 +19,7 @@ namespace forceshade::files {
 
 // Throws the error of a reader, for a fault in a line of a file, from 1; 0 where none is known.
 using TomlThrow = void (*)(const std::filesystem::path& file, std::size_t line, const std::string& reason);
-[[noreturn]] void throw_error(const std::filesystem::path& file, std::size_t line, const std::string& reason);  // files::Error
+[[noreturn]] void throw_error(const std::filesystem::path& file, std::size_t line, const std::string& reason);  // Error
 
 // The file with its contents. Everything here throws what `thrown` throws.
 class TomlFile {

@@ -36,8 +36,7 @@ double rounding_of(const mesh::Tick& tick) {
 
 // Includes that of an unfinished tick, but not where a free god-object stays free: then there is no force.
 bool is_on_surface(const mesh::Tick& tick) {
-  return tick.status == mesh::TickStatus::touching ||
-         (tick.status == mesh::TickStatus::unfinished && tick.after.place != mesh::Place::free);
+  return tick.status == Status::contact || (tick.status == Status::unfinished && tick.after.place != mesh::Place::free);
 }
 
 // N/mm: K where the god-object is.
@@ -70,7 +69,7 @@ bool is_drag_beside_shading(const MeshRendering& rendering) {
 // particular.
 double most_turn(const MeshRendering& rendering, const mesh::Tick& tick, const Eigen::Vector3d& D, double slack) {
   if (rendering.shading == mesh::Shading::none) return 0;
-  const bool is_inside = tick.status == mesh::TickStatus::touching && tick.after.place == mesh::Place::triangle;
+  const bool is_inside = tick.status == Status::contact && tick.after.place == mesh::Place::triangle;
   if (!is_inside || rendering.shading != mesh::Shading::vertex_scheme) return std::numbers::sqrt2;
   const mesh::Triangle& corners = rendering.mesh().triangles[tick.after.index[0]];
   const auto corner = [&](std::size_t i) { return vector_of(rendering.mesh().vertices[corners[i]]); };

@@ -69,7 +69,7 @@ class Tried {
       const Eigen::Vector3d force = vector_of(tick.force), p = vector_of(position);
       work += 0.5 * (push + force).dot(p - last);
       is_good &= force.norm() <= strongest_;
-      is_free = tick.status == mesh::TickStatus::free;
+      is_free = tick.status == Status::free;
       last = p;
       push = force;
     });

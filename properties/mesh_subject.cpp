@@ -35,10 +35,7 @@ class ReferenceOfMesh final : public ReferenceSession {
     reference::Rounded answer;
     answer.force = {tick.force[0], tick.force[1], tick.force[2]};
     answer.method = reference::Method::exact;
-    answer.status = tick.status == mesh::TickStatus::free      ? Status::free
-                    : tick.status == mesh::TickStatus::invalid ? Status::invalid
-                                                               : Status::contact;
-    answer.is_unfinished = tick.status == mesh::TickStatus::unfinished;
+    answer.status = tick.status;
     return answer;
   }
   std::optional<std::array<std::string, 3>> decimal(unsigned digits) const override {
@@ -246,7 +243,7 @@ std::vector<FurtherProperty> MeshSubject::further_properties() const {
     const auto session = open_(stiffness_);
     for (std::size_t i = 0; i < path.size(); ++i) {
       mesh::Tick first = session->tick(path[i]);
-      if (first.status == mesh::TickStatus::unfinished) continue;
+      if (first.status == Status::unfinished) continue;
       mesh::Tick again = session->tick(path[i]);
       first.moves = again.moves = 0;
       if (auto violation = differs(i, path[i], again, first)) return "repeated, " + *violation;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "reference/energy.h"
+#include "text/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -21,11 +22,7 @@ constexpr double kWitnessShare = 0.99;
 
 std::string loop_text(const std::vector<PathPoint>& vertices) {
   std::string text;
-  for (const PathPoint& v : vertices) {
-    char point[80];
-    std::snprintf(point, sizeof point, "%s(%a, %a)", text.empty() ? "" : " ", v.x, v.z);
-    text += point;
-  }
+  for (const PathPoint& v : vertices) text += (text.empty() ? "(" : " (") + hexfloat(v.x) + ", " + hexfloat(v.z) + ')';
   return text;
 }
 

@@ -21,7 +21,7 @@ std::variant<RenderedField<Reference>, ParameterError> built(const From&... from
 }  // namespace
 
 RendererThrew::RendererThrew(const Eigen::Vector3f& position, const std::string& what)
-    : std::runtime_error("at " + show(position) + " mm the renderer throws: " + what) {}
+    : Error("at " + show(position) + " mm the renderer throws: " + what) {}
 
 Rendered answer_of(fast::Session& session, const Eigen::Vector3f& position) {
   const fast::Evaluation answer = session.step(position);

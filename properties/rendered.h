@@ -3,10 +3,10 @@
 // A field, which is a law or a height map, beside a renderer that should render it: what the properties of fields check.
 
 #include <Eigen/Core>
-#include <stdexcept>
 #include <string>
 #include <variant>
 
+#include "forceshade/error.h"
 #include "forceshade/properties.h"
 #include "forceshade/reference.h"
 
@@ -21,7 +21,7 @@ using RenderedLaw = RenderedField<reference::Law>;
 using RenderedHeightMap = RenderedField<reference::HeightMapField>;
 
 // A renderer that threw where it had to answer: "at x = ... mm the renderer throws: ...".
-struct RendererThrew : std::runtime_error {
+struct RendererThrew : Error {
   RendererThrew(const Eigen::Vector3f& position, const std::string& what);
 };
 

@@ -155,7 +155,7 @@ Violation SceneSubject::check_work_of_motion(Chooser& choose) const {
       is_seen = is_seen && seen && seen_next;
       if (!is_seen) break;
       const Rendered its = answer_of(*alone[i], *seen);
-      if (its.status == Status::contact) work.add({now, next, *seen, *seen_next, its.force});
+      if (finished(its.status) == Status::contact) work.add({now, next, *seen, *seen_next, its.force});
     }
     // If an object does not see the hand, the scene's answer is invalid and has no force.
     if (!is_seen) return std::nullopt;

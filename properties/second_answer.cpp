@@ -23,7 +23,8 @@ Rendered last_answer(const Subject& subject, Path path) {
 }
 
 bool is_same(const Eigen::Vector3f& force, Status status, const Eigen::Vector3f& other, Status its) {
-  return same_bits(force.x(), other.x()) && same_bits(force.y(), other.y()) && same_bits(force.z(), other.z()) && status == its;
+  return same_bits(force.x(), other.x()) && same_bits(force.y(), other.y()) && same_bits(force.z(), other.z()) &&
+         finished(status) == finished(its);
 }
 
 bool is_same(const Rendered& a, const Rendered& b) {
@@ -31,7 +32,7 @@ bool is_same(const Rendered& a, const Rendered& b) {
 }
 
 std::string words_of(const Rendered& answer) {
-  return show(answer.force) + " N (" + std::string(kStatusNames[static_cast<std::size_t>(answer.status)]) + ")";
+  return show(answer.force) + " N (" + std::string(kStatusNames[static_cast<std::size_t>(finished(answer.status))]) + ")";
 }
 
 // "the first position of a session" or "after ...".

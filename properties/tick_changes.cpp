@@ -17,6 +17,7 @@
 
 #include "properties/rest_regions.h"
 #include "properties/tick_search.h"
+#include "text/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -259,9 +260,7 @@ class Pairs {
 std::string four_digits(double value) {
   if (!(value > 0)) return "0";
   const double unit = std::pow(10, std::floor(std::log10(value)) - 3);
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", std::ceil(value / unit) * unit);
-  return text.data();
+  return digits(std::ceil(value / unit) * unit, 4);
 }
 
 }  // namespace

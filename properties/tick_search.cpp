@@ -50,8 +50,7 @@ class Search {
     const mesh::Tick tick = session_->tick(position);
     const Vector3d force = vector_of(tick.force);
     const double D = force.norm() / stiffness_;
-    const bool is_in =
-        tick.status == mesh::TickStatus::touching && D <= hand_.depth && D > 2 * grid_reach(mesh_, tick.after) / kGridAngle;
+    const bool is_in = tick.status == Status::contact && D <= hand_.depth && D > 2 * grid_reach(mesh_, tick.after) / kGridAngle;
     if (is_in && last_) {
       changes_.moves = std::max(changes_.moves, unsigned{tick.moves});
       note(changes_.force, (force - last_->force).norm(), position);

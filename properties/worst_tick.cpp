@@ -132,7 +132,7 @@ class Search : private Draws {
     mesh::Tick tick;
     fast::advance_filtered(mesh_, god_object, position, 1, mesh::Shading::none, contact_, stage, tick);
     looks_ += god_object.looks;
-    worst_.is_unfinished |= tick.status == mesh::TickStatus::unfinished && god_object.looks >= kMostLooks;
+    worst_.is_unfinished |= tick.status == Status::unfinished && god_object.looks >= kMostLooks;
     if (god_object.looks + god_object.moves <= worst_.looks + worst_.moves) return;
     worst_.looks = god_object.looks;
     worst_.moves = god_object.moves;

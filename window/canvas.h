@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "window/error.h"
+#include "forceshade/error.h"
 #include "window/keys.h"
 #include "window/picture.h"
 #include "window/settings.h"

@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "window/error.h"
+#include "forceshade/error.h"
 
 namespace forceshade::window {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The screens and key presses of a person at a window: a program shows, and a window, a terminal or another program answers. All are
-// plain values.
+// The screens and key presses of a person at a window: a program shows, and a window, a terminal or another program answers.
+// All are plain values.
 
 #include <string>
 

@@ -19,7 +19,7 @@ struct Settings {
   Keys keys;
 };
 
-// Throws files::Error, which names the file, the line and the key, what was expected and what was got. What is not given
+// Throws Error, which names the file, the line and the key, what was expected and what was got. What is not given
 // keeps its default; the path of a font is relative to the file. Unknown keys are refused, and so is a key of the keyboard that
 // would have two meanings on one screen.
 Settings read_settings(const std::filesystem::path& file);

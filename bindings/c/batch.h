@@ -17,10 +17,10 @@ namespace forceshade::c {
 // Returns OK, or an error code after setting the error text.
 forceshade_result check(const forceshade_batch* batch) noexcept;
 
-inline forceshade_status status_of(const fast::Evaluation& answer) noexcept {
-  // Without a branch, which would take a tenth of the time of a law's call. What is unfinished is a contact.
-  static_assert(FORCESHADE_UNFINISHED == FORCESHADE_CONTACT + 2);
-  return static_cast<forceshade_status>(static_cast<int>(answer.status) + 2 * static_cast<int>(answer.is_unfinished));
+inline forceshade_status status_of(Status status) noexcept {
+  static_assert(FORCESHADE_UNFINISHED == static_cast<int>(Status::unfinished) &&
+                FORCESHADE_INVALID == static_cast<int>(Status::invalid));
+  return static_cast<forceshade_status>(status);
 }
 
 // Writes an answer to where the caller has room for it.
@@ -28,7 +28,7 @@ inline forceshade_result give(const fast::Evaluation& answer, float* force, forc
   // One by one, as they were just stored: a wider load would have to wait until these stores have reached the cache, 3 ns.
   const volatile float* const components = answer.force.data();
   for (std::size_t axis = 0; axis < 3; ++axis) force[axis] = components[axis];
-  if (status != nullptr) *status = status_of(answer);
+  if (status != nullptr) *status = status_of(answer.status);
   return FORCESHADE_OK;
 }
 
@@ -82,7 +82,7 @@ std::size_t answer_each(const forceshade_batch& batch, const Evaluate& evaluate)
       const fast::Evaluation answer = evaluate(positions[i], index++);
       forces[i] = answer.force;
       invalid += answer.status == Status::invalid ? 1 : 0;
-      if (!statuses.empty()) statuses[i] = status_of(answer);
+      if (!statuses.empty()) statuses[i] = status_of(answer.status);
     }
     return invalid;
   });

@@ -54,12 +54,10 @@ Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Si
 std::variant<Subject, ParameterError> build(const Description& description) {
   expect_still(description);
   if (const auto* law = std::get_if<DescribedLaw>(&description.what))
-    return with_identity(fast::Law::build(law->law, law->parameters), identity_of(law->law, law->parameters));
+    return with_identity(fast::Law::build(law->law, law->parameters), identity_of(description));
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
-    return with_identity(fast::HeightMapField::build(map->map, map->mode, map->stiffness),
-                         identity_of(description.name, map->map, map->mode, map->stiffness));
-  const auto& mesh = std::get<MeshRendering>(description.what);
-  return with_identity(fast::GodObject::build(mesh), identity_of(description.name, mesh));
+    return with_identity(fast::HeightMapField::build(map->map, map->mode, map->stiffness), identity_of(description));
+  return with_identity(fast::GodObject::build(std::get<MeshRendering>(description.what)), identity_of(description));
 }
 
 }  // namespace forceshade::c

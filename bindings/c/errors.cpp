@@ -6,8 +6,8 @@
 #include <exception>
 #include <new>
 
-#include "forceshade/bad_input.h"
-#include "forceshade/certificate.h"
+#include "files/output_file.h"
+#include "forceshade/error.h"
 #include "rendering/left_out.h"
 
 namespace forceshade::c {
@@ -29,12 +29,12 @@ forceshade_result fail(forceshade_result result, std::string_view words) noexcep
 forceshade_result fail_with_exception() noexcept {
   try {
     throw;
-  } catch (const files::BadInput& error) {
-    return fail(FORCESHADE_BAD_INPUT, error.what());
-  } catch (const properties::CertificateError& error) {
-    return fail(FORCESHADE_BAD_INPUT, error.what());
   } catch (const LeftOut& error) {
     return fail(FORCESHADE_LEFT_OUT, error.what());
+  } catch (const files::OutputError& error) {
+    return fail(FORCESHADE_FAILED, error.what());
+  } catch (const Error& error) {
+    return fail(FORCESHADE_BAD_INPUT, error.what());
   } catch (const std::bad_alloc&) {
     return fail(FORCESHADE_NO_MEMORY, "there is not enough memory");
   } catch (const std::exception& error) {

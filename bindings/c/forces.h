@@ -25,7 +25,7 @@ void add_statuses(const Field& field, std::span<const Eigen::Vector3f> positions
     else if ((forces[i].array() != 0).any())
       statuses[i] = FORCESHADE_CONTACT;
     else
-      statuses[i] = status_of(field.evaluate(position));
+      statuses[i] = status_of(field.evaluate(position).status);
   }
 }
 

@@ -18,7 +18,7 @@
 #include "bindings/c/text.h"
 #include "forceshade/meshes.h"
 #include "rendering/mesh_rendering.h"
-#include "rendering/subjects/options.h"
+#include "subjects/options.h"
 
 namespace forceshade::c {
 namespace {

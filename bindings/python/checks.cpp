@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "bindings/python/arrays.h"
-#include "bindings/python/errors.h"
 #include "bindings/python/interruptible.h"
 #include "bindings/python/subject.h"
 #include "files/output_file.h"
 #include "forceshade/certificate.h"
 #include "forceshade/certify.h"
+#include "forceshade/error.h"
 #include "forceshade/properties.h"
 
 namespace forceshade::python {

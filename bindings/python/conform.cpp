@@ -17,7 +17,6 @@
 namespace forceshade::python {
 namespace {
 
-using conformance::RendererFailed;
 using Json = nlohmann::ordered_json;
 
 // Turns an error that Python raises in the call into words, while the GIL is held.
@@ -27,8 +26,8 @@ auto words_for_errors(const Call& call) {
   try {
     return call();
   } catch (const py::error_already_set& error) {
-    throw RendererFailed("the renderer raised " + error.type().attr("__name__").cast<std::string>() + ": " +
-                         files::printable(py::str(error.value()).cast<std::string>()));
+    throw files::ProcessFailed("the renderer raised " + error.type().attr("__name__").cast<std::string>() + ": " +
+                               files::printable(py::str(error.value()).cast<std::string>()));
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "bindings/python/errors.h"
+#include "forceshade/error.h"
 
 namespace forceshade::python {
 

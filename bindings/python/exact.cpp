@@ -7,10 +7,10 @@
 #include <variant>
 
 #include "bindings/python/arrays.h"
-#include "bindings/python/errors.h"
 #include "bindings/python/subject.h"
 #include "bindings/reference/definition.h"
 #include "bindings/reference/rational.h"
+#include "forceshade/error.h"
 #include "reference/surface_height.h"
 
 namespace forceshade::python {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "bindings/python/arrays.h"
-#include "bindings/python/errors.h"
 #include "bindings/python/subject.h"
+#include "forceshade/error.h"
 
 namespace forceshade::python {
 namespace {

@@ -9,13 +9,14 @@
 
 #include "bindings/python/subject.h"
 #include "forceshade/checks.h"
+#include "forceshade/error.h"
 
 namespace py = pybind11;
 using namespace forceshade;
 
 PYBIND11_MODULE(_forceshade, module) {
   module.doc() = "The compiled part of forceshade.";
-  static py::exception<python::Error> error(module, "Error");
+  static py::exception<Error> error(module, "Error");
   error.attr("__module__") = "forceshade";
   error.attr("__doc__") =
       "A refusal that is no wrong value or type: a file, the arithmetic of this thread, a session that another "

@@ -5,10 +5,10 @@
 #include <span>
 
 #include "bindings/python/arrays.h"
-#include "bindings/python/errors.h"
 #include "bindings/python/subject.h"
+#include "forceshade/error.h"
 #include "forceshade/recording.h"
-#include "recorder/layout.h"
+#include "run/recorder/layout.h"
 
 namespace forceshade::python {
 namespace {

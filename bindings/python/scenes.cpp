@@ -50,7 +50,7 @@ std::array<float, 3> step_scene(Scene& scene, const Floats& position, const Floa
       (k < 3 ? placed[i].translation[k] : placed[i].rotation[k - 3]) =
           of(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k));
   const fast::Evaluation answer = scene.path.step({at(0), at(1), at(2)}, std::span(placed).first(count));
-  scene.status = c::status_of(answer);
+  scene.status = c::status_of(answer.status);
   return {answer.force.x(), answer.force.y(), answer.force.z()};
 }
 

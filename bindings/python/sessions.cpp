@@ -12,8 +12,8 @@
 #include "bindings/c/session.h"
 #include "bindings/python/arrays.h"
 #include "bindings/python/entered.h"
-#include "bindings/python/errors.h"
 #include "bindings/python/subject.h"
+#include "forceshade/error.h"
 
 namespace forceshade::python {
 namespace {
@@ -44,7 +44,7 @@ PyObject* step(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyO
     return nullptr;
   }
   const fast::Evaluation answer = session->path.step(*c::as_vectors(position));
-  session->status = c::status_of(answer);
+  session->status = c::status_of(answer.status);
   return tuple_of(answer.force.data());
 }
 
@@ -64,7 +64,7 @@ std::size_t steps(Session& session, const Floats& positions, Floats& forces, std
   batches.for_each_part(4096, [&](const forceshade_batch& batch) {
     invalid += c::answer_each(batch, [&](const Eigen::Vector3f& position, std::size_t) noexcept {
       const fast::Evaluation answer = session.path.step(position);
-      session.status = c::status_of(answer);
+      session.status = c::status_of(answer.status);
       return answer;
     });
   });

@@ -13,18 +13,18 @@
 #include <vector>
 
 #include "bindings/python/arrays.h"
-#include "bindings/python/errors.h"
 #include "bindings/python/interruptible.h"
 #include "bindings/python/subject.h"
 #include "files/quantity.h"
+#include "forceshade/error.h"
 #include "forceshade/heights.h"
 #include "forceshade/meshes.h"
 #include "rendering/heights/coefficients.h"
 #include "rendering/heights/samples.h"
 #include "rendering/mesh_rendering.h"
-#include "rendering/subjects/materials.h"
-#include "rendering/subjects/options.h"
-#include "rendering/subjects/read.h"
+#include "subjects/materials.h"
+#include "subjects/options.h"
+#include "subjects/read.h"
 
 namespace forceshade::python {
 namespace {
@@ -147,12 +147,12 @@ Description of_options(const std::vector<std::pair<std::string, std::string>>& o
   return interruptible([&](const std::atomic<bool>& stop) { return subjects::read_one(all, Monitor({}, stop)); });
 }
 
-// Throws files::BadInput, as a ValueError.
+// Throws Error, as a ValueError.
 template <class Parse>
 auto parsed(const Parse& parse, const std::string& name, const std::string& text) {
   try {
     return parse(name, text);
-  } catch (const files::BadInput& error) {
+  } catch (const Error& error) {
     throw py::value_error(error.what());
   }
 }

@@ -3,28 +3,19 @@
 
 #include <memory>
 
+#include "bindings/c/batch.h"
 #include "bindings/c/still.h"
 #include "bindings/c/strided.h"
 
 namespace forceshade::exact {
 namespace {
 
-forceshade_status status_of(const reference::Rounded& rounded) {
-  return rounded.is_unfinished ? forceshade_status{FORCESHADE_UNFINISHED} : static_cast<forceshade_status>(rounded.status);
-}
-
 Answer answer_of(const reference::Rounded& rounded) {
-  return {rounded.force, status_of(rounded)};
+  return {rounded.force, c::status_of(rounded.status)};
 }
 
 Answer answer_of(const mesh::Tick& tick) {
-  const Eigen::Vector3f force{tick.force[0], tick.force[1], tick.force[2]};
-  switch (tick.status) {
-    case mesh::TickStatus::free: return {force, FORCESHADE_FREE};
-    case mesh::TickStatus::invalid: return {force, FORCESHADE_INVALID};
-    case mesh::TickStatus::unfinished: return {force, FORCESHADE_UNFINISHED};
-    default: return {force, FORCESHADE_CONTACT};
-  }
+  return {Eigen::Vector3f(tick.force.data()), c::status_of(tick.status)};
 }
 
 }  // namespace
@@ -45,10 +36,10 @@ std::variant<Definition, ParameterError> Definition::build(const Description& de
 Decimals Definition::decimals(const Eigen::Vector3f& position, unsigned digits) const {
   if (const auto* law = std::get_if<reference::Law>(&what_)) {
     const reference::DecimalForce force = law->decimal(position, digits);
-    return {{force.x, "0", force.z}, static_cast<forceshade_status>(force.status)};
+    return {{force.x, "0", force.z}, c::status_of(force.status)};
   }
   const reference::DecimalMapForce force = std::get<reference::HeightMapField>(what_).decimal(position, digits);
-  return {{force.x, force.y, force.z}, static_cast<forceshade_status>(force.status)};
+  return {{force.x, force.y, force.z}, c::status_of(force.status)};
 }
 
 int Definition::compare(const Eigen::Vector3f& position, std::size_t axis, const std::string& rational) const {

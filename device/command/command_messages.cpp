@@ -50,7 +50,7 @@ Eigen::Vector3d vector_of(const Json& value, double most, const KeyReader& its, 
 
 Eigen::Vector3d vector_in(const KeyReader& its, const char* key, double most, const char* unit) {
   const std::string expected =
-      "[x, y, z] in " + std::string(unit) + ", three numbers from -" + files::shortest(most) + " to " + files::shortest(most);
+      "[x, y, z] in " + std::string(unit) + ", three numbers from -" + shortest(most) + " to " + shortest(most);
   return vector_of(its.value(key, expected), most, its, key, expected);
 }
 
@@ -100,8 +100,7 @@ Hello hello_of(const std::string& line) {
 }
 
 std::string line_of(const Eigen::Vector3d& force) {
-  return R"({"force_N":[)" + files::shortest(force.x()) + ',' + files::shortest(force.y()) + ',' + files::shortest(force.z()) +
-         "]}";
+  return R"({"force_N":[)" + shortest(force.x()) + ',' + shortest(force.y()) + ',' + shortest(force.z()) + "]}";
 }
 
 FrameState Answers::state_of(const std::string& line) {
@@ -110,7 +109,7 @@ FrameState Answers::state_of(const std::string& line) {
   its.expect_no_key_but({"time_s", "position_mm", "buttons", "calibrated", "forces_on", "applied_N"});
   const double time = its.number("time_s", -1e12, 1e12, "a number of s: when the position was measured, by any clock");
   if (!(time > last_))
-    its.refuse("time_s", said.at("time_s"), "a later time than " + files::shortest(last_) + ", that of the answer before");
+    its.refuse("time_s", said.at("time_s"), "a later time than " + shortest(last_) + ", that of the answer before");
   last_ = time;
   FrameState state{.position = vector_in(its, "position_mm", kReach, "mm")};
   const int most = (1 << buttons_) - 1;

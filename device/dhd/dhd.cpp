@@ -48,7 +48,7 @@ void report(const Identity& its, bool may_force, Attendant& attendant) {
   std::string words = files::printable(its.name) + (its.serial.empty() ? "" : ", serial number " + its.serial) + ": " +
                       "left-handed: " + (its.is_left_handed ? "yes" : "no");
   if (its.gripper)
-    words += ", gripper open by " + files::shortest(std::round(*its.gripper * 10) / 10) + " mm (no force is sent to it)";
+    words += ", gripper open by " + shortest(std::round(*its.gripper * 10) / 10) + " mm (no force is sent to it)";
   if (may_force)
     words += its.has_watchdog ? "; the device ends a force that is not renewed for 31.875 ms"
                               : "; the device refuses a watchdog: if this program is killed, the last force may stay on";
@@ -82,10 +82,8 @@ std::unique_ptr<Device> open(const Functions& functions, const std::string& name
 
 namespace forceshade::device {
 
-std::unique_ptr<Device> open_dhd(const std::string& name, const FramedOptions& options, Attendant& attendant) try {
+std::unique_ptr<Device> open_dhd(const std::string& name, const FramedOptions& options, Attendant& attendant) {
   return dhd::open(dhd::load(dhd::names_to_try()), name, options, attendant);
-} catch (const dhd::Refused& error) {
-  throw DeviceError(error.what());
 }
 
 std::unique_ptr<Device> open_dhd(const std::string& name, Attendant& attendant, Forces forces) {

@@ -16,7 +16,7 @@ namespace forceshade::device::dhd {
 
 struct Functions;
 
-// open_dhd() with these functions. Throws Refused.
+// open_dhd() with these functions. Throws DeviceError.
 std::unique_ptr<Device> open(const Functions& functions, const std::string& name, const FramedOptions& options,
                              Attendant& attendant);
 

@@ -35,9 +35,9 @@ std::optional<int> number_in(const std::string& text) {
   return number;
 }
 
-Refused failed(const Functions& dhd, const char* what) {
+DeviceError failed(const Functions& dhd, const char* what) {
   const int error = dhd.dhdErrorGetLast();
-  return Refused(sentence(what, error, dhd.dhdErrorGetLastStr()));
+  return DeviceError(sentence(what, error, dhd.dhdErrorGetLastStr()));
 }
 
 }  // namespace
@@ -55,19 +55,19 @@ int Arm::expect(int result, const char* what) const {
 
 int Arm::open_device(const std::string& which) {
   const Counts counts = counted(dhd_);
-  if (counts.connected == 0) throw Refused(kNone);
-  if (counts.available == 0) throw Refused("another program uses the device of Force Dimension: end it");
+  if (counts.connected == 0) throw DeviceError(kNone);
+  if (counts.available == 0) throw DeviceError("another program uses the device of Force Dimension: end it");
   if (which.empty() && counts.connected > 1)
-    throw Refused(std::to_string(counts.connected) +
-                  " devices of Force Dimension are connected: name one, as dhd:SERIAL or, from dhd:#0 on, by its index");
+    throw DeviceError(std::to_string(counts.connected) +
+                      " devices of Force Dimension are connected: name one, as dhd:SERIAL or, from dhd:#0 on, by its index");
   const std::string what = "opening the device" + (which.empty() ? "" : " \"" + files::printable(which) + '"');
   if (which.empty()) return expect(dhd_.dhdOpenID(0), what.c_str());
   const bool is_index = which.front() == '#';
   const auto number = number_in(which.substr(is_index ? 1 : 0));
   if (!number || (is_index && *number >= counts.connected))
-    throw Refused(what + ": expected a serial number, or # and an index below " + std::to_string(counts.connected));
+    throw DeviceError(what + ": expected a serial number, or # and an index below " + std::to_string(counts.connected));
   if (!is_index && *number == static_cast<int>(kFalconsSerial))
-    throw Refused(what + ": every Falcon has this serial number; name it by its index, as dhd:#0");
+    throw DeviceError(what + ": every Falcon has this serial number; name it by its index, as dhd:#0");
   return expect(is_index ? dhd_.dhdOpenID(static_cast<Id>(*number)) : dhd_.dhdOpenSerial(*number), what.c_str());
 }
 
@@ -78,8 +78,8 @@ Identity Arm::open(const std::string& which) {
   const char* name = dhd_.dhdGetSystemName(*id_);
   const Model* model = model_of(type);
   if (!model)
-    throw Refused("the device is a \"" + files::printable(name ? name : "") + "\" (type " + std::to_string(type) +
-                  "), whose limits are not known here");
+    throw DeviceError("the device is a \"" + files::printable(name ? name : "") + "\" (type " + std::to_string(type) +
+                      "), whose limits are not known here");
   peak_ = static_cast<double>(model->peak);
   Identity its{.model = *model, .name = name ? name : model->name, .serial = "", .gripper = std::nullopt};
   unsigned short serial = 0;
@@ -107,25 +107,26 @@ void Arm::send(const Eigen::Vector3d& force, bool matters) {
   const int result = dhd_.dhdSetForce(its.x(), its.y(), its.z(), *id_);
   if (result == kSaturated) ++saturated_;
   if (result >= 0 || !matters) return;
-  const Refused why = failed(dhd_, "sending a force");
+  const DeviceError why = failed(dhd_, "sending a force");
   std::array<int, kStatusRoom> status{};
-  if (dhd_.dhdGetStatus(status.data(), *id_) >= 0 && status[kForce] == 0) throw Refused(forces_are_off(status[kForceOffCause]));
+  if (dhd_.dhdGetStatus(status.data(), *id_) >= 0 && status[kForce] == 0)
+    throw DeviceError(forces_are_off(status[kForceOffCause]));
   throw why;
 }
 
 FrameState Arm::exchange(const Eigen::Vector3d& force, std::int64_t until) {
   std::array<int, kStatusRoom> status{};
   expect(dhd_.dhdGetStatus(status.data(), *id_), "reading the status");
-  if (status[kConnected] == 0) throw Refused("the device is no longer connected: check its cable and power");
-  if (status[kPower] == 0) throw Refused("the device has no power: check its power supply");
-  if (status[kError] != 0) throw Refused("the device reports an error: switch it off and on, and calibrate it");
+  if (status[kConnected] == 0) throw DeviceError("the device is no longer connected: check its cable and power");
+  if (status[kPower] == 0) throw DeviceError("the device has no power: check its power supply");
+  if (status[kError] != 0) throw DeviceError("the device reports an error: switch it off and on, and calibrate it");
   const bool is_calibrated = status[kReset] == 0;
   if (output_ != Output::off && is_calibrated) {
     const bool was_on = output_ == Output::on;
     if (status[kForce] != 0)
       output_ = Output::on;
     else if (was_on || system::now() - switched_on_ > system::in_ns(kToSwitchOn))
-      throw Refused(forces_are_off(status[kForceOffCause]));
+      throw DeviceError(forces_are_off(status[kForceOffCause]));
   }
   if (output_ == Output::off && may_force_ && is_calibrated) switch_on();
   const bool obeys = output_ == Output::on && is_calibrated;
@@ -143,8 +144,8 @@ FrameState Arm::state_at_position() {
   if (expect(dhd_.dhdGetPosition(&x, &y, &z, *id_), "reading the position") == kTimeGuard) ++guarded_;
   const Eigen::Vector3d position = in_laws(x, y, z) * kMetre;
   if (!position.allFinite() || position.cwiseAbs().maxCoeff() > kFarthest)
-    throw Refused("the device's position: expected numbers of at most " + files::shortest(kFarthest / kMetre) + " m, got (" +
-                  files::shortest(x) + ", " + files::shortest(y) + ", " + files::shortest(z) + ")");
+    throw DeviceError("the device's position: expected numbers of at most " + shortest(kFarthest / kMetre) + " m, got (" +
+                      shortest(x) + ", " + shortest(y) + ", " + shortest(z) + ")");
   return {.position = position, .buttons = static_cast<std::uint16_t>(dhd_.dhdGetButtonMask(*id_))};
 }
 

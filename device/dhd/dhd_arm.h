@@ -16,10 +16,6 @@
 
 namespace forceshade::device::dhd {
 
-struct Refused : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 struct Identity {
   Model model;
   std::string name;    // as the vendor's library has it
@@ -38,12 +34,12 @@ class Arm {
   Arm& operator=(const Arm&) = delete;
 
   // `which`: a serial number; "#" and an index from 0; or empty for the only device. Its forces are off afterwards. Throws
-  // Refused.
+  // DeviceError.
   Identity open(const std::string& which);
 
   // Sends this force, in N and the axes of the laws, and brings the state. Forces are switched on by the first exchange of a
   // calibrated device, and sent once its status says that they are on. After `until` (system::now()) its force is old, and zero
-  // is sent instead. Throws Refused.
+  // is sent instead. Throws DeviceError.
   FrameState exchange(const Eigen::Vector3d& force, std::int64_t until = system::kForever);
 
   // Zero force, dhdStop, a tenth of a second, dhdClose.
@@ -69,7 +65,7 @@ class Arm {
   std::size_t saturated_ = 0, guarded_ = 0;
 };
 
-// The number of devices that are connected, and of those that no other program has locked. Throws Refused.
+// The number of devices that are connected, and of those that no other program has locked. Throws DeviceError.
 struct Counts {
   int connected, available;
 };

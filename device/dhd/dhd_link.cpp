@@ -19,16 +19,16 @@ std::string counted_words(std::size_t frames, const char* of) {
 Link::Link(const Functions& functions, const std::string& which, const FramedOptions& options)
     : frame_(std::make_shared<Frame>(functions, options.force)), answer_(options.answer) {
   if (!calls_.run([frame = frame_, which] { frame->identity = frame->arm.open(which); }, options.open))
-    throw Refused("the vendor's library has not answered for " + std::to_string(options.open.count()) +
-                  " ms while the device was opened: check its cable and power");
+    throw DeviceError("the vendor's library has not answered for " + std::to_string(options.open.count()) +
+                      " ms while the device was opened: check its cable and power");
 }
 
 FrameState Link::exchange(const Eigen::Vector3d& force) {
   const std::chrono::milliseconds longest = frame_->state.forces_on ? answer_ : std::max(answer_, kWithoutForce);
   const std::int64_t until = system::now() + system::in_ns(longest);
   if (!calls_.run_until(until, [frame = frame_, force, until] { frame->state = frame->arm.exchange(force, until); }))
-    throw Refused("the vendor's library has not answered for " + std::to_string(longest.count()) +
-                  " ms: check the device's cable and power; if it still pushes, switch it off");
+    throw DeviceError("the vendor's library has not answered for " + std::to_string(longest.count()) +
+                      " ms: check the device's cable and power; if it still pushes, switch it off");
   return frame_->state;
 }
 

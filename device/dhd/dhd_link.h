@@ -13,7 +13,7 @@ namespace forceshade::device::dhd {
 
 class Link final : public FrameLink {
  public:
-  // Opens the device: `which` as in Arm::open(). Throws Refused.
+  // Opens the device: `which` as in Arm::open(). Throws DeviceError.
   Link(const Functions& functions, const std::string& which, const FramedOptions& options);
 
   const Identity& identity() const noexcept { return frame_->identity; }

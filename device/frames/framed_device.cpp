@@ -28,7 +28,7 @@ Capabilities capabilities_of(const FramedDescription& description) {
 
 // With as many digits as one part of `whole` has.
 std::string rounded(double value, double whole) {
-  return files::shortest(std::round(value * whole) / whole);
+  return shortest(std::round(value * whole) / whole);
 }
 
 }  // namespace
@@ -92,9 +92,9 @@ std::optional<std::string> FramedDevice::why_not_ready(double rate) {
     }
     if (sample.time == 0 || sample.state.calibrated) {
       if (now - calibrated_at <= system::in_ns(options_.start)) continue;
-      return "communication with " + description_.partner + " is too irregular to send forces: expected " +
-             files::shortest(rate) + " frames a second and no long gap, got " +
-             (sample.times ? words_of(*sample.times) : "too few frames") + ": check what else this machine computes";
+      return "communication with " + description_.partner + " is too irregular to send forces: expected " + shortest(rate) +
+             " frames a second and no long gap, got " + (sample.times ? words_of(*sample.times) : "too few frames") +
+             ": check what else this machine computes";
     }
     if (!has_reported)
       attendant_.report("waiting for the calibration of " + description_.name + ": " + description_.to_calibrate);
@@ -114,9 +114,7 @@ ReadResult FramedDevice::read() noexcept {
   if (!frames_) return Fault{"the device was not started"};
   const FrameSample& sample = frames_->samples.latest();
   read_ = sample.time;
-  state_ = {.calibrated = sample.state.calibrated,
-            .forces_on = sample.state.forces_on,
-            .forces_off = sample.state.forces_off};
+  state_ = {.calibrated = sample.state.calibrated, .forces_on = sample.state.forces_on, .forces_off = sample.state.forces_off};
   if (sample.troubled)
     fault_ = room_->data();
   else if (system::now() - sample.time > system::in_ns(options_.watchdog_timeout))

@@ -48,7 +48,7 @@ haply::Version version_of_service(const haply::Address& address) {
     if (port < 1) continue;
     try {
       return haply::version_of(haply::http_get({address.host, port}, "/version", kHttp));
-    } catch (const haply::Unexpected&) {
+    } catch (const Error&) {
       throw;
     } catch (const std::runtime_error& error) {
       if (first.empty()) first = error.what();
@@ -63,7 +63,7 @@ std::string or_unknown(const std::string& text) {
 }
 
 std::string filters_of(const Inverse3& arm) {
-  const auto number = [](const std::optional<double>& value) { return value ? files::shortest(*value) : "unknown"; };
+  const auto number = [](const std::optional<double>& value) { return value ? shortest(*value) : "unknown"; };
   return "force gate gain " + number(arm.gate_gain) + ", damping " + number(arm.damping);
 }
 

@@ -16,17 +16,17 @@ const Eigen::Vector3d kMiddle{0, -150, 200};  // mm, in the service's frame
 FrameState Link::exchange(const Eigen::Vector3d& force) {
   const Answer answer = service_->ask(may_force_ ? messages_.with_force(force) : messages_.without_force(), answer_);
   if (answer.kind == Answer::Kind::late)
-    throw Unexpected("the Inverse Service has not answered for " + std::to_string(answer_.count()) +
-                     " ms; if the device still pushes, switch it off");
+    throw Error("the Inverse Service has not answered for " + std::to_string(answer_.count()) +
+                " ms; if the device still pushes, switch it off");
   is_closed_ = answer.kind == Answer::Kind::closed;
   if (is_closed_)
-    throw Unexpected("the Inverse Service has closed the connection (" + service_->why() +
-                     "); if the device still pushes, switch it off");
+    throw Error("the Inverse Service has closed the connection (" + service_->why() +
+                "); if the device still pushes, switch it off");
   const Message message = message_of(answer.text);
   const auto arm = std::find_if(message.arms.begin(), message.arms.end(), [&](const Inverse3& a) { return a.id == id_; });
-  if (arm == message.arms.end()) throw Unexpected("the Inverse3 is no longer connected: check its cable and its power");
-  if (!arm->altered.empty()) throw Unexpected(arm->altered);
-  if (!arm->position) throw Unexpected("the Inverse Service sent a state without a position of the Inverse3");
+  if (arm == message.arms.end()) throw Error("the Inverse3 is no longer connected: check its cable and its power");
+  if (!arm->altered.empty()) throw Error(arm->altered);
+  if (!arm->position) throw Error("the Inverse Service sent a state without a position of the Inverse3");
   return {.position = *arm->position - kMiddle,
           .buttons = message.buttons,
           .calibrated = arm->calibrated,

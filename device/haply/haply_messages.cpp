@@ -21,7 +21,7 @@ constexpr double kReach = 2, kMost = 1e3;  // m, N: beyond these a number has an
 
 Json parsed(std::string_view text) {
   Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw Unexpected("the Inverse Service: expected JSON, got " + shown(text));
+  if (json.is_discarded()) throw Error("the Inverse Service: expected JSON, got " + shown(text));
   return json;
 }
 
@@ -54,8 +54,8 @@ std::optional<Eigen::Vector3d> vector_at(const Json& json, const char* key, doub
   for (const auto& [axis, name] : {std::pair{0, "x"}, {1, "y"}, {2, "z"}}) {
     const std::optional<double> number = number_at(value, name);
     if (!number || !(std::fabs(*number) <= most))
-      throw Unexpected(std::string("the Inverse Service: ") + key + ": expected x, y and z of at most " +
-                       files::shortest(most) + ", got " + shown(value.dump(-1, ' ', true, Json::error_handler_t::replace)));
+      throw Error(std::string("the Inverse Service: ") + key + ": expected x, y and z of at most " + shortest(most) + ", got " +
+                  shown(value.dump(-1, ' ', true, Json::error_handler_t::replace)));
     vector[axis] = *number;
   }
   return vector;
@@ -85,7 +85,7 @@ Inverse3 arm_of(const Json& json) {
   arm.id = text_at(json, "device_id");
   arm.type = text_at(config, "type");
   arm.serial = text_at(info, "uuid");
-  if (arm.id.empty()) throw Unexpected("the Inverse Service: expected a device_id of each Inverse3, got none");
+  if (arm.id.empty()) throw Error("the Inverse Service: expected a device_id of each Inverse3, got none");
   if (arm.serial.empty()) arm.serial = text_at(config, "extended_device_id");
   arm.firmware = text_at(config, "extended_firmware_version");
   arm.handedness = text_at(config, "handedness");
@@ -136,10 +136,10 @@ Version version_of(const std::string& answer) {
   static const std::regex number(R"((\d{1,4})\.(\d{1,4})(\.\d{1,6})?)");
   std::smatch found;
   if (!std::regex_search(text, found, number))
-    throw Unexpected("the Inverse Service's version: expected a number as 3.5.1, got " + shown(answer));
+    throw Error("the Inverse Service's version: expected a number as 3.5.1, got " + shown(answer));
   Version version{.major = std::stoi(found[1]), .minor = std::stoi(found[2]), .text = found[0]};
   if (version.major != 3 || version.minor < 1)
-    throw Unexpected("the Inverse Service's version: expected 3.1 or later, below 4, got " + version.text);
+    throw Error("the Inverse Service's version: expected 3.1 or later, below 4, got " + version.text);
   return version;
 }
 
@@ -158,7 +158,7 @@ std::string words_of_other_sessions(std::optional<std::size_t> sessions) {
 
 Message message_of(std::string_view text) {
   const Json json = parsed(text);
-  if (!json.is_object()) throw Unexpected("the Inverse Service: expected a JSON object, got " + shown(text));
+  if (!json.is_object()) throw Error("the Inverse Service: expected a JSON object, got " + shown(text));
   Message message;
   for (const Json& arm : at(json, "inverse3")) message.arms.push_back(arm_of(arm));
   for (const char* kind : {"verse_grip", "wireless_verse_grip", "custom_verse_grip"})
@@ -170,14 +170,13 @@ Message message_of(std::string_view text) {
 }
 
 const Inverse3& chosen(const Message& message, const std::string& name) {
-  if (message.arms.empty()) throw Unexpected("no Inverse3 is connected to the Inverse Service: check its cable and its power");
+  if (message.arms.empty()) throw Error("no Inverse3 is connected to the Inverse Service: check its cable and its power");
   if (name.empty() && message.arms.size() == 1) return message.arms.front();
   if (name.empty())
-    throw Unexpected("several Inverse3 are connected (" + names_of(message) + "): expected --device haply:ID with one of them");
+    throw Error("several Inverse3 are connected (" + names_of(message) + "): expected --device haply:ID with one of them");
   for (const Inverse3& arm : message.arms)
     if (name == arm.id || name == arm.serial) return arm;
-  throw Unexpected("the Inverse3 " + files::printable(name) + " is not connected; the Inverse Service lists " +
-                   names_of(message));
+  throw Error("the Inverse3 " + files::printable(name) + " is not connected; the Inverse Service lists " + names_of(message));
 }
 
 std::string configuration(const Version& version) {
@@ -197,8 +196,7 @@ Frames::Frames(const Version& version, const std::string& id) {
 }
 
 std::string Frames::with_force(const Eigen::Vector3d& force) const {
-  return begin_ + files::shortest(force.x()) + ",\"y\":" + files::shortest(force.y()) + ",\"z\":" + files::shortest(force.z()) +
-         "}}}}]}";
+  return begin_ + shortest(force.x()) + ",\"y\":" + shortest(force.y()) + ",\"z\":" + shortest(force.z()) + "}}}}]}";
 }
 
 }  // namespace forceshade::device::haply

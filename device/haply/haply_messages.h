@@ -6,17 +6,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace forceshade::device::haply {
-
-// An unexpected message of the service. what() says what was expected.
-struct Unexpected : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct Version {
   int major = 0, minor = 0;
@@ -26,7 +20,7 @@ struct Version {
   bool is_new() const noexcept { return minor >= 5; }
 };
 
-// From the answer to GET /version. Throws Unexpected where it has no version, and for versions that are not spoken here:
+// From the answer to GET /version. Throws Error where it has no version, and for versions that are not spoken here:
 // expected is 3.1 or later, below 4.
 Version version_of(const std::string& answer);
 
@@ -57,10 +51,10 @@ struct Message {
   bool has_grip = false;
 };
 
-// Throws Unexpected for what is no message of the service, and for a number that is not finite or beyond all reach.
+// Throws Error for what is no message of the service, and for a number that is not finite or beyond all reach.
 Message message_of(std::string_view text);
 
-// The only arm, or that whose id or serial number this is. Throws Unexpected where none is to be chosen.
+// The only arm, or that whose id or serial number this is. Throws Error where none is to be chosen.
 const Inverse3& chosen(const Message& message, const std::string& name);
 
 // The first message of a session: who this is, and the basis of the laws; answered with a full state.

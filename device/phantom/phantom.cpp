@@ -88,7 +88,7 @@ PhantomMessage Phantom::answer(milliseconds timeout) {
       return message;
     }
   }
-  const std::string seconds = files::shortest(std::chrono::duration<double>(timeout).count());
+  const std::string seconds = shortest(std::chrono::duration<double>(timeout).count());
   return failed("the PHANToM's driver has not answered for " + seconds +
                 " s: check cable and power, and whether another program holds the device");
 }

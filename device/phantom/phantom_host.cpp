@@ -27,18 +27,14 @@ using std::chrono::milliseconds;
 constexpr milliseconds kHostPoll{1}, kHostWatch{10};
 constexpr int kMeasured = 2;  // Hz: a window of frames is half a second
 
-// The reason why the device cannot be driven.
-struct Refused : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 class Host {
  public:
   Host(system::Packets& packets, PhantomShared& shared, const std::string& name, const PhantomOptions& options,
        LastWords& last_words, PhantomEnd& end, const hdapi::Functions& hd)
       : packets_(packets), shared_(shared), name_(name), options_(options), last_words_(last_words), end_(end), hd_(hd) {}
 
-  // Opens the device, starts it when the other process orders it, and holds it until the other process is gone. Throws Refused.
+  // Opens the device, starts it when the other process orders it, and holds it until the other process is gone. Throws
+  // DeviceError.
   void hold() {
     open();
     PhantomMessage message;
@@ -80,7 +76,7 @@ class Host {
     const hdapi::HDErrorInfo error = hdapi::drained(hd_);
     if (error.code == hdapi::kSuccess) return;
     std::array<char, 512> room{};
-    throw Refused(hdapi::sentence({step, error, hd_.hdGetErrorString(error.code)}, room));
+    throw DeviceError(hdapi::sentence({step, error, hd_.hdGetErrorString(error.code)}, room));
   }
   // False where the last call failed; its value is then unknown.
   bool has_answered() noexcept { return hdapi::drained(hd_).code == hdapi::kSuccess; }
@@ -133,7 +129,7 @@ void Host::open() {
   if (error.code != hdapi::kSuccess || device_ == hdapi::kInvalidDevice) {
     hdapi::Trouble trouble{"initialising the PHANToM failed, and the driver says no more"};
     if (error.code != hdapi::kSuccess) trouble = {"initialising the PHANToM", error, hd_.hdGetErrorString(error.code)};
-    throw Refused(hdapi::initialisation_advice(name_, trouble));
+    throw DeviceError(hdapi::initialisation_advice(name_, trouble));
   }
   PhantomMessage message{.kind = Kind::described, .description = described()};
   description_ = message.description;
@@ -156,7 +152,7 @@ PhantomDescription Host::described() {
   hd_.hdGetDoublev(hdapi::kUsableWorkspace, box.data());
   if (has_answered()) driver.workspace = {box[0], box[1], box[2], box[3], box[4], box[5]};
   const auto limits = phantom_limits(driver);
-  if (const auto* why = std::get_if<std::string>(&limits)) throw Refused(*why);
+  if (const auto* why = std::get_if<std::string>(&limits)) throw DeviceError(*why);
   const auto& [peak, continuous, speed, slew, low, high, words] = std::get<PhantomLimits>(limits);
   it.peak = peak;
   it.continuous = continuous;
@@ -190,7 +186,7 @@ void Host::calibrate_by_hand() {
   }
   const hdapi::HDenum status = hd_.hdCheckCalibration();
   expect_success("checking the calibration");
-  if (status != hdapi::kCalibrated) throw Refused(hdapi::kNotCalibrated);
+  if (status != hdapi::kCalibrated) throw DeviceError(hdapi::kNotCalibrated);
 }
 
 void Host::start(double rate) {
@@ -231,7 +227,7 @@ std::string why_not_ready(const PhantomSample& sample, double rate) {
   if (sample.time == 0) return hdapi::kNoFrames;
   if (!sample.times) return "the PHANToM did not get ready in time: the driver runs its frames too slowly";
   if (!sample.answers && sample.times->rate > rate / 2) return hdapi::kNoAnswer;
-  return "communication with the PHANToM is too irregular to switch forces on: expected " + files::shortest(rate) +
+  return "communication with the PHANToM is too irregular to switch forces on: expected " + shortest(rate) +
          " frames a second and no long gap, got " + words_of(*sample.times) +
          ": check cable and power, and what else this machine computes";
 }
@@ -246,17 +242,17 @@ void Host::wait_until_ready() {
   bool has_reported = false;
   for (;;) {
     system::sleep_for(kHostPoll);
-    if (packets_.is_alone()) throw Refused("the other process is gone");
+    if (packets_.is_alone()) throw DeviceError("the other process is gone");
     const PhantomSample& sample = frames_->samples.latest();
     const std::int64_t now = system::now();
-    if (sample.troubled) throw Refused(shared_.trouble.data());
+    if (sample.troubled) throw DeviceError(shared_.trouble.data());
     if (sample.phase == PhantomSample::Phase::ready) {
       if (!sample.has_temperature) report(hdapi::kTemperatureUnknown);
       if (!sample.has_rate) report(hdapi::kRateUnknown);
       return report(words_of(*sample.times) + ": " + grade_of(*sample.times));
     }
     if (sample.time == 0 || sample.calibrated) {
-      if (now - calibrated_at > system::in_ns(options_.start)) throw Refused(why_not_ready(sample, rate_));
+      if (now - calibrated_at > system::in_ns(options_.start)) throw DeviceError(why_not_ready(sample, rate_));
       continue;
     }
     if (!has_reported)
@@ -264,7 +260,7 @@ void Host::wait_until_ready() {
              (style_ == hdapi::kCalibratesItself ? hdapi::kMoveItAbout : hdapi::kRestInInkwell));
     has_reported = true;
     calibrated_at = now;
-    if (now - begin > system::in_ns(options_.calibration)) throw Refused(hdapi::kNotCalibrated);
+    if (now - begin > system::in_ns(options_.calibration)) throw DeviceError(hdapi::kNotCalibrated);
   }
 }
 
@@ -305,7 +301,7 @@ int run_phantom_host(system::Packets& packets, PhantomShared& shared, const std:
     host->close();
     return host->was_abandoned() ? kStuck : kLetGo;
   } catch (const std::exception& error) {
-    const bool of_ours = dynamic_cast<const Refused*>(&error) || dynamic_cast<const DeviceError*>(&error);
+    const bool of_ours = dynamic_cast<const DeviceError*>(&error) != nullptr;
     const std::string why = (of_ours ? "" : "the vendor's library failed: ") + std::string(error.what());
     last_words.say_unless_taken_back(why, longest_of(Ending::released));
     if (host) host->close();

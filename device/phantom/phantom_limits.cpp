@@ -26,7 +26,7 @@ bool is_within(const std::optional<double>& value, double most) {
 }
 
 std::string said(const std::optional<double>& value) {
-  return value ? "says " + files::shortest(*value) : "does not say";
+  return value ? "says " + shortest(*value) : "does not say";
 }
 
 // The box in the laws' frame, if it is one.
@@ -47,7 +47,7 @@ std::optional<Eigen::AlignedBox<float, 3>> box_of(const std::optional<std::array
 
 std::variant<PhantomLimits, std::string> phantom_limits(const DriversLimits& driver) {
   if (!is_within(driver.peak, kMostPeak))
-    return "the PHANToM's highest force: expected a number of newtons above 0 and at most " + files::shortest(kMostPeak) +
+    return "the PHANToM's highest force: expected a number of newtons above 0 and at most " + shortest(kMostPeak) +
            ", and the driver " + said(driver.peak);
   constexpr double kNone = std::numeric_limits<double>::infinity();
   PhantomLimits limits{
@@ -57,7 +57,7 @@ std::variant<PhantomLimits, std::string> phantom_limits(const DriversLimits& dri
   if (is_within(driver.continuous, *driver.peak))
     limits.continuous = std::min(limits.peak, *driver.continuous);
   else
-    limits.words += "continuous force: the driver " + said(driver.continuous) + "; " + files::shortest(limits.continuous) +
+    limits.words += "continuous force: the driver " + said(driver.continuous) + "; " + shortest(limits.continuous) +
                     " N is used, the lowest of all data sheets\n";
 
   const auto ours_alone = [&](const char* what, const std::optional<double>& value) {

@@ -14,7 +14,7 @@ Eigen::Vector3d metres(const Eigen::Vector3d& millimetres_in_law) noexcept {
   return kMillimetre * turned_to_arm(millimetres_in_law);
 }
 
-// The first one where no name is given. Throws UnknownDevice.
+// The first one where no name is given. Throws Error.
 Model simulated_model(const std::string& name) {
   std::string known;
   for (const auto& make : kModels) {
@@ -22,7 +22,7 @@ Model simulated_model(const std::string& name) {
     if (name.empty() || name == model.name) return model;
     known += (known.empty() ? "" : ", ") + std::string(model.name);
   }
-  throw UnknownDevice("unknown model \"" + name + "\" to simulate: expected one of " + known);
+  throw Error("unknown model \"" + name + "\" to simulate: expected one of " + known);
 }
 
 // N·s/m at the tip, in the reset pose, in which the Jacobian is diagonal.
@@ -161,8 +161,7 @@ std::unique_ptr<Device> open_mouse(const std::string& model, Attendant& attendan
   const Model its = simulated_model(model);
   Steering* const steering = attendant.steering();
   if (steering == nullptr)
-    throw UnknownDevice(
-        "the mouse as a device: expected a window in which it steers a hand, as 'forceshade drive' has; got none");
+    throw Error("the mouse as a device: expected a window in which it steers a hand, as 'forceshade drive' has; got none");
   return std::make_unique<Simulated>(
       its, Operator{Grip{}, Intention({{0, Eigen::Vector3d::Zero()}}, Intention::Between::straight), Tremor(1, 0), false},
       Simulated::Options{.buttons = attendant.buttons(), .steering = steering});

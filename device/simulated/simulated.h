@@ -80,11 +80,11 @@ class Simulated final : public Device {
 };
 
 // "", MODEL, MODEL:mouse or MODEL:RECORDING.csv. A recording is a hand's intention, with the columns of a replay's; without one
-// the hand makes strokes, and with the word "mouse" it is open_mouse(). Its buttons are the attendant's. Throws UnknownDevice,
-// or files::Error for a recording that cannot be read.
+// the hand makes strokes, and with the word "mouse" it is open_mouse(). Its buttons are the attendant's. Throws Error,
+// or Error for a recording that cannot be read.
 std::unique_ptr<Device> open_simulated(const std::string& rest, Attendant& attendant);
 
-// The same in a hand that means to be where the attendant steers it. model: as above. Throws UnknownDevice for another model,
+// The same in a hand that means to be where the attendant steers it. model: as above. Throws Error for another model,
 // and where the attendant steers nothing.
 std::unique_ptr<Device> open_mouse(const std::string& model, Attendant& attendant);
 

@@ -15,7 +15,7 @@ namespace forceshade::fast {
 FORCESHADE_INLINE void set_force(const std::optional<std::array<float, 3>>& force, mesh::Tick& tick) noexcept {
   tick.force = force.value_or(std::array<float, 3>{});
   if (!force) [[unlikely]]
-    tick.status = mesh::TickStatus::invalid;
+    tick.status = Status::invalid;
 }
 
 // The part of a tick that follows from where it arrived.
@@ -23,9 +23,7 @@ template <class Stages>
 FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const HandAndGoal& ends, float stiffness,
                               mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {
   tick.moves = static_cast<std::uint16_t>(at.moves);
-  tick.status = !at.is_finished                      ? mesh::TickStatus::unfinished
-                : at.spot.place == mesh::Place::free ? mesh::TickStatus::free
-                                                     : mesh::TickStatus::touching;
+  tick.status = !at.is_finished ? Status::unfinished : at.spot.place == mesh::Place::free ? Status::free : Status::contact;
   if (mesh.has_stiffness() && is_touching(at.spot)) stiffness = stiffness_at(mesh, at.spot, stiffness);
   ForceDecision decided;
   set_force(mesh_force(mesh, at, ends, stiffness, shading, Stages::kFilter, &decided), tick);
@@ -36,7 +34,7 @@ FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const HandAnd
 template <class Stages>
 [[gnu::noinline]] void advance_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
                                   float stiffness, mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {
-  const Goal goal = move_by(contact, mesh, at, p, stages);
+  const Goal goal = move_by(contact, mesh, at, p, stages, ContactRules::Others());
   if (!goal.is_decided) return set_force(std::nullopt, tick);
   settle(mesh, at, HandAndGoal(p, goal), stiffness, shading, stages, tick);
 }

@@ -38,7 +38,7 @@ class MeshSession final : public TickSession {
     const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
     at_.spot.position = p;
     if (off_centre(p) > renew_square_) seek_ball();
-    mesh::Tick tick{mesh::TickStatus::free, moves, {}, {}};
+    mesh::Tick tick{Status::free, moves, {}, {}};
     tick.after.place = mesh::Place::free;
     tick.after.position = p;
     return tick;

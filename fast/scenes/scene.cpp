@@ -22,8 +22,8 @@ std::array<float, 3> seen(const scene::Pose& pose, const std::array<float, 3>& p
   return seen_from<meshes::Shaded>(pose, p, translation).value_or(kNotSeen);
 }
 
-// The largest status of the objects is that of the scene.
-static_assert(Status::free < Status::contact && Status::contact < Status::invalid);
+// The largest status of the objects is that of the scene, unless one is invalid.
+static_assert(Status::free < Status::contact && Status::contact < Status::unfinished);
 
 // answer: all but its force.
 void add_forces(std::span<const PlacedForce> forces, Evaluation& answer) noexcept {
@@ -55,15 +55,17 @@ Evaluation SceneSession::step(const Eigen::Vector3f& position, std::span<const s
   Evaluation answer;
   std::array<PlacedForce, scene::kMostObjects> forces;
   std::size_t count = 0;
+  bool is_valid = true;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const std::array<float, 3> its = is_seen ? seen(poses[i], p, answer.stage) : kNotSeen;
     const Evaluation& one = answers_[i] = objects_[i]->step(Eigen::Vector3f(its.data()));
+    is_valid &= one.status != Status::invalid;
     answer.status = std::max(answer.status, one.status);
     answer.stage = std::max(answer.stage, one.stage);
-    answer.is_unfinished |= one.is_unfinished;
-    if (one.status == Status::contact) forces[count++] = {&poses[i], {one.force.x(), one.force.y(), one.force.z()}};
+    if (finished(one.status) == Status::contact) forces[count++] = {&poses[i], {one.force.x(), one.force.y(), one.force.z()}};
   }
-  if (answer.status == Status::contact) add_forces(std::span(forces).first(count), answer);
+  if (!is_valid) answer.status = Status::invalid;
+  if (finished(answer.status) == Status::contact) add_forces(std::span(forces).first(count), answer);
   return answer;
 }
 

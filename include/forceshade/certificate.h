@@ -10,7 +10,7 @@
 //   const auto why_not = properties::refusal(certificate, properties::current_build(), bump);
 //   std::puts(why_not ? why_not->c_str() : "may be driven");
 //
-// Errors: a file that is no certificate is a thrown CertificateError, which names the file, the key, its value and what was
+// Errors: a file that is no certificate is a thrown Error, which names the file, the key, its value and what was
 // expected.
 //
 // Threads: all of these are values, and the functions keep no state.
@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "forceshade/checks.h"
+#include "forceshade/error.h"
 #include "forceshade/identity.h"
 #include "forceshade/law.h"
 
@@ -175,12 +176,7 @@ struct Certificate {
 // "1, 2 and 7".
 std::string in_words(const std::vector<std::uint64_t>& seeds);
 
-// Names the file, the key, its value and what was expected.
-struct CertificateError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// Throws CertificateError, naming the key, where a number is not finite: JSON has none such.
+// Throws Error, naming the key, where a number is not finite: JSON has none such.
 std::string to_json(const Certificate& certificate);
 
 // The results without date, processor and duration: identical for identical input, with however many processes.
@@ -188,10 +184,10 @@ std::string to_json(const Certificate& certificate);
 std::string evidence_of(const Certificate& certificate, const std::string& missing = "");
 
 // Strict: what is missing, unknown, twice there, of another type, out of its range, or contradicts the rest is refused with a
-// CertificateError. This protects against mistakes, not against forgery (docs/certificate.md).
+// Error. This protects against mistakes, not against forgery (docs/certificate.md).
 Certificate from_json(const std::string& text, const std::string& file);
 
-// The text of a certificate's file. Throws CertificateError, with the system's reason, where it cannot be read, is empty, or is
+// The text of a certificate's file. Throws Error, with the system's reason, where it cannot be read, is empty, or is
 // larger than a certificate can be.
 std::string read_certificate(const std::string& file);
 

@@ -109,7 +109,7 @@ struct MergedPlan {
   Certificate certificate;  // from the units that are done; empty where there are alarms
 };
 
-// Each throws files::BadInput or CertificateError, naming the option or file, where the subject, the folder, a result or the
+// Each throws Error or Error, naming the option or file, where the subject, the folder, a result or the
 // build is not what it should be, and files::OutputError. make_plan() and work_on_plan() throw Interrupted where `stop` was set
 // while a mesh was checked.
 PlanState make_plan(const std::string& folder, const PlanRequest& request, const std::atomic<bool>& stop);
@@ -123,7 +123,7 @@ struct CertificateFile {
 };
 
 // At least two certificates in any order, of which one may have sweeps. Entries of one subject are added up: their seeds
-// differ, so their points do. Throws CertificateError, naming the files, if builds differ, if sweeps are not whole or are in
+// differ, so their points do. Throws Error, naming the files, if builds differ, if sweeps are not whole or are in
 // two of them, or if two entries of a subject have a seed in common or contradict each other.
 Certificate merged(std::vector<CertificateFile> files);
 

@@ -44,12 +44,23 @@ struct Description {
   std::string name;  // for people: the law's, or that of the file of a height map, mesh or scene
   std::variant<DescribedLaw, DescribedHeightMap, MeshRendering, DescribedScene> what;
 
+  // The result of the case for what it is, which is called with the members of `what` and gives one type. It does not compile
+  // while a kind has no case.
+  template <class... Cases>
+  auto visit(const Cases&... cases) const {
+    struct All : Cases... {
+      using Cases::operator()...;
+    };
+    return std::visit(All{cases...}, what);
+  }
+
+  // True if it has objects with motions, whose poses are those of the tick.
+  bool moves() const { return std::holds_alternative<DescribedScene>(what); }
+
   // K, N/mm.
   float stiffness() const {
-    if (const auto* law = std::get_if<DescribedLaw>(&what)) return law->parameters.stiffness;
-    if (const auto* map = std::get_if<DescribedHeightMap>(&what)) return map->stiffness;
-    if (const auto* scene = std::get_if<DescribedScene>(&what)) return scene->stiffness;
-    return std::get<MeshRendering>(what).stiffness;
+    return visit([](const DescribedLaw& law) { return law.parameters.stiffness; },
+                 [](const auto& other) { return other.stiffness; });
   }
 };
 

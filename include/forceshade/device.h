@@ -32,12 +32,13 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "forceshade/error.h"
 
 namespace forceshade::device {
 
@@ -171,22 +172,17 @@ class Attendant {
   virtual Steering* steering() noexcept { return nullptr; }
 };
 
-// what() lists the kinds there are.
-struct UnknownDevice : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 // The device, or the vendor's software for it, cannot be used. what() says why and what to check.
-struct DeviceError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct DeviceError : Error {
+  using Error::Error;
 };
 
 // Permits or forbids forces. With `never`, a real device's force output is never switched on.
 enum class Forces { as_commanded, never };
 
 // `name` is KIND or KIND:REST, for instance "replay:strokes.csv". No device moves by being opened. The attendant, who lives as
-// long as the device, prepares one that cannot prepare itself; the default one does nothing. Throws UnknownDevice, or what the
-// kind's own opener throws.
+// long as the device, prepares one that cannot prepare itself; the default one does nothing. Throws Error, with the
+// kinds that there are, and what the kind's own opener throws.
 std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces = Forces::as_commanded);
 std::unique_ptr<Device> open_device(const std::string& name);
 

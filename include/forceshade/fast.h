@@ -156,15 +156,10 @@ class HeightMapField {
   Sign (*first_stage_)(const SplineMap& map, const float* position, float* force) noexcept;  // the best of this machine
 };
 
-// Converts a tick to the Evaluation that the session's caller sees. An unfinished tick is a contact, and is marked.
+// Converts a tick to the Evaluation that the session's caller sees.
 inline Evaluation evaluation_of(const mesh::Tick& tick, Stage stage) noexcept {
-  switch (tick.status) {
-    case mesh::TickStatus::free: return {{0, 0, 0}, Status::free, stage};
-    case mesh::TickStatus::invalid: return {{0, 0, 0}, Status::invalid, stage};
-    default: break;
-  }
-  const Eigen::Vector3f force(tick.force[0], tick.force[1], tick.force[2]);
-  return {force, Status::contact, stage, tick.status == mesh::TickStatus::unfinished};
+  if (finished(tick.status) != Status::contact) return {{0, 0, 0}, tick.status, stage};
+  return {Eigen::Vector3f(tick.force.data()), tick.status, stage};
 }
 
 // A god-object as a servo loop drives it, which also gives the whole tick for comparisons and records.

@@ -11,7 +11,7 @@
 //
 // Lengths are in mm. Third-party files may be read: no size that a file declares is believed before the file could hold it.
 //
-// Errors: every function throws heights::Error, which names the file, and the line and key where there are any.
+// Errors: every function throws Error, which names the file, and the line and key where there are any.
 //
 // Threads: the functions keep no state, and may run at once.
 //
@@ -26,16 +26,10 @@
 #include <string>
 #include <vector>
 
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/height_map.h"
 
 namespace forceshade::heights {
-
-// "FILE: reason".
-class Error : public files::BadInput {
- public:
-  Error(const std::filesystem::path& file, const std::string& reason) : BadInput(file.string() + ": " + reason) {}
-};
 
 struct Source {
   std::filesystem::path file;

@@ -22,6 +22,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -110,7 +111,14 @@ constexpr bool has_bump_geometry(LawId id) {
   return id != LawId::wall;
 }
 
-// free: a valid position that feels no force. invalid: a coordinate that is NaN or outside the domain; force zero.
-enum class Status { free, contact, invalid };
+// free: a valid position that feels no force. invalid: a coordinate that is NaN or outside the domain; force zero. unfinished:
+// a contact whose god-object used up the moves or looks of one tick; the force is that of the point which it has come to, and
+// the next tick goes on from there. The numbers are those of the C interface.
+enum class Status : std::uint8_t { free, contact, invalid, unfinished };
+
+// A contact for one that is unfinished, and else the status itself.
+constexpr Status finished(Status status) noexcept {
+  return status == Status::unfinished ? Status::contact : status;
+}
 
 }  // namespace forceshade

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "forceshade/height_map.h"
+#include "forceshade/law.h"
 
 namespace forceshade {
 class Monitor;
@@ -167,14 +168,12 @@ struct GodObject {
   bool operator==(const GodObject&) const = default;
 };
 
-// `unfinished`: the god-object used up the moves or looks of one tick; the next tick goes on from where it is.
-enum class TickStatus : std::uint8_t { free, touching, unfinished, invalid };
-
-inline constexpr std::array<std::string_view, 4> kTickStatusNames{"free", "touching", "unfinished", "invalid"};
+// The names of a tick's Status.
+inline constexpr std::array<std::string_view, 4> kTickStatusNames{"free", "touching", "invalid", "unfinished"};
 
 // The result of one position.
 struct Tick {
-  TickStatus status = TickStatus::invalid;
+  Status status = Status::invalid;
   std::uint16_t moves = 0;       // flights and slides; a refused one is not counted
   std::array<float, 3> force{};  // N, each component the binary32 nearest to the exact one; zeros are +0
   GodObject after;               // the state that the next tick starts from

@@ -13,7 +13,7 @@
 //
 // Coordinates are in mm, within 10 000 mm. The demands on a mesh: docs/meshes.md, "What is checked".
 //
-// Errors: unreadable files throw mesh::Error; defects of a readable mesh are returned as Findings, in words with the numbers
+// Errors: unreadable files throw Error; defects of a readable mesh are returned as Findings, in words with the numbers
 // of faces and vertices, from 0 as in the file.
 //
 // Threads: the functions keep no state, and may run at once; check() uses threads of its own.
@@ -29,17 +29,11 @@
 #include <variant>
 #include <vector>
 
-#include "forceshade/bad_input.h"
 #include "forceshade/checks.h"
+#include "forceshade/error.h"
 #include "forceshade/mesh.h"
 
 namespace forceshade::mesh {
-
-// "FILE: line 12: reason", or "FILE: byte 84: reason" where the file is binary.
-class Error : public files::BadInput {
- public:
-  Error(const std::filesystem::path& file, const std::string& reason) : BadInput(file.string() + ": " + reason) {}
-};
 
 // The unit of the coordinates in the file, which no format states.
 enum class Unit { mm, m, in };

@@ -13,7 +13,7 @@
 //
 // The units are those of device::Sample in servo_loop.h: mm, N, mJ, ns. The format: docs/recording.md.
 //
-// Errors: a file that cannot be read or written is a thrown std::runtime_error, RecordingError where it is a recording's.
+// Errors: a file that cannot be read or written is a thrown Error.
 //
 // Threads: an object belongs to one thread at a time; Recorder has a thread of its own that writes.
 //
@@ -26,18 +26,13 @@
 #include <map>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "forceshade/error.h"
 #include "forceshade/servo_loop.h"
 
 namespace forceshade::recorder {
-
-// what() names the file and says what is wrong with it.
-struct RecordingError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 using Metadata = std::map<std::string, std::string>;
 
@@ -60,7 +55,7 @@ class Recorder final : public device::SampleSink {
   };
 
   // Makes the file, beside which SQLite keeps PATH-wal and PATH-shm until it is closed. Takes the metadata and adds `started`
-  // (UTC) and `layout`. Throws RecordingError, also when the file exists: a recording is never overwritten.
+  // (UTC) and `layout`. Throws Error, also when the file exists: a recording is never overwritten.
   Recorder(const std::string& path, Metadata metadata, const Options& options);
   Recorder(const std::string& path, Metadata metadata) : Recorder(path, std::move(metadata), Options{}) {}
 
@@ -81,14 +76,14 @@ class Recorder final : public device::SampleSink {
   std::unique_ptr<Writer> writer_;
 };
 
-class Database;  // recorder/sqlite.h
+class Database;  // run/recorder/sqlite.h
 
 // Reads a recording: one that is finished, one that was cut off, or one that is still being made. It holds what the file held
 // when it was opened. Nothing in it is changed, and nothing in it is trusted: a file that someone else made costs no more time
 // and memory than a recording of its size.
 class Recording {
  public:
-  // Throws RecordingError when the file cannot be read, is no recording (also one with a table too many, a view or a trigger),
+  // Throws Error when the file cannot be read, is no recording (also one with a table too many, a view or a trigger),
   // or is one of another format.
   explicit Recording(const std::string& path);
   ~Recording();
@@ -109,7 +104,7 @@ class Recording {
   const std::string& metadata_problem() const noexcept { return metadata_problem_; }
 
   // The extent by the table of chunks, without reading them; all zero without a table. `missing` ticks were left out on the
-  // way to the last; `repeated` samples are of ticks not after those of an earlier chunk. Throws RecordingError for a chunk
+  // way to the last; `repeated` samples are of ticks not after those of an earlier chunk. Throws Error for a chunk
   // that cannot be: more samples than ticks, or a first tick after its last.
   struct Extent {
     std::uint64_t samples = 0, first_tick = 0, last_tick = 0, missing = 0, repeated = 0;
@@ -119,7 +114,7 @@ class Recording {
   // True if it has the columns from `shown` on; without them (before format 4) they are zero.
   bool has_all_columns() const noexcept;
 
-  // Takes the samples in order, chunk by chunk. Throws RecordingError at the first chunk that is not as it was written.
+  // Takes the samples in order, chunk by chunk. Throws Error at the first chunk that is not as it was written.
   void for_each_chunk(const std::function<void(std::span<const device::Sample>)>& take);
 
  private:
@@ -141,7 +136,7 @@ std::vector<std::string> problems_of(Recording& recording);
 // A recording as files that other programs read.
 
 // One row a sample, times in seconds and µs. Numbers in the shortest form that reads back the same; an encoder that the device
-// has not is empty. Both throw std::runtime_error, for a damaged recording a RecordingError, and then leave no file.
+// has not is empty. Both throw Error, also for a damaged recording, and then leave no file.
 void export_csv(Recording& recording, const std::string& path);
 
 // NPY 1.0, a structured array: numpy.load(path)["x_mm"]. The very bytes of the recording.

@@ -46,8 +46,7 @@ struct Rounded {
   Eigen::Vector3f force{0, 0, 0};  // N, each component the exact one rounded to binary32, ties to even; zeros are +0
   Status status = Status::free;
   Method method = Method::filter;
-  float ulps_from_tie = 1;     // of the component nearest to a rounding tie; 0 for a tie, or too close for the filter to decide
-  bool is_unfinished = false;  // a god-object used up the moves or looks of a tick, and the force is not that of rest
+  float ulps_from_tie = 1;  // of the component nearest to a rounding tie; 0 for a tie, or too close for the filter to decide
 };
 
 struct DecimalForce {

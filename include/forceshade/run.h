@@ -68,7 +68,7 @@ bool has_failed(const device::ServoResult& result);
 // was set before.
 Outcome run(device::Device& device, const Rendering& what, const Plan& plan, const std::atomic<bool>& stop);
 
-// The summary of a run for programs, as a text in JSON: what was rendered, where, and what came of it (device/run/summary.md).
+// The summary of a run for programs, as a text in JSON: what was rendered, where, and what came of it (run/summary.md).
 // signal: the one that ended the run; empty: no signal.
 std::string summary_text(const Outcome& outcome, const Rendering& what, const Plan& plan,
                          const device::Capabilities& capabilities, const std::string& signal = "");

@@ -40,7 +40,7 @@ namespace forceshade::device {
 // One tick as a recording keeps it. Position and forces are in the frame of the law or map, which is the device's unless it was
 // placed elsewhere (Placement).
 //
-// Its bytes are a recording's format: recorder/layout.h lists them, and a change of them raises the version there.
+// Its bytes are a recording's format: run/recorder/layout.h lists them, and a change of them raises the version there.
 struct Sample {
   static constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
   static constexpr std::int64_t kNoCount = std::numeric_limits<std::int64_t>::min();  // from a device that shows no encoders
@@ -72,6 +72,11 @@ struct Sample {
   float temperature = 0;                         // State::temperature
   std::uint32_t device_state = 0;                // kCalibrated and so on, of this reading
   static constexpr std::uint32_t kCalibrated = 1, kForcesOn = 2, kReportsSent = 4, kUnfinished = 8;
+
+  // The law's answer of the tick, unless that is the end.
+  Status law_status() const noexcept {
+    return (device_state & kUnfinished) != 0 ? Status::unfinished : static_cast<Status>(status);
+  }
 };
 static_assert(sizeof(Sample) == 176 && std::is_trivially_copyable_v<Sample>);
 
@@ -325,7 +330,7 @@ struct ServoResult {
   std::size_t missed_deadlines = 0;   // ticks whose force was commanded after the next tick was due
   std::size_t overruns = 0;           // those of them that computed for longer than a period, by processor time: our own fault
   std::size_t invalid_positions = 0;  // ticks where the law refused the position; the force was zero
-  std::size_t unfinished_ticks = 0;   // fast::Evaluation::is_unfinished
+  std::size_t unfinished_ticks = 0;   // Status::unfinished
   double achieved_rate_hz = 0;        // ticks over the time they took
   Delay worst_delay;
   bool acts_on_lateness = true;  // this and the next as SupervisorLimits has them
@@ -352,18 +357,13 @@ struct ServoResult {
   Privileges privileges;         // requested only when paced
 };
 
-// fast::arithmetic_fault() found one: every proof about the fast path would be void.
-struct FloatingPointModeError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 // Ticks are due at start + k/rate; a late tick is run at once and the schedule kept, so a stall is caught up with. Where they
 // follow the device's frames, a tick is due when its frame begins, and frames that a stall missed stay missed.
 // `stop` may be set by a signal handler or another thread. However the run ends, the last command is zero force; once a rule
 // of the supervisor tripped, so is that very tick's, and only another call starts again.
 // Between the first reading and that command nothing is allocated, locked, written or thrown.
-// Before them, throws FloatingPointModeError, or std::invalid_argument for an option out of range or a device that does not
-// report its limits.
+// Before them, throws Error under a fast::arithmetic_fault(), which would void every proof about the fast path, and
+// std::invalid_argument for an option out of range or a device that does not report its limits.
 ServoResult run_servo_loop(Device& device, fast::Session& session, const ServoOptions& options, const std::atomic<bool>& stop);
 
 // The session of a law or a height map.

@@ -33,11 +33,9 @@ namespace forceshade::fast {
 enum class Stage { binary64, double_double, wide };
 
 struct Evaluation {
-  Eigen::Vector3f force{0, 0, 0};  // N; zero unless status is contact
+  Eigen::Vector3f force{0, 0, 0};  // N; zero where the status is free or invalid
   Status status = Status::free;
   Stage stage = Stage::binary64;
-  // True if a god-object used up the moves or looks of one tick; the force is then that of the point which it has come to.
-  bool is_unfinished = false;
 };
 
 // Holds whatever the renderer remembers of the path so far.

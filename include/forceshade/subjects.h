@@ -9,7 +9,7 @@
 //
 // A number without a unit is in mm, or in N/mm.
 //
-// Errors: files::BadInput for a file that cannot be read, an unknown key, a value of a wrong type or out of its domain, and a
+// Errors: Error for a file that cannot be read, an unknown key, a value of a wrong type or out of its domain, and a
 // height map or mesh that cannot be rendered; it says the file, the line, what was expected and what was got. Interrupted where
 // the monitor is stopped.
 //

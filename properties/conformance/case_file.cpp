@@ -13,12 +13,10 @@
 
 #include "files/csv.h"
 #include "files/npy.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 
 namespace forceshade::conformance {
 namespace {
-
-using files::BadInput;
 
 static_assert(std::endian::native == std::endian::little, "numbers are read and written as they are in memory");
 
@@ -50,8 +48,8 @@ std::uint64_t read_csv(std::istream& in, const std::string& file, const std::fun
 
 files::NpyHead head_of(std::istream& in, const std::string& file) try {
   return files::read_npy_head(in);
-} catch (const files::NpyFault& fault) {
-  throw BadInput(file + ": " + fault.what());
+} catch (const Error& fault) {
+  throw Error(file + ": " + fault.what());
 }
 
 // A field of a record: where it lies, and its type without the character of the byte order.
@@ -91,7 +89,7 @@ std::optional<Record> record_of(std::string_view list) {
 Record expected_record(const files::NpyHead& head, const std::string& file) {
   if (!head.type.starts_with('[')) {
     if (head.type != "<f4" || head.shape.size() != 2 || head.shape[1] != 6 || head.is_by_column)
-      throw BadInput(
+      throw Error(
           file + ": holds an array of type " + head.type + " and shape (" + head.shape_text +
           "); expected records with the fields x_mm, y_mm, z_mm, fx_N, fy_N and fz_N, or numbers of type <f4 (float32), "
           "row by row, of shape (n, 6)");
@@ -102,9 +100,9 @@ Record expected_record(const files::NpyHead& head, const std::string& file) {
   }
   const auto record = record_of(head.type);
   if (!record || head.shape.size() != 1)
-    throw BadInput(file + ": holds records " + head.type + " of shape (" + head.shape_text +
-                   "); expected one dimension, and fields that are numbers or texts");
-  const auto fault = [&](const std::string& words) { return BadInput(file + ": " + words); };
+    throw Error(file + ": holds records " + head.type + " of shape (" + head.shape_text +
+                "); expected one dimension, and fields that are numbers or texts");
+  const auto fault = [&](const std::string& words) { return Error(file + ": " + words); };
   for (const std::string& name : kNumbers) {
     const auto found = record->fields.find(name);
     if (found == record->fields.end()) throw fault("has no field " + name + "; expected x_mm, y_mm, z_mm, fx_N, fy_N and fz_N");
@@ -113,7 +111,7 @@ Record expected_record(const files::NpyHead& head, const std::string& file) {
   }
   if (const auto reset = record->fields.find("reset");
       reset != record->fields.end() && reset->second.type != "|u1" && reset->second.type != "|b1")
-    throw BadInput(file + ": field reset is of type " + reset->second.type + "; expected |u1 (uint8) or |b1 (bool)");
+    throw Error(file + ": field reset is of type " + reset->second.type + "; expected |u1 (uint8) or |b1 (bool)");
   return *record;
 }
 
@@ -137,7 +135,7 @@ std::uint64_t read_npy(std::istream& in, const std::string& file, const std::fun
   std::string bytes(record.bytes, '\0');
   for (std::uint64_t row = 0; row < head.shape[0]; ++row) {
     if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-      throw BadInput(file + ": is truncated: expected " + std::to_string(head.shape[0]) + " rows, got " + std::to_string(row));
+      throw Error(file + ": is truncated: expected " + std::to_string(head.shape[0]) + " rows, got " + std::to_string(row));
     Case its;
     for (std::size_t i = 0; i < kNumbers.size(); ++i) {
       float number = 0;
@@ -150,7 +148,7 @@ std::uint64_t read_npy(std::istream& in, const std::string& file, const std::fun
     its.place = file + ", row " + std::to_string(row);
     each(its);
   }
-  if (in.peek() != std::char_traits<char>::eof()) throw BadInput(file + ": goes on after its last row");
+  if (in.peek() != std::char_traits<char>::eof()) throw Error(file + ": goes on after its last row");
   return head.shape[0];
 }
 
@@ -172,14 +170,14 @@ void write_positions(std::ostream& out, bool is_npy, const properties::Subject& 
       out.put(is_reset ? 1 : 0).write(padded.data(), padded.size());
       continue;
     }
-    for (const float coordinate : aimed.position) out << files::shortest(coordinate) << ',';
+    for (const float coordinate : aimed.position) out << shortest(coordinate) << ',';
     out << (is_reset ? 1 : 0) << ',' << aim << '\n';
   }
 }
 
 void read_cases(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each) {
   if ((files::is_named_npy(file) ? read_npy : read_csv)(in, file, each) == 0)
-    throw BadInput(file + ": expected positions with forces, got none");
+    throw Error(file + ": expected positions with forces, got none");
 }
 
 }  // namespace forceshade::conformance

@@ -21,7 +21,7 @@ void write_positions(std::ostream& out, bool is_npy, const properties::Subject& 
 
 // Calls each() for one case after the other. An NPY file is an array of records with these fields, all binary32 but reset and
 // aim, or an array (n, 6) of binary32 numbers: a position and its force in each row. Where no reset is known, all cases are one
-// path. Throws files::Error or BadInput, which name the file, the line or row, and what was expected, also for a file without
+// path. Throws Error, which names the file, the line or row, and what was expected, also for a file without
 // cases.
 void read_cases(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each);
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "files/csv.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "properties/conformance/invariants/all.h"
 #include "properties/conformance/scene.h"
 #include "properties/conformance/timing.h"
@@ -46,7 +46,7 @@ class Run {
       }
       look_at_invariants();
       renderer_->say_goodbye();
-    } catch (const RendererFailed& failure) {
+    } catch (const files::ProcessFailed& failure) {
       found_.failure = failure.what();
     }
     return found_;
@@ -62,7 +62,7 @@ class Run {
     const Hello& its = found_.hello;
     const bool is_force = its.answer == Answer::force && its.newtons == 1;
     if (is_force || options_.tolerance.unit != Unit::ulp || !options_.tolerance.value.is_zero()) return;
-    throw files::BadInput(
+    throw Error(
         "--tolerance: expected at least 1 ulp, or N or %, for a renderer whose answers are no forces in N, since these are "
         "rounded when they are made such");
   }
@@ -228,9 +228,9 @@ class Run {
   void take_times(const Trial& trial) {
     found_.timing = time_answers(*renderer_, drawn_path(trial, kTimedPath, options_.seed + 2));
     if (!options_.most_seconds) return;
-    Invariant invariant{"an answer takes at most " + files::shortest(*options_.most_seconds) + " s", found_.timing->answers};
+    Invariant invariant{"an answer takes at most " + shortest(*options_.most_seconds) + " s", found_.timing->answers};
     if (found_.timing->worst > *options_.most_seconds)
-      invariant.violated("the slowest took " + files::shortest(found_.timing->worst) +
+      invariant.violated("the slowest took " + shortest(found_.timing->worst) +
                          " s: a device in a loop at that rate gets a late force, or the last one again");
     found_.invariants.push_back(std::move(invariant));
   }

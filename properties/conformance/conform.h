@@ -41,7 +41,7 @@ struct Conformance {
 };
 
 // Requests the renderer's forces at positions of the subject, in paths, and judges each answer where the renderer claims the
-// definition; then looks at the invariants. A renderer that fails ends the run. Throws Interrupted, and BadInput for a
+// definition; then looks at the invariants. A renderer that fails ends the run. Throws Interrupted, and Error for a
 // tolerance that has no meaning for its units.
 Conformance conform(const Description& description, const OpenRenderer& open, const ConformOptions& options,
                     const Monitor& monitor = {});

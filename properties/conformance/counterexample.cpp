@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/counterexample.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "files/printable.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -13,9 +12,7 @@ namespace {
 std::string literal(float number) {
   if (std::isnan(number)) return "NAN";
   if (std::isinf(number)) return number > 0 ? "INFINITY" : "-INFINITY";
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%af", static_cast<double>(number));
-  return text.data();
+  return hexfloat(static_cast<double>(number)) + 'f';
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ Bounds length(const Eigen::Vector3d& components, const Eigen::Vector3d& off) {
 
 // The largest change of the exact force by its rounding.
 Eigen::Vector3d rounding_of(const reference::Rounded& rounded) {
-  if (rounded.status != Status::contact) return Eigen::Vector3d::Zero();
+  if (finished(rounded.status) != Status::contact) return Eigen::Vector3d::Zero();
   Eigen::Vector3d off;
   for (Eigen::Index axis = 0; axis < 3; ++axis) off[axis] = properties::half_spacing(rounded.force[axis]);
   return off;
@@ -110,7 +110,7 @@ bool is_within(const Tolerance& tolerance, const Eigen::Vector3f& answer, const 
   if (found.ulps == kNoNumber) return false;
   const auto value = tolerance.value.nearest<double>();
   if (tolerance.unit == Unit::ulp) return static_cast<double>(found.ulps) <= value;
-  if (rounded.status != Status::contact && tolerance.unit == Unit::percent) return found.ulps == 0;
+  if (finished(rounded.status) != Status::contact && tolerance.unit == Unit::percent) return found.ulps == 0;
   constexpr double kDown = 1 - 1e-15, kUp = 1 + 1e-15;  // four roundings
   const Bounds most = tolerance.unit == Unit::newton
                           ? Bounds{value * kDown, value * kUp}

@@ -16,9 +16,6 @@ namespace forceshade::conformance {
 // closest_point: the point to which the force pulls, the position itself where there is no contact.
 enum class Answer { force, impulse, closest_point };
 
-// A renderer or simulator did not answer as it has to. What was requested is part of the words where one position is to blame.
-using RendererFailed = files::ProcessFailed;
-
 // An axis of the scene, or its opposite.
 struct Axis {
   std::size_t index = 0;
@@ -41,7 +38,8 @@ struct Hello {
   bool has_own_units() const;  // true unless it gives forces in N for positions in mm, both in the frame of the scene
 };
 
-// The hello of a renderer that is opened on this scene (scene.h). Throws RendererFailed, with the key and what was expected.
+// The hello of a renderer that is opened on this scene (scene.h). Throws files::ProcessFailed, with the key and what was
+// expected.
 Hello hello_of(const nlohmann::ordered_json& said, const nlohmann::ordered_json& scene);
 
 }  // namespace forceshade::conformance

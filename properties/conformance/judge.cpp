@@ -34,7 +34,7 @@ double size_of(const Distance& distance, Unit unit) {
 // The number of characters that it takes to write a position: fewer are simpler.
 std::size_t length_of(const Eigen::Vector3f& position) {
   std::size_t length = 0;
-  for (const float coordinate : position) length += files::shortest(coordinate).size();
+  for (const float coordinate : position) length += shortest(coordinate).size();
   return length;
 }
 
@@ -78,7 +78,7 @@ std::optional<Judged> Judge::add(const Case& next) {
     ++judgement_.undecided;
     return std::nullopt;
   }
-  if (exact.is_unfinished) {
+  if (exact.status == Status::unfinished) {
     ++judgement_.unfinished;
     return std::nullopt;
   }

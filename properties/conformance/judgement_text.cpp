@@ -2,12 +2,12 @@
 #include "properties/conformance/judgement_text.h"
 
 #include <array>
-#include <cstdio>
 
 #include "properties/binary32.h"
 #include "properties/conformance/counterexample.h"
 #include "properties/conformance/scene.h"
 #include "rendering/identity/identity_json.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -18,15 +18,9 @@ using properties::show;
 constexpr std::array<Unit, 3> kUnits{Unit::ulp, Unit::newton, Unit::percent};
 constexpr std::array<const char*, 3> kWorstNames{"worst_in_ulp", "worst_in_newton", "worst_in_percent"};
 
-std::string format(const char* layout, double value) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), layout, value);
-  return text.data();
-}
-
 std::string share(std::uint64_t part, std::uint64_t of) {
   std::string text = std::to_string(part) + " of " + std::to_string(of);
-  if (of > 0) text += " (" + format("%.4g", 100 * static_cast<double>(part) / static_cast<double>(of)) + " %)";
+  if (of > 0) text += " (" + digits(100 * static_cast<double>(part) / static_cast<double>(of), 4) + " %)";
   return text;
 }
 
@@ -40,9 +34,9 @@ std::string ulps_in(std::size_t bin) {
 
 std::string error_words(const Distance& distance) {
   if (distance.ulps == kNoNumber) return "is no finite force";
-  std::string words = std::to_string(distance.ulps) + " ulp, " + format("%.3g", distance.newtons.high) + " N";
+  std::string words = std::to_string(distance.ulps) + " ulp, " + digits(distance.newtons.high, 3) + " N";
   if (distance.exact_newtons.high > 0)
-    words += ", " + format("%.3g", 100 * distance.newtons.high / distance.exact_newtons.high) + " % of the force";
+    words += ", " + digits(100 * distance.newtons.high / distance.exact_newtons.high, 3) + " % of the force";
   return words;
 }
 

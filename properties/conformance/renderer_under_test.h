@@ -26,17 +26,18 @@ class RendererUnderTest {
   virtual const Hello& hello() const = 0;
 
   // The answers to the next positions of the path, one for each, all in its own units; is_reset: a new path begins with
-  // them, from no contact. Throws RendererFailed; then no further call is of use.
+  // them, from no contact. Throws files::ProcessFailed; then no further call is of use.
   virtual std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) = 0;
 
-  // The number and size of its allocations in its answers so far; nothing where they are not counted. Throws RendererFailed.
+  // The number and size of its allocations in its answers so far; nothing where they are not counted. Throws
+  // files::ProcessFailed.
   virtual std::optional<Allocations> allocations() { return std::nullopt; }
 
-  // Nothing will be requested any more. Throws RendererFailed.
+  // Nothing will be requested any more. Throws files::ProcessFailed.
   virtual void say_goodbye() = 0;
 };
 
-// Opens it on a scene (scene.h). Throws RendererFailed.
+// Opens it on a scene (scene.h). Throws files::ProcessFailed.
 using OpenRenderer = std::function<std::unique_ptr<RendererUnderTest>(const nlohmann::ordered_json& scene)>;
 
 }  // namespace forceshade::conformance

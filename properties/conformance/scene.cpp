@@ -3,10 +3,10 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "forceshade/identity.h"
 #include "rendering/identity/identity_json.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -55,23 +55,20 @@ Json json_of(const MovingObject& object) {
 
 Json hexfloats(std::span<const float> numbers) {
   Json all = Json::array();
-  for (const float number : numbers) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%a", static_cast<double>(number));
-    all.push_back(std::isnan(number) ? "nan" : text.data());
-  }
+  for (const float number : numbers) all.push_back(std::isnan(number) ? "nan" : hexfloat(static_cast<double>(number)));
   return all;
 }
 
 Json scene_of(const Description& description) {
   const Identity identity = identity_of(description);
   Json json{{"kind", identity.kind}, {"name", identity.name}, {"parameters", parameters_json(identity)}};
-  if (const auto* map = std::get_if<DescribedHeightMap>(&description.what)) json["parts"] = words_of(map->map);
-  if (const auto* mesh = std::get_if<MeshRendering>(&description.what)) json["mesh"] = json_of(*mesh);
-  if (const auto* scene = std::get_if<DescribedScene>(&description.what)) {
-    json["objects"] = Json::array();
-    for (const MovingObject& object : scene->objects) json["objects"].push_back(json_of(object));
-  }
+  description.visit([](const DescribedLaw&) {},  // all of it is in the parameters
+                    [&](const DescribedHeightMap& map) { json["parts"] = words_of(map.map); },
+                    [&](const MeshRendering& mesh) { json["mesh"] = json_of(mesh); },
+                    [&](const DescribedScene& scene) {
+                      json["objects"] = Json::array();
+                      for (const MovingObject& object : scene.objects) json["objects"].push_back(json_of(object));
+                    });
   return json;
 }
 

@@ -25,7 +25,7 @@ class SceneRenderer {
   bool is_in_domain(const Eigen::Vector3f& position) const;
 
   // The forces at the next positions, which are writable; an answer that is no force in N is made one, and rounded once.
-  // Throws RendererFailed.
+  // Throws files::ProcessFailed.
   std::vector<Eigen::Vector3f> forces(std::span<const Eigen::Vector3f> positions, bool is_reset);
   // The same of a whole path, which begins anew, in requests of at most kBatch positions.
   std::vector<Eigen::Vector3f> forces_along(std::span<const Eigen::Vector3f> path);

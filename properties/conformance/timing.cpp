@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "properties/conformance/quantile.h"
-#include "rendering/number_text.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {

@@ -29,7 +29,7 @@ std::string words_of(const Allocations& in_an_answer);
 Timing timing_of(std::vector<double> seconds);
 
 // Requests the forces along the path, which is begun again until there are 4000 answers, or 10 s are over. The path is not
-// empty. Throws RendererFailed.
+// empty. Throws files::ProcessFailed.
 Timing time_answers(SceneRenderer& renderer, std::span<const Eigen::Vector3f> path);
 
 }  // namespace forceshade::conformance

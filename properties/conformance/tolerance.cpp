@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -30,9 +31,7 @@ std::optional<Tolerance> tolerance_of(std::string_view text) {
 
 std::string words_of(const Tolerance& tolerance) {
   if (tolerance.unit == Unit::ulp && tolerance.value.is_zero()) return "correctly rounded";
-  std::array<char, 32> digits{};
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), tolerance.value.nearest<double>()).ptr;
-  std::string number(digits.data(), end);
+  std::string number = shortest(tolerance.value.nearest<double>());
   if (files::Decimal::of(number) != tolerance.value) number = tolerance.value.text();
   for (const auto& [known, name] : kNamesOfUnits)
     if (known == tolerance.unit) return number + ' ' + std::string(name);

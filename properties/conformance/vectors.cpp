@@ -107,7 +107,7 @@ std::string vectors_of(const Description& description, std::uint64_t count, std:
     const properties::Aimed aimed = positions->next();
     try {
       const reference::Rounded exact = session->step(aimed.position);
-      if (exact.is_unfinished) {
+      if (exact.status == Status::unfinished) {
         begin_a_path();
         continue;
       }

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "reference/heights/kind.h"
-#include "rendering/number_text.h"
+#include "text/number_text.h"
 
 namespace forceshade::reference {
 

@@ -12,7 +12,6 @@ namespace {
 using mesh::Place;
 using mesh::Side;
 using mesh::Sides;
-using mesh::TickStatus;
 
 // The end of a flight or a slide.
 struct Stopped {  // on the surface, not at rest
@@ -91,12 +90,12 @@ class Tick {
       side = stored(side, at.feature);
       const Vector g = surface_.position(at);
       const Vector u = p_ - g;
-      if (is_zero(u)) return rests_at(at, side, TickStatus::touching);
+      if (is_zero(u)) return rests_at(at, side, Status::contact);
       const Directions ways = directions(surface_, at.feature, u);
       if (at.feature.place == Place::vertex) looks_ += surface_.fan(at.feature.index).triangles.size();
       const bool is_flight = ways.way == DirectionKind::open || (ways.way != DirectionKind::on && side_of(ways.way) == side);
-      if (!is_flight && (!ways.is_nearer || sticks(ways.along, u))) return rests_at(at, side, TickStatus::touching);
-      if (moves_ == most_moves || looks_ >= kMostLooks) return rests_at(at, side, TickStatus::unfinished);
+      if (!is_flight && (!ways.is_nearer || sticks(ways.along, u))) return rests_at(at, side, Status::contact);
+      if (moves_ == most_moves || looks_ >= kMostLooks) return rests_at(at, side, Status::unfinished);
       const End end = unless_rough(is_flight ? fly(g) : slide(g, ways.along, side));
       if (std::holds_alternative<Freed>(end)) {
         ++moves_;
@@ -110,19 +109,19 @@ class Tick {
       Reached next{grid_point_of(end), side_at(end)};
       if (rested == nullptr) {
         const Vector rest = p_ - surface_.position(next.at);
-        if (dot(rest, rest) >= dot(u, u)) return rests_at(at, side, TickStatus::touching);  // refused
+        if (dot(rest, rest) >= dot(u, u)) return rests_at(at, side, Status::contact);  // refused
       }
       if (has_sheets_) {
         const Reached from{at, side};
         const auto block = is_flight ? std::nullopt : sheets_.block(g, next.at);
         const bool is_clear = is_flight ? may_land(g, end) : !block;
         if (!is_clear) {
-          if (tries_ >= kMostTries) return rests_at(at, side, TickStatus::unfinished);
+          if (tries_ >= kMostTries) return rests_at(at, side, Status::unfinished);
           Tries tries;
           const auto other = is_flight ? sheets_.landing(g, from, point_of(end), tries)
                                        : sheets_.detour(from, next.at, carrier(ways.along), *block, tries);
           tries_ += tries.taken();
-          if (!other) return rests_at(at, side, TickStatus::touching);
+          if (!other) return rests_at(at, side, Status::contact);
           ++moves_;
           at = other->at;
           side = other->side;
@@ -245,7 +244,7 @@ class Tick {
     mesh::GodObject after;
     after.place = Place::free;
     after.position = quantised_;
-    return {TickStatus::free, moves_, after, {}};
+    return {Status::free, moves_, after, {}};
   }
 
   // Between sheets so near each other that no point of the grid is free to land on.
@@ -253,10 +252,10 @@ class Tick {
     mesh::GodObject after;
     after.place = Place::free;
     after.position = position;
-    return {TickStatus::unfinished, moves_, after, {}};
+    return {Status::unfinished, moves_, after, {}};
   }
 
-  Descended rests_at(const GridPoint& at, Side side, TickStatus status) {
+  Descended rests_at(const GridPoint& at, Side side, Status status) {
     Rest rest{exactly(at), surface_.position(at) - hand_, 1, side};
     bool may_slip_on = false;  // rule 4a
     if (const auto along = rough_way(at)) {
@@ -264,7 +263,7 @@ class Tick {
       rest = {exactly(at), -load.pressure, load.under, side, -load.pull};
       may_slip_on = !is_within(load, materials_.of(*along).dynamic_friction, 2);
     }
-    if (status != TickStatus::unfinished) is_slipping_ = is_slipping_ && may_slip_on;
+    if (status != Status::unfinished) is_slipping_ = is_slipping_ && may_slip_on;
     return {status, moves_, state(at, side), std::move(rest)};
   }
 
@@ -295,7 +294,7 @@ class Tick {
           rest.D_under * (p_ - hand_) + dot(triangle.normal, surface_.vertices()[triangle.vertices[0]] - p_) * triangle.normal;
     }
     const mesh::GodObject after = state(rounded_inside(rest.r), side);
-    return {TickStatus::touching, moves_, after, std::move(rest)};
+    return {Status::contact, moves_, after, std::move(rest)};
   }
 
   mesh::GodObject state(const GridPoint& at, Side side) const {

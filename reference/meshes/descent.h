@@ -29,7 +29,7 @@ struct Rest {
 };
 
 struct Descended {
-  mesh::TickStatus status;
+  Status status;
   unsigned moves;
   mesh::GodObject after;
   std::optional<Rest> rest;  // where it is touching

@@ -44,7 +44,7 @@ std::variant<GodObject, ParameterError> GodObject::build(const MeshRendering& re
 
 mesh::Tick GodObject::step(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {
   const ExactArithmetic with_all_bits;
-  if (!in_domain(Eigen::Vector3f(position.data()))) return {mesh::TickStatus::invalid, 0, {}, before};
+  if (!in_domain(Eigen::Vector3f(position.data()))) return {Status::invalid, 0, {}, before};
   const meshes::Descended end = parts_->contact->move(before, position, most_moves);
   mesh::Tick tick{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after};
   if (end.rest)

@@ -42,8 +42,8 @@ Eigen::Vector3f as_read(const Eigen::Vector3f& a) {
   return {quantised(a.x()), quantised(a.y()), quantised(a.z())};
 }
 
-// The largest status of the objects is that of the scene.
-static_assert(Status::free < Status::contact && Status::contact < Status::invalid);
+// The largest status of the objects is that of the scene, unless one is invalid.
+static_assert(Status::free < Status::contact && Status::contact < Status::unfinished);
 
 }  // namespace
 
@@ -71,18 +71,20 @@ Rounded SceneSession::step(const Eigen::Vector3f& position, std::span<const scen
   const bool is_seen = poses.size() == objects_.size();
   Rounded answer;
   std::array<Fraction, 3> sum;
+  bool is_valid = true;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const Rounded its = objects_[i](is_seen ? seen_from(poses[i], position).value_or(not_seen) : not_seen);
+    is_valid &= its.status != Status::invalid;
     answer.status = std::max(answer.status, its.status);
-    answer.is_unfinished |= its.is_unfinished;
-    if (its.status != Status::contact) continue;
+    if (finished(its.status) != Status::contact) continue;
     const Rotation rotation = rotation_of(poses[i]).value();
     const Vector force = integers_of(its.force);
     for (std::size_t axis = 0; axis < 3; ++axis)
       sum[axis] = {sum[axis].over * rotation.length + dot(rotation.rows[axis], force) * sum[axis].under,
                    sum[axis].under * rotation.length};
   }
-  if (answer.status != Status::contact) return answer;
+  if (!is_valid) answer.status = Status::invalid;
+  if (finished(answer.status) != Status::contact) return answer;
   for (std::size_t axis = 0; axis < 3; ++axis)
     answer.force(static_cast<Eigen::Index>(axis)) = meshes::nearest_binary32(sum[axis], -kFloatScale);
   return answer;

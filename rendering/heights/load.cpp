@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -12,6 +10,7 @@
 #include "rendering/heights/band_limit.h"
 #include "rendering/heights/coefficients.h"
 #include "rendering/heights/samples.h"
+#include "text/number_text.h"
 
 namespace forceshade::heights {
 namespace {
@@ -30,12 +29,6 @@ Samples read(const Source& source) {
   if (head.starts_with("Pf")) return read_pfm(source);
   if (head.starts_with("\x93NUMPY")) return read_npy(source);
   throw Error(file, "expected a PNG, TIFF, greyscale PFM or NPY file");
-}
-
-// As many digits as distinguish it from any other number.
-std::string words_of(double number) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
 }
 
 std::uint32_t largest_prime_factor(std::uint32_t n) {
@@ -79,7 +72,7 @@ void Samples::put(std::uint32_t row, std::uint32_t column, double number) {
   if (no_data && (number == *no_data || (std::isnan(number) && std::isnan(*no_data))))
     throw refused(" has no data, by the number that the file declares for that (GDAL_NODATA); expected a height");
   const float height = height_of(number, source->scale);
-  if (!(std::fabs(height) <= kLargest)) throw refused(" holds " + words_of(number) + ", which is no height within 10000 mm");
+  if (!(std::fabs(height) <= kLargest)) throw refused(" holds " + shortest(number) + ", which is no height within 10000 mm");
   values[std::size_t{rows - 1 - row} * columns + column] = std::fabs(height) < kSmallest ? 0 : height;
 }
 

@@ -57,7 +57,7 @@ const Type* type_named(std::string_view name) {
 
 files::NpyHead head_of(std::ifstream& in, const std::filesystem::path& file) try {
   return files::read_npy_head(in);
-} catch (const files::NpyFault& fault) {
+} catch (const Error& fault) {
   throw Error(file, fault.what());
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "rendering/identity/digest.h"
-#include "rendering/number_text.h"
+#include "text/number_text.h"
 
 namespace forceshade {
 namespace {

@@ -4,7 +4,7 @@
 #include "forceshade/identity.h"
 #include "rendering/identity/digest.h"
 #include "rendering/mesh_rendering.h"
-#include "rendering/number_text.h"
+#include "text/number_text.h"
 
 namespace forceshade {
 namespace {

@@ -31,11 +31,10 @@ Identity identity_of(const std::string& name, const DescribedScene& scene) {
 }
 
 Identity identity_of(const Description& description) {
-  const auto& [name, what] = description;
-  if (const auto* law = std::get_if<DescribedLaw>(&what)) return identity_of(law->law, law->parameters);
-  if (const auto* map = std::get_if<DescribedHeightMap>(&what)) return identity_of(name, map->map, map->mode, map->stiffness);
-  if (const auto* scene = std::get_if<DescribedScene>(&what)) return identity_of(name, *scene);
-  return identity_of(name, std::get<MeshRendering>(what));
+  const std::string& name = description.name;
+  return description.visit([](const DescribedLaw& law) { return identity_of(law.law, law.parameters); },
+                           [&](const DescribedHeightMap& map) { return identity_of(name, map.map, map.mode, map.stiffness); },
+                           [&](const auto& other) { return identity_of(name, other); });
 }
 
 }  // namespace forceshade

@@ -72,20 +72,20 @@ class BinaryBody {
   float coordinate(const Type& type) {
     const double number = type.take(bytes_);
     const auto kept = mesh::coordinate(from_binary(number, units_.length));
-    if (!kept) throw error(refusal_of_coordinate(words_of(number), units_.length));
+    if (!kept) throw error(refusal_of_coordinate(shortest(number), units_.length));
     return *kept;
   }
   float component(const Type& type, const files::Decimal& unit = 1) {
     const double number = type.take(bytes_);
     const auto kept = mesh::coordinate(from_binary(number, unit));
-    if (!kept) throw error(refusal_of_component(words_of(number), unit));
+    if (!kept) throw error(refusal_of_component(shortest(number), unit));
     return *kept;
   }
   float texture(const Type& type) { return component(type, units_.texture); }
   std::uint64_t whole(const Type& type, std::uint64_t most, const std::string& what) {
     const double number = type.take(bytes_);
     if (!(number >= 0 && number <= static_cast<double>(most)))
-      throw error("expected " + what + ", " + std::to_string(most) + " at most, got " + words_of(number));
+      throw error("expected " + what + ", " + std::to_string(most) + " at most, got " + shortest(number));
     return static_cast<std::uint64_t>(number);
   }
   std::int64_t integer(const Type& type, const char*) { return static_cast<std::int64_t>(type.take(bytes_)); }

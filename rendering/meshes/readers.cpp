@@ -120,11 +120,6 @@ std::optional<std::uint64_t> whole_number(std::string_view word) {
   return number;
 }
 
-std::string words_of(double number) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
-}
-
 void expect_room(const std::filesystem::path& file, const std::string& place, std::uint64_t number, const std::string& things,
                  std::uint64_t bytes_each, std::uint64_t bytes) {
   const std::string declared = place + "declares " + std::to_string(number) + ' ' + things;

@@ -14,6 +14,7 @@
 #include "forceshade/meshes.h"
 #include "rendering/meshes/lines.h"
 #include "rendering/meshes/load.h"
+#include "text/number_text.h"
 
 namespace forceshade::mesh {
 
@@ -98,9 +99,6 @@ std::string refusal_of_coordinate(const std::string& got, Unit unit);
 std::string refusal_of_component(const std::string& got, const files::Decimal& unit);
 // Decimal digits alone. Nothing where the word is no number below 2^64.
 std::optional<std::uint64_t> whole_number(std::string_view word);
-
-// The number with as many digits as distinguish it from any other.
-std::string words_of(double number);
 
 // Throws Error where a file of so many bytes cannot hold the number of things, each of so many bytes at least, or where they
 // are more than kMost. `place` is "line 12: " or "byte 84: ".

@@ -2,17 +2,15 @@
 #include "rendering/meshes/save.h"
 
 #include <array>
-#include <charconv>
 #include <string>
+
+#include "text/number_text.h"
 
 namespace forceshade::mesh {
 namespace {
 
-template <class T>
-void append(std::string& text, T number, char end) {
-  std::array<char, 48> digits{};
-  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-  text += end;
+void append(std::string& text, auto number, char end) {
+  text.append(number_text(number)) += end;
 }
 
 void append_point(std::string& text, const Vertex& vertex) {

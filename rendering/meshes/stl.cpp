@@ -44,7 +44,7 @@ LoadedMesh read_binary(const std::filesystem::path& file, Unit unit, std::uint64
         const std::uint64_t place = bytes.position();
         const float number = bytes.take<float>();
         const auto kept = coordinate(from_binary(static_cast<double>(number), unit));
-        if (!kept) throw bytes.error(place, refusal_of_coordinate(words_of(static_cast<double>(number)), unit));
+        if (!kept) throw bytes.error(place, refusal_of_coordinate(shortest(static_cast<double>(number)), unit));
         x = *kept;
       }
     bytes.skip(2);  // some programs use them for a colour

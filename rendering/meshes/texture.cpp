@@ -173,7 +173,7 @@ class Gradients {
     for (const float component : gradient)
       if (!(std::fabs(static_cast<double>(component)) <= kSteepest))
         throw std::invalid_argument(face(group.front() / 3) + " has a texture that goes by at " +
-                                    words_of(static_cast<double>(component)) + " mm/mm; expected 1000 at most");
+                                    shortest(static_cast<double>(component)) + " mm/mm; expected 1000 at most");
     return gradient;
   }
 

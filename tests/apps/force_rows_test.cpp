@@ -95,7 +95,7 @@ TEST(force_rows, are_as_many_as_were_read_whichever_are_answered) {
 }
 
 TEST(force_rows, that_cannot_be_read_end_it) {
-  EXPECT_THROW(answered("x_mm,y_mm,z_mm\n1,2,3\n1,here,3\n"), files::Error);
+  EXPECT_THROW(answered("x_mm,y_mm,z_mm\n1,2,3\n1,here,3\n"), Error);
 }
 
 }  // namespace

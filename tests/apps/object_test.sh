@@ -16,6 +16,8 @@ expect 0 "a wall in C" -- conform --object "it's a folder/wall of mine.so"
 
 # No object, or not the one that is expected.
 expect 2 "missing.so" -- conform --object missing.so
+mkdir bin; cp "$forceshade" bin/alone
+expect 2 "libexec/forceshade/forceshade-object, which is not there" -- bin/alone conform --law wall --object wall.so
 expect 2 "--command or --object" -- conform
 expect 2 "--command" -- conform --object wall.so --command true
 cannot_load() { expect 1 "the renderer failed: \"it cannot be loaded: " -- conform --object "$1"; }

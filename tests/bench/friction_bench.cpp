@@ -83,7 +83,7 @@ void count(const Stroke& stroke, const std::shared_ptr<const fast::Mesh>& mesh, 
   for (const auto& p : stroke.approach) session.tick(p);
   for (const auto& p : stroke.contact) {
     const mesh::Tick tick = session.tick(p);
-    one.in_contact += tick.status == mesh::TickStatus::touching;
+    one.in_contact += tick.status == Status::contact;
     one.slipping += tick.after.is_slipping;
     one.moves += tick.moves;
   }

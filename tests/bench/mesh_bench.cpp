@@ -152,7 +152,7 @@ void run_exact(const MeshWorkload& workload, const Rendering& rendering, const S
   for (const auto& p : workload.contact) {
     states.push_back(session.state());
     const mesh::Tick tick = session.tick(p);
-    touching += tick.status == mesh::TickStatus::touching;
+    touching += tick.status == Status::contact;
     entered.push_back(tick.moves > 0 ? tick.moves - 1.0 : 0.0);
   }
   const double mean = std::accumulate(entered.begin(), entered.end(), 0.0) / static_cast<double>(entered.size());
@@ -267,7 +267,7 @@ void run_crossing(const MeshWorkload& workload, const Scale& scale) {
   fast::MeshSession session = rendering.session(workload);
   for (const auto& p : workload.contact) {
     const mesh::Tick tick = session.tick(p);
-    touching += tick.status == mesh::TickStatus::touching;
+    touching += tick.status == Status::contact;
     moves += tick.moves;
     most = std::max<std::size_t>(most, tick.moves);
   }

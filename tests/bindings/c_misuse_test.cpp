@@ -7,8 +7,6 @@
 #include <atomic>
 #include <cfenv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <string>
@@ -17,6 +15,7 @@
 
 #include "forceshade.h"
 #include "tests/bindings/batches.h"
+#include "tests/bindings/misuse.h"
 
 namespace {
 
@@ -30,12 +29,9 @@ Struct sized() {
   return its;
 }
 
-struct Misuse {
-  std::string what;
-  std::function<forceshade_result()> call;
-  forceshade_result expected;
-  std::string words;  // a part of the sentence
-};
+using forceshade::tests::Misuse;
+using forceshade::tests::misuses_of_batches;
+using forceshade::tests::Use;
 
 constexpr std::array<float, 12> kVertices{0, 0, 0, 9, 0, 0, 0, 9, 0, 0, 0, 9};
 constexpr std::array<std::uint32_t, 12> kFaces{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
@@ -73,7 +69,7 @@ class CMisuse : public testing::Test {
 
   // A law, map, mesh, batch or state that is right but for what `change` does to it.
   template <class Struct, class Call>
-  static std::function<forceshade_result()> with(Struct its, const std::function<void(Struct&)>& change, const Call& call) {
+  static Use with(Struct its, const std::function<void(Struct&)>& change, const Call& call) {
     change(its);
     return [its, call]() mutable { return call(its); };
   }
@@ -114,7 +110,7 @@ class CMisuse : public testing::Test {
                                   [session](forceshade_state& its) { return forceshade_session_resume(session, &its); });
   }
 
-  static std::vector<std::function<forceshade_result()>> every_use_of(forceshade_subject subject) {
+  static std::vector<Use> every_use_of(forceshade_subject subject) {
     static std::array<float, 3> at{}, force{};
     static std::array<char, 8> text{};
     static forceshade_session session{};
@@ -127,7 +123,7 @@ class CMisuse : public testing::Test {
             [=] { return forceshade_certificate_covers("absent.json", subject); },
             [=] { return forceshade_subject_free(subject); }};
   }
-  static std::vector<std::function<forceshade_result()>> every_use_of(forceshade_session session) {
+  static std::vector<Use> every_use_of(forceshade_session session) {
     static std::array<float, 3> at{}, force{};
     static forceshade_state state = sized<forceshade_state>();
     static const forceshade_batch none = sized<forceshade_batch>();
@@ -153,7 +149,6 @@ class CMisuse : public testing::Test {
 
 TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
   forceshade_subject made{};
-  const std::string moving = "scene = \"" FORCESHADE_SOURCE_DIR "/examples/scenes/moving.toml\"\n";
   std::array<float, 3> position{}, force{};
   std::array<std::uint32_t, 12> other = kFaces;
   other[0] = 7;
@@ -220,21 +215,6 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"mesh crease NaN", new_mesh([](auto& its) { its.crease = std::nan(""); }), value, "crease is nan"},
       {"mesh stiffness", new_mesh([](auto& its) { its.stiffness = kNan; }), value, "stiffness is nan"},
 
-      {"file null", [&] { return forceshade_subject_read(nullptr, &made); }, null, "NULL"},
-      {"file made null", [&] { return forceshade_subject_read("x.toml", nullptr); }, null, "NULL"},
-      {"file absent", [&] { return forceshade_subject_read("/nowhere/x.toml", &made); }, input, "/nowhere/x.toml"},
-      {"file empty name", [&] { return forceshade_subject_read("", &made); }, input, "cannot be opened"},
-      {"file a folder", [&] { return forceshade_subject_read("/", &made); }, input, "/"},
-      {"text null", [&] { return forceshade_subject_parse(nullptr, 3, "x", &made); }, null, "NULL"},
-      {"text file null", [&] { return forceshade_subject_parse("x", 1, nullptr, &made); }, null, "NULL"},
-      {"text made null", [&] { return forceshade_subject_parse("x", 1, "x", nullptr); }, null, "NULL"},
-      {"text empty", [&] { return forceshade_subject_parse("", 0, "x.toml", &made); }, input, "x.toml: has none of the keys"},
-      {"text key", [&] { return forceshade_subject_parse("lav = 1\n", 8, "x.toml", &made); }, input, "line 1: unknown key lav"},
-      {"text syntax", [&] { return forceshade_subject_parse("law = =\n", 8, "x.toml", &made); }, input, "x.toml: line 1"},
-      {"text of a scene that moves", [&] { return forceshade_subject_parse(moving.data(), moving.size(), "x.toml", &made); },
-       input, "moving.toml: expected no object with a motion here; a session of a scene takes the poses of each tick"},
-      {"text zeros", [&] { return forceshade_subject_parse("\0\0\0", 3, "x.toml", &made); }, input, "x.toml"},
-
       {"certificate null", [&] { return forceshade_certificate_covers(nullptr, bump); }, null, "file is NULL"},
       {"certificate absent", [&] { return forceshade_certificate_covers("no.json", bump); }, input, "no.json"},
       {"certificate a folder", [&] { return forceshade_certificate_covers("/", bump); }, input, "/"},
@@ -266,47 +246,17 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
        "sizeof(forceshade_state)"},
       {"resume a law", resume(of_bump, [](auto& its) { its.place = FORCESHADE_IN_TRIANGLE; }), kind, "remembers nothing"},
   };
-  const std::vector<std::pair<std::string, std::function<void(forceshade_batch&)>>> batches{
-      {"size", [](auto& its) { its.size = 4; }},
-      {"position stride", [](auto& its) { its.position_stride = 13; }},
-      {"position component", [](auto& its) { its.position_component = 2; }},
-      {"force stride", [](auto& its) { its.force_stride = -6; }},
-      {"force component", [](auto& its) { its.force_component = 0; }},
-      {"force stride 0", [](auto& its) { its.force_stride = 0; }},
-      {"status stride 0", [](auto& its) { its.status_stride = 0; }},
-      {"count", [](auto& its) { its.count = SIZE_MAX; }},
-      {"positions not aligned",
-       [](auto& its) { its.positions = reinterpret_cast<const float*>(reinterpret_cast<const char*>(its.positions) + 1); }},
-      {"forces not aligned",
-       [](auto& its) { its.forces = reinterpret_cast<float*>(reinterpret_cast<char*>(its.forces) + 2); }}};
-  for (const auto& [what, change] : batches) {
-    misuses.push_back({"batch " + what, forces(change), size, what.starts_with("force") ? "" : "expected"});
-    misuses.push_back({"steps batch " + what, steps(change), size, ""});
-    misuses.push_back({"advance batch " + what, advance(change), size, ""});
-  }
-  misuses.push_back({"batch positions null", forces([](auto& its) { its.positions = nullptr; }), null, "NULL"});
-  misuses.push_back({"batch forces null", forces([](auto& its) { its.forces = nullptr; }), null, "NULL"});
-  const auto add_handles = [&](const std::string& name, const auto& handles) {
-    for (const auto handle : handles)
-      for (const auto& use : every_use_of(handle))
-        misuses.push_back({name + " " + std::to_string(handle.handle), use, FORCESHADE_BAD_HANDLE, "handle: it was never"});
-  };
-  add_handles("subject",
-              std::vector<forceshade_subject>{
-                  {0}, {1}, {UINT64_MAX}, {bump.handle + 1000000}, {bump.handle ^ (std::uint64_t{1} << 40U)}, freed});
-  add_handles("session",
-              std::vector<forceshade_session>{{0}, {7}, {UINT64_MAX}, {of_mesh.handle ^ (std::uint64_t{1} << 33U)}, closed});
-
-  for (const Misuse& misuse : misuses) {
-    const forceshade_result result = misuse.call();
-    EXPECT_EQ(result, misuse.expected) << misuse.what << ": " << forceshade_message();
-    EXPECT_NE(std::string(forceshade_message()).find(misuse.words), std::string::npos)
-        << misuse.what << ": " << forceshade_message();
-    if (std::getenv("FORCESHADE_SHOW_MISUSES") != nullptr)
-      std::printf("| %s | %s | %s |\n", misuse.what.c_str(), forceshade_name_of_result(result), forceshade_message());
-  }
-  std::printf("%zu misuses\n", misuses.size());
-  EXPECT_GE(misuses.size(), 100U);
+  add(misuses, forceshade::tests::misuses_of_files(&forceshade_subject_read, &forceshade_subject_parse));
+  add(misuses, misuses_of_batches("batch ", [this](const auto& change) { return forces(change); }));
+  add(misuses, misuses_of_batches("steps batch ", [this](const auto& change) { return steps(change); }));
+  add(misuses, misuses_of_batches("advance batch ", [this](const auto& change) { return advance(change); }));
+  add_handles<forceshade_subject>(
+      misuses, "subject", {{0}, {1}, {UINT64_MAX}, {bump.handle + 1000000}, {bump.handle ^ (std::uint64_t{1} << 40U)}, freed},
+      [](forceshade_subject subject) { return every_use_of(subject); });
+  add_handles<forceshade_session>(misuses, "session",
+                                  {{0}, {7}, {UINT64_MAX}, {of_mesh.handle ^ (std::uint64_t{1} << 33U)}, closed},
+                                  [](forceshade_session session) { return every_use_of(session); });
+  expect_each(misuses, &forceshade_message, 150);
   // All that was made is as it was.
   EXPECT_EQ(forceshade_forces(bump, &batch, nullptr), FORCESHADE_OK);
   EXPECT_EQ(forceshade_session_steps(of_mesh, &batch, nullptr), FORCESHADE_OK);

@@ -6,7 +6,6 @@
 #include <array>
 #include <cfenv>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <string>
@@ -14,6 +13,7 @@
 
 #include "forceshade_reference.h"
 #include "tests/bindings/batches.h"
+#include "tests/bindings/misuse.h"
 #include "tests/bindings/references.h"
 #include "tests/support/temporary_directory.h"
 
@@ -22,12 +22,8 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-struct Misuse {
-  std::string what;
-  std::function<forceshade_result()> call;
-  forceshade_result expected;
-  std::string words;  // a part of the sentence
-};
+using tests::Misuse;
+using tests::Use;
 
 std::int32_t go_on(void*, const char*, std::int32_t, std::uint64_t, const char*) {
   return 0;
@@ -49,12 +45,12 @@ class ReferenceMisuse : public testing::Test {
     forceshade_reference_free(tetrahedron);
   }
 
-  std::function<forceshade_result()> forces(const std::function<void(forceshade_batch&)>& change) const {
+  Use forces(const std::function<void(forceshade_batch&)>& change) const {
     forceshade_batch its = batch;
     change(its);
     return [this, its] { return forceshade_reference_forces(tetrahedron, &its, nullptr); };
   }
-  std::function<forceshade_result()> differences(const std::function<void(forceshade_batch&)>& change) const {
+  Use differences(const std::function<void(forceshade_batch&)>& change) const {
     forceshade_batch its = batch;
     change(its);
     return [this, its] {
@@ -63,7 +59,7 @@ class ReferenceMisuse : public testing::Test {
     };
   }
   // Nothing may be written by it.
-  std::function<forceshade_result()> certify(const std::function<void(forceshade_reference_plan&)>& change) const {
+  Use certify(const std::function<void(forceshade_reference_plan&)>& change) const {
     forceshade_reference_plan its = plan;
     change(its);
     return [this, its] {
@@ -74,7 +70,7 @@ class ReferenceMisuse : public testing::Test {
       return result;
     };
   }
-  std::function<forceshade_result()> compare(std::uint32_t axis, const std::string& rational) const {
+  Use compare(std::uint32_t axis, const std::string& rational) const {
     return [this, axis, rational] {
       std::int32_t sign = 42;
       const forceshade_result result = forceshade_reference_compare(bump, at.data(), axis, rational.c_str(), &sign);
@@ -82,7 +78,7 @@ class ReferenceMisuse : public testing::Test {
       return result;
     };
   }
-  std::function<forceshade_result()> decimals(forceshade_reference of, std::uint32_t digits) const {
+  Use decimals(forceshade_reference of, std::uint32_t digits) const {
     return [this, of, digits] {
       std::array<char, 9> text{"as it is"};
       std::size_t length = 42;
@@ -93,18 +89,10 @@ class ReferenceMisuse : public testing::Test {
       return result;
     };
   }
-  static std::function<forceshade_result()> geometry(float radius, float width, std::uint32_t digits) {
+  static Use geometry(float radius, float width, std::uint32_t digits) {
     return [=] { return forceshade_reference_geometry(radius, width, digits, nullptr, 0, nullptr); };
   }
-  static std::function<forceshade_result()> parse(const std::string& text) {
-    return [text] {
-      forceshade_reference made{42};
-      const forceshade_result result = forceshade_reference_parse(text.data(), text.size(), "x.toml", &made);
-      EXPECT_EQ(made.handle, 42U) << "nothing is written where nothing is made";
-      return result;
-    };
-  }
-  std::vector<std::function<forceshade_result()>> every_use_of(forceshade_reference of) const {
+  std::vector<Use> every_use_of(forceshade_reference of) const {
     return {decimals(of, 10),
             [=, this] { return forceshade_reference_compare(of, at.data(), 0, "1", nullptr); },
             [=, this] { return forceshade_reference_forces(of, &batch, nullptr); },
@@ -124,30 +112,12 @@ class ReferenceMisuse : public testing::Test {
 };
 
 TEST_F(ReferenceMisuse, of_every_kind_has_its_result_and_its_sentence) {
-  forceshade_reference made{};
   std::int32_t sign = 0;
   const float* const position = at.data();
   const std::string file = folder.file("certificate.json"), nowhere = folder.file("nowhere/certificate.json");
   const auto null = FORCESHADE_NULL_POINTER, size = FORCESHADE_BAD_SIZE, value = FORCESHADE_BAD_VALUE,
-             input = FORCESHADE_BAD_INPUT, kind = FORCESHADE_WRONG_KIND, failed = FORCESHADE_FAILED;
+             kind = FORCESHADE_WRONG_KIND, failed = FORCESHADE_FAILED;
   std::vector<Misuse> misuses{
-      {"file null", [&] { return forceshade_reference_read(nullptr, &made); }, null, "NULL"},
-      {"file made null", [&] { return forceshade_reference_read("x.toml", nullptr); }, null, "NULL"},
-      {"file absent", [&] { return forceshade_reference_read("/nowhere/x.toml", &made); }, input, "/nowhere/x.toml"},
-      {"file empty name", [&] { return forceshade_reference_read("", &made); }, input, "cannot be opened"},
-      {"file a folder", [&] { return forceshade_reference_read("/", &made); }, input, "/"},
-      {"text null", [&] { return forceshade_reference_parse(nullptr, 3, "x", &made); }, null, "NULL"},
-      {"text file null", [&] { return forceshade_reference_parse("x", 1, nullptr, &made); }, null, "NULL"},
-      {"text made null", [&] { return forceshade_reference_parse("x", 1, "x", nullptr); }, null, "NULL"},
-      {"text empty", parse(""), input, "x.toml: has none of the keys"},
-      {"text key", parse("lav = 1\n"), input, "line 1: unknown key lav"},
-      {"text syntax", parse("law = =\n"), input, "x.toml: line 1"},
-      {"text of a scene that moves", parse("scene = \"" FORCESHADE_SOURCE_DIR "/examples/scenes/moving.toml\"\n"), input,
-       "moving.toml: expected no object with a motion here; a session of a scene takes the poses of each tick"},
-      {"text zeros", parse(std::string(3, '\0')), input, "x.toml"},
-      {"text stiffness", parse("law = \"wall\"\nstiffness = \"0N/mm\"\n"), input, "stiffness"},
-      {"text mesh absent", parse("mesh = \"absent.off\"\nunit = \"mm\"\nstiffness = \"1N/mm\"\n"), input, "absent.off"},
-
       {"decimals position null", [&] { return forceshade_reference_decimals(bump, nullptr, 5, nullptr, 0, nullptr, nullptr); },
        null, "position"},
       {"decimals text null", [&] { return forceshade_reference_decimals(bump, position, 5, nullptr, 9, nullptr, nullptr); },
@@ -171,19 +141,10 @@ TEST_F(ReferenceMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"compare long", compare(2, std::string(20000, '1')), value, "got \"1111"},
 
       {"batch null", [&] { return forceshade_reference_forces(bump, nullptr, nullptr); }, null, "batch is NULL"},
-      {"batch positions null", forces([](auto& its) { its.positions = nullptr; }), null, "NULL"},
-      {"batch forces null", forces([](auto& its) { its.forces = nullptr; }), null, "NULL"},
-      {"batch size", forces([](auto& its) { its.size = 4; }), size, "sizeof(forceshade_batch)"},
-      {"batch stride", forces([](auto& its) { its.position_stride = 13; }), size, "multiple of 4"},
-      {"batch force stride 0", forces([](auto& its) { its.force_stride = 0; }), size, "not 0"},
-      {"batch count", forces([](auto& its) { its.count = SIZE_MAX; }), size, "count"},
       {"differences batch null", [&] { return forceshade_reference_differences(bump, nullptr, nullptr, nullptr); }, null,
        "batch"},
       {"differences count null", [&] { return forceshade_reference_differences(bump, &batch, nullptr, nullptr); }, null,
        "count"},
-      {"differences forces null", differences([](auto& its) { its.forces = nullptr; }), null, "NULL"},
-      {"differences size", differences([](auto& its) { its.size = 0; }), size, "sizeof(forceshade_batch)"},
-      {"differences component", differences([](auto& its) { its.force_component = 2; }), size, "multiple of 4"},
 
       {"geometry radius 0", geometry(0, 1, 5), value, "radius is 0 mm; expected 0.1 to 10000"},
       {"geometry radius NaN", geometry(kNan, 1, 5), value, "radius is nan"},
@@ -215,20 +176,15 @@ TEST_F(ReferenceMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"certify stopped", [&] { return forceshade_reference_certify(bump, &plan, file.c_str(), &stop_it, nullptr, nullptr); },
        failed, "stopped before its end"},
   };
-  for (const forceshade_reference none :
-       {forceshade_reference{0}, {7}, {UINT64_MAX}, {bump.handle ^ (std::uint64_t{1} << 40U)}, freed})
-    for (const auto& use : every_use_of(none))
-      misuses.push_back({"handle " + std::to_string(none.handle), use, FORCESHADE_BAD_HANDLE, "handle: it was never"});
+  add(misuses, tests::misuses_of_files(&forceshade_reference_read, &forceshade_reference_parse));
+  add(misuses, tests::misuses_of_batches("batch ", [this](const auto& change) { return forces(change); }));
+  add(misuses, tests::misuses_of_batches("differences batch ", [this](const auto& change) { return differences(change); }));
+  add_handles<forceshade_reference>(misuses, "handle",
+                                    {{0}, {7}, {UINT64_MAX}, {bump.handle ^ (std::uint64_t{1} << 40U)}, freed},
+                                    [this](forceshade_reference of) { return every_use_of(of); });
 
   const std::ptrdiff_t files = folder.entries();
-  for (const Misuse& misuse : misuses) {
-    EXPECT_EQ(misuse.call(), misuse.expected) << misuse.what << ": " << forceshade_reference_message();
-    const std::string sentence = forceshade_reference_message();
-    EXPECT_NE(sentence.find(misuse.words), std::string::npos) << misuse.what << ": " << sentence;
-    EXPECT_FALSE(sentence.empty());
-  }
-  std::printf("%zu misuses\n", misuses.size());
-  EXPECT_GE(misuses.size(), 80U);
+  expect_each(misuses, &forceshade_reference_message, 110);
   EXPECT_EQ(folder.entries(), files) << "nothing is left of a certificate that was not made";
   EXPECT_STREQ(forceshade_message(), "") << "the message of the other library is its own";
   // All that was made is as it was.

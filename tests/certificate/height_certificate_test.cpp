@@ -7,11 +7,11 @@
 #include <set>
 
 #include "certificate/build.h"
-#include "certificate/report/report.h"
 #include "forceshade/certify.h"
 #include "forceshade/heights.h"
 #include "properties/height_map_subject.h"
 #include "reference/enclosure.h"
+#include "report/report.h"
 #include "tests/properties/subject_wrapper.h"
 
 namespace forceshade::properties {
@@ -134,7 +134,7 @@ TEST(height_certificate, reads_back_what_it_wrote_whatever_the_number_of_threads
   EXPECT_EQ(to_json(from_json(text, "here.json")), text);
   std::string other = text;
   other.replace(other.find("\"height-map\""), 12, "\"height-mop\"");
-  EXPECT_THROW(from_json(other, "here.json"), CertificateError);
+  EXPECT_THROW(from_json(other, "here.json"), Error);
 }
 
 TEST(height_certificate, covers_the_map_that_was_checked) {
@@ -202,7 +202,7 @@ TEST(height_certificate, goes_together_with_sweeps_of_laws) {
   swept.sweeps.next = swept.sweeps.end;
   const Certificate both = merged({{"points", points}, {"swept", swept}});
   EXPECT_EQ(both.subjects.size(), 1U);
-  EXPECT_THROW(merged({{"both", both}, {"swept", swept}}), CertificateError) << "merged already";
+  EXPECT_THROW(merged({{"both", both}, {"swept", swept}}), Error) << "merged already";
 }
 
 }  // namespace

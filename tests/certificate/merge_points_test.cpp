@@ -7,6 +7,7 @@
 
 #include "forceshade/certify.h"
 #include "tests/certificate/made_certificate.h"
+#include "tests/support/words.h"
 
 namespace forceshade::properties {
 namespace {
@@ -22,12 +23,7 @@ CertificateFile file_of(const std::string& name, std::uint64_t seed, std::uint64
 }
 
 std::string answer_to_merging(const std::vector<CertificateFile>& files) {
-  try {
-    merged(files);
-  } catch (const CertificateError& error) {
-    return error.what();
-  }
-  return "merged";
+  return tests::thrown_by<Error>([&] { merged(files); });
 }
 
 TEST(merge_points, adds_up_every_count_of_a_subject) {

@@ -290,7 +290,7 @@ TEST(one_field, of_points_reaches_the_merged_certificate) {
     field.change(files.back().certificate);
     const bool is_of_build = !(files.back().certificate.build == tests::made_build());
     if (is_of_build)
-      EXPECT_THROW(merged(files), CertificateError);
+      EXPECT_THROW(merged(files), Error);
     else
       expect_row(merged(files), base, field, "merged points");
   }

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "certificate/report/report.h"
 #include "forceshade/certificate.h"
+#include "report/report.h"
 #include "tests/certificate/made_certificate.h"
 
 namespace forceshade::properties {

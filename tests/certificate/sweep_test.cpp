@@ -166,7 +166,7 @@ TEST(merge, refuses_what_does_not_fit_and_names_it) {
     try {
       merged(files);
       ADD_FAILURE() << "merged: " << words;
-    } catch (const CertificateError& error) {
+    } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };

@@ -16,10 +16,10 @@
 #include <string>
 
 #include "certificate/plan_folder.h"
-#include "certificate/report/thesis.h"
 #include "certificate/sweep_unit.h"
 #include "certificate/unit_result.h"
 #include "certificate/worker.h"
+#include "report/thesis.h"
 
 namespace forceshade::properties {
 namespace {

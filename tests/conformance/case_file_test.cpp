@@ -10,7 +10,8 @@
 
 #include "files/csv.h"
 #include "files/npy.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
+#include "tests/support/words.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -25,12 +26,7 @@ std::vector<Case> cases_of(const std::string& text, const std::string& file) {
 }
 
 std::string fault_of(const std::string& text, const std::string& file) {
-  try {
-    cases_of(text, file);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
+  return tests::thrown_by([&] { cases_of(text, file); });
 }
 
 std::string bytes_of(std::initializer_list<float> numbers) {

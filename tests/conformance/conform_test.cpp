@@ -85,7 +85,7 @@ TEST(conform, a_proxy_of_any_radius_does_not_claim_the_definition) {
     })(scene_of(scene));
   };
   EXPECT_NO_THROW(open(0));
-  EXPECT_THROW(open(1e-3), RendererFailed);
+  EXPECT_THROW(open(1e-3), files::ProcessFailed);
 }
 
 }  // namespace

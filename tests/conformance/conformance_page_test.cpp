@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "forceshade/subjects.h"
-#include "properties/conformance/report/figures.h"
-#include "properties/conformance/report/page.h"
+#include "report/conformance/figures.h"
+#include "report/conformance/page.h"
 #include "tests/conformance/made_judgement.h"
 #include "tests/support/has.h"
 #include "tests/support/html.h"

@@ -66,7 +66,7 @@ TEST(hello, is_not_applicable_to_a_scene_with_materials_that_it_does_not_declare
 TEST(hello, says_in_a_list_what_it_renders_of_materials) {
   const Json plain = scene_with({}, mesh::Contact::direct);
   for (const Json& wrong : {Json(true), Json("friction"), Json::array({1})})
-    EXPECT_THROW(hello_on(plain, wrong), RendererFailed);
+    EXPECT_THROW(hello_on(plain, wrong), files::ProcessFailed);
 }
 
 TEST(hello, says_what_its_units_and_axes_are_in_the_scene) {
@@ -87,7 +87,7 @@ TEST(hello, says_what_its_units_and_axes_are_in_the_scene) {
   EXPECT_FALSE(other.frame[1].is_opposite);
   for (const Json& wrong : {Json{"x", "y", "y"}, Json{"x", "x", "x"}, Json{"x", "y"}, Json{"x", "y", "w"}, Json("xyz")}) {
     said["frame"] = wrong;
-    EXPECT_THROW(hello_of(said, scene), RendererFailed) << wrong;
+    EXPECT_THROW(hello_of(said, scene), files::ProcessFailed) << wrong;
   }
 }
 

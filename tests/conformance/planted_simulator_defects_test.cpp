@@ -235,7 +235,7 @@ TEST(planted_simulator_defect, a_degenerate_triangle_takes_the_floor_away) {
 TEST(planted_simulator_defect, a_vertex_that_is_no_number_ends_it) {
   EXPECT_EQ(failures({.opened =
                           [](World& world) {
-                            if (world.refusal) throw RendererFailed("it ended");
+                            if (world.refusal) throw files::ProcessFailed("it ended");
                           }}),
             Names{kVertex});
 }
@@ -268,7 +268,7 @@ TEST(simulators, one_that_reports_no_contacts_is_not_asked_whether_they_agree_wi
 TEST(simulators, one_that_ends_where_nothing_is_hostile_ends_the_check) {
   const SimulatorConformance its = conform_simulator(own_simulator({.opened = [](World& world) {
     if (world.ground.is_flat()) return;
-    throw RendererFailed("it ended");
+    throw files::ProcessFailed("it ended");
   }}));
   EXPECT_EQ(its.failure, "it ended");
   EXPECT_FALSE(its.held());

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "properties/conformance/judgement_text.h"
-#include "properties/conformance/report/comparison.h"
 #include "properties/conformance/simulators/conform_simulator.h"
+#include "report/conformance/comparison.h"
 #include "tests/support/has.h"
+#include "tests/support/words.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -156,12 +157,7 @@ TEST(comparison, decides_by_how_large_a_violation_is_and_not_by_how_much_is_used
 }
 
 std::string fault_of(const std::string& before, const std::string& after) {
-  try {
-    compare(before, "a.json", after, "b.json");
-  } catch (const files::BadInput& fault) {
-    return fault.what();
-  }
-  return "no fault";
+  return tests::thrown_by<Error>([&] { compare(before, "a.json", after, "b.json"); });
 }
 
 TEST(comparison, refuses_a_simulator_beside_a_renderer) {

@@ -16,7 +16,7 @@ import time
 from haply.stand_in import StandIn, skip_without_websockets
 from stalls import may_run_in_real_time
 
-STAND_IN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "device", "stand_ins", "forceshade-standin")
+STAND_IN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "stand_ins", "forceshade-standin")
 
 
 class Arm:

@@ -11,21 +11,15 @@
 #include "forceshade/device.h"
 #include "tests/device/stand_in_hd/stand_in_hd.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device::hdapi {
 namespace {
 
-std::string why_not(const std::vector<std::string>& names) {
-  try {
-    load(names);
-  } catch (const DeviceError& error) {
-    return error.what();
-  }
-  return "";
-}
+using tests::expect_words;
 
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\nnot in: " << text;
+std::string why_not(const std::vector<std::string>& names) {
+  return tests::thrown_by<DeviceError>([&] { load(names); });
 }
 
 TEST(hdapi_library, missing_says_every_name_that_was_tried_and_where) {
@@ -61,8 +55,7 @@ TEST(hdapi_library, drains_the_stack_and_tells_the_oldest_error) {
   const Functions hd = load({STAND_IN_HD});
   stand_in_hd::reset();
   hd.hdEnable(0x1);
-  stand_in_hd::tell({.rate = kTimer});
-  hd.hdSetSchedulerRate(500);
+  hd.hdUnschedule(0);
   const HDErrorInfo oldest = drained(hd);
   EXPECT_EQ(oldest.code, kInvalidEnum);
   EXPECT_EQ(oldest.internal, 42);

@@ -42,7 +42,7 @@ int main(int, char** words) {
   if (words[1] == std::string("crash"))
     orders.crash = {.how = Crash::How::segmentation_fault, .when = Moment::contact};
   else
-    orders.kill = {.pid = Kill::kParent, .signal = signals.at(words[1]), .when = Moment::contact};
+    orders.crash = {.how = Crash::How::signal_to_parent, .when = Moment::contact, .signal = signals.at(words[1])};
   setenv("FORCESHADE_HD_LIBRARY", STAND_IN_HD, 1);
   reset();
   tell(orders);

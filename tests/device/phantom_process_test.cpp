@@ -13,7 +13,6 @@
 #include <csignal>
 #include <fstream>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +23,6 @@
 namespace forceshade::device {
 namespace {
 
-using stand_in_hd::Blocks;
 using stand_in_hd::Crash;
 using stand_in_hd::Moment;
 
@@ -107,12 +105,8 @@ TEST_F(phantom, whose_library_exits_prints_nothing_that_the_program_was_about_to
 
 TEST_F(phantom, whose_library_is_missing_says_where_it_was_looked_for) {
   setenv("FORCESHADE_HD_LIBRARY", "/nowhere/libHD.so", 1);
-  try {
-    Phantom device("");
-    ADD_FAILURE();
-  } catch (const DeviceError& error) {
-    expect_words(error.what(), {"/nowhere/libHD.so: cannot open shared object file", "FORCESHADE_HD_LIBRARY"});
-  }
+  expect_words(tests::thrown_by<DeviceError>([&] { Phantom device(""); }),
+               {"/nowhere/libHD.so: cannot open shared object file", "FORCESHADE_HD_LIBRARY"});
 }
 
 TEST_F(phantom, keeps_no_file_of_the_program_open) {
@@ -141,12 +135,7 @@ TEST_F(phantom, whose_library_fails_while_it_is_opened_says_so_and_leaves_no_pro
         Case{Crash::How::exception, {"the vendor's library failed: thrown by the driver"}}}) {
     stand_in_hd::reset();
     tell({.crash = {.how = how, .when = Moment::before_start}});
-    try {
-      Phantom device("");
-      ADD_FAILURE() << words.front();
-    } catch (const DeviceError& error) {
-      expect_words(error.what(), words);
-    }
+    expect_words(tests::thrown_by<DeviceError>([&] { Phantom device(""); }), words);
     EXPECT_TRUE(has_no_child()) << words.front();
   }
 }
@@ -156,7 +145,7 @@ TEST_F(phantom, whose_library_fails_in_a_frame_says_so_and_leaves_no_process) {
   for (const Crash::How how : {Crash::How::segmentation_fault, Crash::How::abort, Crash::How::exit, Crash::How::exception}) {
     SCOPED_TRACE(static_cast<int>(how));
     stand_in_hd::reset();
-    tell({.crash = {.how = how, .when = Moment::settling}});
+    tell({.crash = {.how = how, .when = Moment::frame, .frame = 10}});
     {
       Phantom device("", kPatient);
       const auto fault = device.start(1000);
@@ -165,15 +154,6 @@ TEST_F(phantom, whose_library_fails_in_a_frame_says_so_and_leaves_no_process) {
     }
     EXPECT_TRUE(has_no_child());
   }
-  stand_in_hd::reset();
-  tell({.crash = {.how = Crash::How::segmentation_fault, .when = Moment::free, .frame = 50}});
-  {
-    Phantom device("", kHurried);
-    ASSERT_FALSE(device.start(1000));
-    wait_for_the_end_of(device.process());
-    EXPECT_EQ(words_of_fault(device), hdapi::kDriverEnded);
-  }
-  EXPECT_TRUE(has_no_child());
 }
 
 TEST_F(phantom, whose_process_is_killed_says_so_and_leaves_none) {
@@ -214,57 +194,6 @@ TEST_F(phantom, that_is_pushed_when_its_library_fails_or_hangs_in_a_frame_is_let
     EXPECT_TRUE(has_no_child());
   }
   stand_in_hd::reset();
-}
-
-// Every call that may hang, wherever the run is: words, and an end.
-TEST_F(phantom, whose_driver_never_returns_from_a_call_before_the_start_is_given_up) {
-  struct Case {
-    Blocks blocks;
-    const char* words;
-    std::chrono::milliseconds Phantom::Options::*limit;
-  };
-  for (const auto& [blocks, words, limit] :
-       {Case{Blocks::init_device, "the PHANToM's driver has not answered for 0.5 s", &Phantom::Options::open},
-        Case{Blocks::start_scheduler, hdapi::kNoStart, &Phantom::Options::start},
-        Case{Blocks::begin_frame, hdapi::kNoFrames, &Phantom::Options::start}}) {
-    Phantom::Options hasty = kPatient;
-    hasty.*limit = 500ms;
-    SCOPED_TRACE(words);
-    stand_in_hd::reset();
-    tell({.blocks = blocks});
-    Listener listener;
-    std::optional<Fault> fault;
-    std::string why;
-    try {
-      Phantom device("", hasty, listener);
-      fault = device.start(1000);
-      if (fault) why = fault->words;
-    } catch (const DeviceError& error) {
-      why = error.what();
-    }
-    expect_words(why, {words});
-    expect_words(listener.heard, {hdapi::kNoEnd});
-    EXPECT_TRUE(has_no_child());
-  }
-  stand_in_hd::reset();
-}
-
-TEST_F(phantom, whose_driver_never_returns_from_a_call_ends_and_the_user_is_told) {
-  for (const Blocks blocks : {Blocks::end_frame, Blocks::disable_device}) {
-    SCOPED_TRACE(static_cast<int>(blocks));
-    stand_in_hd::reset();
-    Listener listener;
-    auto device = std::make_unique<Phantom>("", kHurried, listener);
-    ASSERT_FALSE(device->start(1000));
-    tell({.blocks = blocks});
-    if (blocks == Blocks::end_frame) {
-      EXPECT_EQ(words_of_fault(*device), hdapi::kSilent);
-    }
-    device.reset();
-    expect_words(listener.heard, {hdapi::kNoEnd});
-    EXPECT_TRUE(has_no_child());
-    EXPECT_FALSE(seen().output) << "with its process";
-  }
 }
 
 // The system kills this process first where memory runs out, and the driver's, which then sends zero, last.
@@ -340,12 +269,8 @@ TEST_F(phantom, is_driven_beside_another_by_one_program) {
 
 TEST_F(phantom, that_is_held_already_is_refused) {
   const Phantom first("");
-  try {
-    Phantom second("");
-    FAIL();
-  } catch (const DeviceError& error) {
-    expect_words(error.what(), {"the device is in use", "close the program that has it open"});
-  }
+  expect_words(tests::thrown_by<DeviceError>([&] { Phantom second(""); }),
+               {"the device is in use", "close the program that has it open"});
   EXPECT_TRUE(seen().initialised) << "the first is left alone";
 }
 

@@ -10,6 +10,7 @@
 #include "files/csv.h"
 #include "forceshade/device.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device {
 namespace {
@@ -21,12 +22,7 @@ constexpr const char* kHeader = "t_s,x_mm,y_mm,z_mm\n";
 std::string error_of(const std::string& rows) {
   const TemporaryDirectory directory;
   const std::string path = directory.write("hand.csv", rows);
-  try {
-    Replay::load(path);
-  } catch (const files::Error& error) {
-    return std::string(error.what()).substr(directory.path().size() + 1);
-  }
-  return "no error";
+  return tests::without(directory.file(""), tests::thrown_by<Error>([&] { Replay::load(path); }));
 }
 
 // All readings at this rate, which are as many as the replay announced.
@@ -204,16 +200,11 @@ TEST(open_device, opens_a_device_that_is_none) {
 TEST(open_device, lists_the_kinds_it_knows_and_names_the_nearest) {
   for (const std::string name : {"", "replay", "replay:", "phantom:", "simulated:", "phantomx", "null:1", ":"}) {
     const std::string nearest = name.ends_with('x') ? name.substr(0, name.size() - 1) : "";
-    try {
-      open_device(name);
-      FAIL() << name;
-    } catch (const UnknownDevice& error) {
-      EXPECT_EQ(error.what(),
-                "unknown device \"" + name +
-                    "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]], mouse[:MODEL], phantom[:NAME], "
-                    "command:PROGRAM, haply[:ID] or dhd[:SERIAL]" +
-                    (nearest.empty() ? "" : "; the nearest is " + nearest));
-    }
+    EXPECT_EQ(tests::thrown_by<Error>([&] { open_device(name); }),
+              "unknown device \"" + name +
+                  "\": expected null, replay:FILE.csv, simulated[:MODEL[:FILE.csv]], mouse[:MODEL], phantom[:NAME], "
+                  "command:PROGRAM, haply[:ID] or dhd[:SERIAL]" +
+                  (nearest.empty() ? "" : "; the nearest is " + nearest));
   }
 }
 

@@ -18,14 +18,15 @@
 #include <variant>
 
 #include "certificate/build.h"
-#include "device/run/record.h"
-#include "device/run/rule_names.h"
-#include "device/run/summary.h"
-#include "device/run/words.h"
 #include "forceshade/checks.h"
 #include "forceshade/recording.h"
+#include "run/record.h"
+#include "run/rule_names.h"
+#include "run/summary.h"
+#include "run/words.h"
 #include "tests/device/servo_loop_fixture.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::run {
 namespace {
@@ -266,7 +267,7 @@ TEST(run, of_no_certificate_says_so_and_one_that_was_stopped_before_leaves_nothi
   EXPECT_FALSE(fs::exists(plan.record));
   run(device, wall(), plan, go_on);
   EXPECT_EQ(recorder::Recording(plan.record).metadata().at("certificate_digest"), "none");
-  EXPECT_THROW(run(device, wall(), plan, go_on), recorder::RecordingError) << "it is there already";
+  EXPECT_THROW(run(device, wall(), plan, go_on), Error) << "it is there already";
   plan.overwrite = true;
   InTheWall again(true);
   run(again, wall(), plan, go_on);
@@ -364,13 +365,10 @@ TEST(record, takes_the_place_of_one_that_nobody_writes) {
       if (has_end) before.close("stopped");
     }
     const Locker other(path);
-    std::string words;
-    try {
+    const std::string words = tests::thrown_by<Error>([&] {
       Record record(path, {{"law", "cylinder"}}, false, true);
       record.close("stopped");
-    } catch (const recorder::RecordingError& error) {
-      words = error.what();
-    }
+    });
     EXPECT_EQ(
         words,
         has_end ? "" : path + ": cannot replace the recording: the process " + std::to_string(other.process) + " writes it");

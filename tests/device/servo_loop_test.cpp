@@ -87,7 +87,7 @@ TEST(servo_loop, counts_unfinished_ticks_and_holds_their_force) {
       if (position.z() > 0) return {};
       const bool lags = touching >= 1000 && touching < 1003;
       ++touching;
-      return {{0, 0, lags ? 5.0F : 0.125F}, Status::contact, fast::Stage::binary64, lags};
+      return {{0, 0, lags ? 5.0F : 0.125F}, lags ? Status::unfinished : Status::contact};
     }
     int touching = 0;
   } session;

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <string>
-#include <thread>
 
 #include "device/passivity_controller.h"
 #include "device/sent_forces.h"
@@ -73,22 +71,6 @@ TEST(servo_loop, does_not_take_a_force_that_is_withheld_for_one_that_moves_nothi
   const Kept run(device, wall(), unpaced());
   EXPECT_EQ(run.end_reason, EndReason::end_of_data) << (run.trip ? name_of(run.trip->rule) : run.fault);
   EXPECT_GT(run.account.largest_change, 0.5);
-}
-
-TEST(servo_loop, trip_by_lateness_only_when_there_are_deadlines) {
-  struct Slow final : Pushing {
-    std::optional<Fault> on_command() noexcept override {
-      if (commands.size() == 2) std::this_thread::sleep_for(std::chrono::milliseconds(60));
-      return std::nullopt;
-    }
-  };
-  Slow paced;
-  const Kept late(paced, wall(), {.max_seconds = 0.2});
-  ASSERT_TRUE(late.trip);
-  EXPECT_EQ(late.trip->rule, Rule::watchdog);
-  EXPECT_LE(late.ticks, 3U);
-  Slow unhurried;
-  EXPECT_EQ(Kept(unhurried, wall(), {.max_seconds = 0.2, .paced = false}).end_reason, EndReason::time_up);
 }
 
 TEST(servo_loop, gives_no_force_without_the_dead_man_button) {

@@ -19,6 +19,7 @@
 #include "tests/device/each_model.h"
 #include "tests/support/kept_samples.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device {
 namespace {
@@ -344,12 +345,8 @@ TEST(open_simulated, knows_its_models_and_makes_strokes_without_a_recording) {
   EXPECT_EQ(device->capabilities().model, "omni");
   device->start(1000);
   EXPECT_LE((read(*device).position - Eigen::Vector3f(-20, 0, 10)).norm(), 0.2F);
-  try {
-    open_device("simulated:touch");
-    FAIL();
-  } catch (const UnknownDevice& error) {
-    EXPECT_STREQ(error.what(), "unknown model \"touch\" to simulate: expected one of premium-1.5, premium-1.0, omni");
-  }
+  EXPECT_EQ(tests::thrown_by<Error>([&] { open_device("simulated:touch"); }),
+            "unknown model \"touch\" to simulate: expected one of premium-1.5, premium-1.0, omni");
 }
 
 TEST(open_simulated, has_the_buttons_of_whoever_prepares_it_and_none_without) {
@@ -384,7 +381,7 @@ TEST(open_simulated, takes_a_recording_from_its_first_time_on_for_what_the_hand_
   EXPECT_EQ(readings, 1001);
   EXPECT_NEAR(last.position.x(), 10, 3);  // a hand lags behind what it means
   EXPECT_GT(last.position.x(), 5);
-  EXPECT_THROW(open_device("simulated:omni:" + directory.file("absent.csv")), files::Error);
+  EXPECT_THROW(open_device("simulated:omni:" + directory.file("absent.csv")), Error);
   // A hand that is nowhere is a fault, not a number.
   const auto lost = open_device("simulated:omni:" + directory.write("lost.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,nan,0,0\n"));
   lost->start(1000);

@@ -1,169 +1,134 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stand-in for the vendor's library behaves as that one does, and does as it is told: processes, frames, errors and the
-// order of calls.
-
-#include "tests/device/stand_in_hd/stand_in_hd.h"
+// The stand-in for the vendor's library does as that one does and as it is told, sees what its caller should not do, and what
+// it noted can be read however its process ends or stands still. Its crashes are those of phantom_process_test, which fails
+// where one does not come.
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <functional>
 #include <string>
-#include <utility>
+#include <thread>
 #include <vector>
 
-#include "tests/device/stand_in_hd/caller.h"
-#include "tests/support/temporary_directory.h"
+#include "device/phantom/hdapi_library.h"
+#include "tests/device/stand_in_hd/memory.h"
+#include "tests/support/wait_until.h"
 
 namespace forceshade::stand_in_hd {
 namespace {
 
-TEST_F(stand_in, runs_in_another_process_and_shows_what_it_saw) {
+using namespace std::chrono_literals;
+using namespace hdapi;
+using tests::wait_until;
+
+// A disciplined caller, in a process that has loaded the library: switches the output on after 20 frames, and presses against a
+// wall of 1 N/mm at the height 0.
+class Caller {
+ public:
+  explicit Caller(const Functions& functions) : hd(functions), device(hd.hdInitDevice(nullptr)) {
+    handle = hd.hdScheduleAsynchronous(&frame, this, kDefaultPriority);
+    hd.hdStartScheduler();
+  }
+  void stop() {
+    stopping = true;
+    wait_until([&] { return stopped.load(); });
+    hd.hdStopScheduler();
+    hd.hdUnschedule(handle);
+    hd.hdDisableDevice(device);
+    EXPECT_EQ(drained(hd).code, kSuccess);
+  }
+  void runs(int count) {
+    wait_until([&, until = frames + count] { return frames >= until; });
+  }
+
+  const Functions& hd;
+  HHD device;
+  HDSchedulerHandle handle;
+  std::atomic<int> frames = 0;
+  std::atomic<bool> stopping = false, stopped = false;
+  std::function<void()> inside;  // in every frame, before its force is set
+
+ private:
+  static unsigned frame(void* self) {
+    auto& it = *static_cast<Caller*>(self);
+    const Functions& hd = it.hd;
+    std::array<double, 3> position{}, force{};
+    hd.hdBeginFrame(it.device);
+    hd.hdGetDoublev(kPosition, position.data());
+    if (it.inside) it.inside();
+    const bool output = hd.hdIsEnabled(kForceOutput) != 0;
+    if (output && !it.stopping) force[1] = std::max(0.0, -position[1]);
+    hd.hdSetDoublev(kForce, force.data());
+    hd.hdEndFrame(it.device);
+    if (it.stopping && output) hd.hdDisable(kForceOutput);
+    if (it.stopping) it.stopped = true;
+    if (++it.frames == 20) hd.hdEnable(kForceOutput);
+    return kCallbackContinue;
+  }
+};
+
+using Deed = std::function<void(const Functions&)>;
+
+pid_t forked(const Deed& deed) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  deed(load({STAND_IN_HD}));
+  std::_Exit(testing::Test::HasFailure() ? 1 : 0);
+}
+
+int status_of(pid_t child) {
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return status;
+}
+
+int in_child(const Deed& deed) {
+  return status_of(forked(deed));
+}
+
+bool ended_by(int status, int signal) {
+  return WIFSIGNALED(status) && WTERMSIG(status) == signal;
+}
+
+const Orders kInTheWall{.position = Eigen::Vector3d(0, -0.5, 0)};
+
+class stand_in : public testing::Test {
+ protected:
+  void SetUp() override { reset(); }
+  void TearDown() override {
+    for (const std::string& breach : seen().breaches) ADD_FAILURE() << breach;
+  }
+};
+
+TEST_F(stand_in, presses_as_told_and_shows_it_to_another_process) {
   tell({.press = true});
-  EXPECT_EQ(in_child([](const Functions& hd) {
-              Caller caller(hd);
-              EXPECT_EQ(caller.handle, kInvalidSchedulerHandle);
-              EXPECT_TRUE(caller.start());
-              EXPECT_EQ(caller.handle, 0U);
-              caller.runs(1100);
-              caller.stop();
-            }),
-            0);
-  const Seen all = seen();
-  EXPECT_FALSE(all.initialised || all.scheduler || all.output || all.died);
-  ASSERT_GE(all.frames.size(), 1100U);
-  EXPECT_LE((all.frames[0].position - Eigen::Vector3d(0, 3, 0)).norm(), 0.1);
-  // 20 frames, then 0.7 s and 0.2 s with the output on.
-  for (std::size_t k = 0; k < 720; ++k) EXPECT_TRUE(all.frames[k].force.isZero(0)) << k;
-  EXPECT_EQ(all.frames[919].position.y(), -2);
-  EXPECT_EQ(all.frames[919].force, Eigen::Vector3d(0, 2, 0));
-  EXPECT_FALSE(all.frames[19].output);
-  EXPECT_TRUE(all.frames[20].output);
+  const pid_t child = forked([](const Functions& hd) {
+    Caller caller(hd);
+    caller.runs(700);
+    EXPECT_TRUE(arm().force.isZero(0)) << "20 frames without output, and 0.7 s before it presses";
+    wait_until([] { return arm().force == Eigen::Vector3d(0, 2, 0); });
+    caller.stop();
+  });
+  wait_until([] { return arm().force == Eigen::Vector3d(0, 2, 0); });
+  EXPECT_EQ(arm().pid, child);
+  const auto before = Clock::now();
+  EXPECT_EQ(status_of(child), 0);
+  EXPECT_FALSE(seen().initialised || seen().scheduler || seen().output);
+  EXPECT_GT(seen().frames, 900U);
   EXPECT_TRUE(arm().force.isZero(0));
-  EXPECT_EQ(arm().pushed_until, all.pushed_until);
-  EXPECT_GT(all.pushed_until, all.frames[919].time);
+  EXPECT_GT(arm().pushed_until, before - 1s);
 }
-
-TEST_F(stand_in, keeps_the_last_frames_of_a_long_run) {
-  tell({.frame_hz = 1e6});
-  EXPECT_EQ(in_child([](const Functions& hd) {
-              Caller caller(hd);
-              caller.start();
-              wait_until([&] { return caller.frames > 66'000; });
-              tell({});
-              caller.stop();
-            }),
-            0);
-  const auto frames = seen().frames;
-  EXPECT_EQ(frames.size(), 65'536U);
-  EXPECT_TRUE(std::is_sorted(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.time < b.time; }));
-}
-
-TEST_F(stand_in, reports_an_error_that_lasts_once) {
-  for (const auto& [orders, expected] : {std::pair{Orders{.begin = kCommunication}, 1}, std::pair{Orders{.comm_lost = true}, 1},
-                                         std::pair{Orders{.get_position = kDeviceFault, .end = {kForceError, kFrame}}, 2},
-                                         std::pair{Orders{.set = kInvalidValue}, 10}}) {
-    reset();
-    tell(orders);
-    EXPECT_EQ(in_child([&](const Functions& hd) {
-                Caller caller(hd);
-                caller.start();
-                caller.runs(10);
-                EXPECT_EQ(std::min(caller.errors.load(), 10), expected);
-                caller.stop();
-              }),
-              0);
-  }
-}
-
-TEST_F(stand_in, reports_an_error_in_every_frame_if_told_so) {
-  tell({.begin = kCommunication, .errors_repeat = true});
-  EXPECT_EQ(in_child([](const Functions& hd) {
-              Caller caller(hd);
-              caller.start();
-              caller.runs(10);
-              EXPECT_GE(caller.errors, 10);
-              caller.stop();
-            }),
-            0);
-}
-
-TEST_F(stand_in, freezes_when_communication_is_lost) {
-  EXPECT_EQ(in_child([](const Functions& hd) {
-              Caller caller(hd);
-              caller.start();
-              caller.runs(100);
-              EXPECT_GT(caller.rate, 0);
-              tell({.comm_lost = true});
-              wait_until([&] { return caller.rate == 0; });
-              caller.runs(100);
-              caller.stop();
-            }),
-            0);
-  const auto frames = seen().frames;
-  EXPECT_NE(frames[0].position, frames[99].position);
-  EXPECT_EQ(frames.back().position, frames[frames.size() - 100].position);
-}
-
-TEST_F(stand_in, numbers_what_is_scheduled_from_zero) {
-  EXPECT_EQ(in_child([](const Functions& hd) {
-              const auto nothing = [](void*) -> unsigned { return kCallbackContinue; };
-              EXPECT_EQ(hd.hdScheduleAsynchronous(nothing, nullptr, 0), 0U);
-              EXPECT_EQ(hd.hdScheduleAsynchronous(nothing, nullptr, 0), 1U);
-              hd.hdUnschedule(0);
-              EXPECT_EQ(hd.hdGetError().code, kSuccess);
-              hd.hdUnschedule(0);
-              EXPECT_EQ(hd.hdGetError().code, kInvalidOperation);
-              EXPECT_EQ(hd.hdScheduleAsynchronous(nothing, nullptr, 0), 0U);
-            }),
-            0);
-}
-
-TEST_F(stand_in, starts_with_an_error_that_its_starter_reads) {
-  tell({.start_with_error = kTimer});
-  EXPECT_EQ(in_child([](const Functions& hd) {
-              Caller caller(hd);
-              EXPECT_FALSE(caller.start());
-              caller.runs(5);
-              caller.stop();
-            }),
-            0);
-}
-
-TEST_F(stand_in, prints_to_standard_output) {
-  const tests::TemporaryDirectory directory;
-  const std::string file = directory.file("printed");
-  for (const bool prints : {true, false}) {
-    reset();
-    tell({.prints = prints});
-    EXPECT_EQ(in_child([&](const Functions& hd) {
-                ASSERT_TRUE(std::freopen(file.c_str(), "w", stdout));
-                const Caller caller(hd);
-                hd.hdDisableDevice(caller.device);
-              }),
-              0);
-    EXPECT_EQ(directory.read("printed"), prints ? "InitLogFile : (null)\n" : "");
-  }
-}
-
-TEST_F(stand_in, has_its_frames_at_the_rate_it_is_told) {
-  tell({.frame_hz = 250});
-  EXPECT_EQ(in_child([](const Functions& hd) {
-              Caller caller(hd);
-              caller.start();
-              const auto before = Clock::now();
-              caller.runs(101);
-              EXPECT_GE(Clock::now() - before, 390ms);
-              EXPECT_EQ(caller.rate, 250);
-              caller.stop();
-            }),
-            0);
-}
-
-Functions of_the_undisciplined;
 
 TEST_F(stand_in, ends_the_force_at_the_tick_after_the_output_was_switched_off) {
-  tell({.position = Eigen::Vector3d(0, -0.5, 0)});
+  tell(kInTheWall);
   const int status = in_child([](const Functions& hd) {
     Caller caller(hd);
     int frames = 0;
@@ -174,17 +139,15 @@ TEST_F(stand_in, ends_the_force_at_the_tick_after_the_output_was_switched_off) {
       if (frames == 1 && !pushes) std::_Exit(1);
       if (frames == 2) std::_Exit(pushes ? 2 : 0);
     };
-    caller.start();
     for (;;) pause();
   });
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 TEST_F(stand_in, keeps_the_last_force_when_the_scheduler_has_stopped_until_the_device_is_disabled) {
-  tell({.position = Eigen::Vector3d(0, -0.5, 0)});
+  tell(kInTheWall);
   const int status = in_child([](const Functions& hd) {
     Caller caller(hd);
-    caller.start();
     wait_until([] { return arm().force.norm() > kContact; });
     hd.hdStopScheduler();
     EXPECT_GT(arm().force.norm(), kContact);
@@ -195,14 +158,13 @@ TEST_F(stand_in, keeps_the_last_force_when_the_scheduler_has_stopped_until_the_d
     EXPECT_TRUE(arm().force.isZero(0));
   });
   EXPECT_EQ(status, 0);
-  const std::vector<std::string> breaches = seen().breaches;
-  EXPECT_EQ(breaches,
+  EXPECT_EQ(seen().breaches,
             (std::vector<std::string>{"hdStopScheduler with the force output on", "hdStopScheduler with a force sent last"}));
   reset();
 }
 
 TEST_F(stand_in, sees_a_caller_without_discipline) {
-  tell({.end = {kFrame}});
+  static Functions of_the_undisciplined;
   in_child([](const Functions& functions) {
     of_the_undisciplined = functions;
     const Functions& hd = of_the_undisciplined;
@@ -225,19 +187,124 @@ TEST_F(stand_in, sees_a_caller_without_discipline) {
     const auto handle = hd.hdScheduleAsynchronous(undisciplined, &device, 0);
     hd.hdStartScheduler();
     hd.hdEnable(kForceOutput);
-    wait_until([] { return seen().frames.size() >= 2; });
+    wait_until([] { return seen().frames >= 2; });
     hd.hdDisableDevice(device);
     hd.hdEnable(kForceOutput);
     hd.hdStopScheduler();
     hd.hdUnschedule(handle);
   });
   const std::vector<std::string> breaches = seen().breaches;
-  for (const char* breach : {"hdGetDoublev outside a frame", "hdBeginFrame twice in a tick",
-                             "hdSetDoublev with an error unread", "hdEnable beside the running scheduler",
-                             "hdEndFrame with a force that is not finite", "hdDisableDevice while the scheduler runs",
-                             "hdDisableDevice with a callback scheduled", "hdStopScheduler with the force output on"})
+  for (const char* breach :
+       {"hdGetDoublev outside a frame", "hdBeginFrame twice in a tick", "hdSetDoublev with an error unread",
+        "hdEnable beside the running scheduler", "hdEnable without a device", "hdEndFrame with a force that is not finite",
+        "hdDisableDevice while the scheduler runs", "hdDisableDevice with a callback scheduled",
+        "hdStopScheduler with the force output on"})
     EXPECT_NE(std::find(breaches.begin(), breaches.end(), breach), breaches.end()) << breach;
   reset();
+}
+
+TEST_F(stand_in, is_readable_after_its_process_was_killed_anywhere) {
+  for (int microseconds = 0; microseconds < 30; ++microseconds) {
+    reset();
+    tell(kInTheWall);
+    const pid_t child = forked([](const Functions& hd) {
+      const Caller caller(hd);
+      for (;;) pause();
+    });
+    wait_until([&] { return arm().pid == child && !arm().force.isZero(0); });
+    std::this_thread::sleep_for(std::chrono::microseconds(37 * microseconds));
+    kill(child, SIGKILL);
+    EXPECT_TRUE(ended_by(status_of(child), SIGKILL));
+    EXPECT_FALSE(seen().initialised);
+    EXPECT_FALSE(arm().force.isZero(0)) << "nothing took it away";
+    EXPECT_EQ(arm().pid, child);
+  }
+}
+
+TEST_F(stand_in, is_readable_after_its_process_was_killed_with_the_lock) {
+  EXPECT_TRUE(ended_by(in_child([](const Functions&) {
+                         const Lock lock(opened(std::getenv(kMemory)));
+                         std::raise(SIGKILL);
+                       }),
+                       SIGKILL));
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(seen().frames, 0U);
+}
+
+TEST_F(stand_in, is_readable_while_its_process_stands_still_with_the_lock) {
+  const pid_t child = forked([](const Functions&) {
+    const Lock lock(opened(std::getenv(kMemory)));
+    std::raise(SIGSTOP);
+  });
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
+  ASSERT_TRUE(WIFSTOPPED(status));
+  EXPECT_EQ(seen().frames, 0U);
+  kill(child, SIGCONT);
+  EXPECT_EQ(status_of(child), 0);
+}
+
+TEST_F(stand_in, puts_its_own_handler_over_the_programs_and_ends_with_the_force_on) {
+  tell(kInTheWall);
+  const int status = in_child([](const Functions& hd) {
+    std::signal(SIGTERM, [](int) { std::_Exit(3); });
+    const Caller caller(hd);
+    wait_until([] { return !arm().force.isZero(0); });
+    std::raise(SIGTERM);
+  });
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(arm().force, Eigen::Vector3d(0, 0.5, 0));
+}
+
+// Neither call returns while a callback hangs, and the device stays as it was.
+TEST_F(stand_in, stops_and_releases_the_device_for_no_other_thread_while_a_callback_hangs) {
+  for (const bool releases : {true, false}) {
+    reset();
+    tell({.crash = {.how = Crash::How::hang, .when = Moment::frame, .frame = 5}});
+    const pid_t child = forked([=](const Functions& hd) {
+      const Caller caller(hd);
+      wait_until([] { return struck().has_value(); });
+      releases ? hd.hdDisableDevice(caller.device) : hd.hdStopScheduler();
+    });
+    wait_until([] { return struck().has_value(); });
+    std::this_thread::sleep_for(100ms);
+    EXPECT_EQ(waitpid(child, nullptr, WNOHANG), 0);
+    EXPECT_EQ(seen().frames, 5U);
+    EXPECT_TRUE(seen().scheduler && seen().initialised);
+    kill(child, SIGKILL);
+    status_of(child);
+  }
+}
+
+TEST_F(stand_in, releases_the_device_inside_a_frame_of_its_own_thread_which_ends_the_force) {
+  tell(kInTheWall);
+  const int status = in_child([](const Functions& hd) {
+    Caller caller(hd);
+    caller.inside = [&] {
+      if (arm().force.norm() < kContact) return;
+      hd.hdDisableDevice(caller.device);
+      std::_Exit(arm().force.isZero(0) ? 0 : 1);
+    };
+    for (;;) pause();
+  });
+  EXPECT_EQ(status, 0);
+  EXPECT_FALSE(seen().initialised || seen().output);
+}
+
+TEST_F(stand_in, sends_its_parent_a_signal_once_the_hand_has_been_in_contact_for_20_frames) {
+  static volatile std::sig_atomic_t got = 0;
+  const auto before = std::signal(SIGUSR1, [](int) { got = got + 1; });
+  tell({.position = kInTheWall.position,
+        .crash = {.how = Crash::How::signal_to_parent, .when = Moment::contact, .signal = SIGUSR1}});
+  const pid_t child = forked([](const Functions& hd) {
+    Caller caller(hd);
+    wait_until([] { return struck().has_value(); });
+    EXPECT_GE(caller.frames, 39);
+    caller.stop();
+  });
+  wait_until([] { return got == 1; });
+  EXPECT_EQ(status_of(child), 0);
+  std::signal(SIGUSR1, before);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class Hand {
   Verdict supervise(const Force& desired, Status status = Status::contact) {
     reading.position.y() += tremor;
     tremor = -tremor;
-    return supervisor.supervise(reading, state, desired, status, late, unfinished);
+    return supervisor.supervise(reading, state, desired, unfinished ? Status::unfinished : status, late);
   }
   Verdict supervise_for(int ticks, const Force& desired) {
     Verdict verdict;

@@ -96,8 +96,8 @@ inline void note(const fast::Evaluation& answer, Hash& hash, Bits& bits) {
     hash.add(component);
     bits.nans += component != component;
   }
-  hash.add(static_cast<std::uint32_t>(answer.status));
-  ++bits.statuses[static_cast<std::size_t>(answer.status)];
+  hash.add(static_cast<std::uint32_t>(finished(answer.status)));
+  ++bits.statuses[static_cast<std::size_t>(finished(answer.status))];
 }
 
 inline Bits bits_of(LawId id) {

@@ -131,10 +131,7 @@ inline Bits bits_of(const MeshScene& scene) {
   Bits bits{};
   for (int i = 0; i < 100'000; ++i) {
     const mesh::Tick tick = session->tick(positions.next());
-    const Status status = tick.status == mesh::TickStatus::free      ? Status::free
-                          : tick.status == mesh::TickStatus::invalid ? Status::invalid
-                                                                     : Status::contact;
-    note({{tick.force[0], tick.force[1], tick.force[2]}, status}, hash, bits);
+    note({{tick.force[0], tick.force[1], tick.force[2]}, tick.status}, hash, bits);
     hash.add(std::uint32_t{tick.moves});
     hash.add(static_cast<std::uint32_t>(tick.after.place) << 8 | static_cast<std::uint32_t>(tick.after.side));
     for (const std::uint32_t number : tick.after.index) hash.add(number);

@@ -17,6 +17,7 @@
 #include "files/output_folder.h"
 #include "files/written_once.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace {
 
@@ -115,12 +116,7 @@ const std::vector<Case>& all() {
 // The words of the failure; empty where nothing failed.
 std::string words_of(const Case& it, const std::string& folder, const std::string& failing, int reason) {
   disk = {.folder = folder, .failing = failing, .reason = reason};
-  std::string words;
-  try {
-    it.write(folder);
-  } catch (const OutputError& error) {
-    words = error.what();
-  }
+  const std::string words = tests::thrown_by<OutputError>([&] { it.write(folder); });
   disk.folder.clear();
   return words;
 }

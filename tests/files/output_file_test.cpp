@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::files {
 namespace {
@@ -84,26 +85,14 @@ TEST(output_file, tells_why_it_cannot_be_opened) {
   for (const auto& [link, words] :
        {std::pair{"loose.csv", "absent/out.csv: cannot open for writing: No such file or directory"},
         std::pair{"round.csv", "round.csv: cannot open for writing: Too many levels of symbolic links"}}) {
-    try {
-      const OutputFile file(directory.file(link));
-      FAIL();
-    } catch (const OutputError& error) {
-      EXPECT_EQ(error.what(), directory.file(words));
-    }
+    EXPECT_EQ(tests::thrown_by<OutputError>([&, link = link] { const OutputFile file(directory.file(link)); }),
+              directory.file(words));
     EXPECT_TRUE(std::filesystem::is_symlink(directory.file(link)));
   }
-  try {
-    const OutputFile file(directory.file("absent/out.csv"));
-    FAIL();
-  } catch (const OutputError& error) {
-    EXPECT_EQ(error.what(), directory.file("absent/out.csv") + ": cannot open for writing: No such file or directory");
-  }
-  try {
-    const OutputFile file(directory.path());
-    FAIL();
-  } catch (const OutputError& error) {
-    EXPECT_EQ(error.what(), directory.path() + ": cannot open for writing: Is a directory");
-  }
+  EXPECT_EQ(tests::thrown_by<OutputError>([&] { const OutputFile file(directory.file("absent/out.csv")); }),
+            directory.file("absent/out.csv") + ": cannot open for writing: No such file or directory");
+  EXPECT_EQ(tests::thrown_by<OutputError>([&] { const OutputFile file(directory.path()); }),
+            directory.path() + ": cannot open for writing: Is a directory");
 }
 
 TEST(output_file, writes_to_a_device_and_leaves_it_in_place) {
@@ -122,12 +111,7 @@ TEST(output_file, tells_that_the_disk_is_full) {
     for (;;) while_writing.stream() << "much more than a buffer holds";
   };
   for (const std::function<void()>& write : {std::function<void()>([&] { at_commit.commit(); }), std::function<void()>(fill)}) {
-    try {
-      write();
-      FAIL();
-    } catch (const OutputError& error) {
-      EXPECT_STREQ(error.what(), "/dev/full: cannot write: No space left on device");
-    }
+    EXPECT_EQ(tests::thrown_by<OutputError>(write), "/dev/full: cannot write: No space left on device");
   }
 }
 
@@ -195,12 +179,8 @@ TEST(output_file, does_not_write_to_a_descriptor_that_is_only_read) {
   directory.write("in", "");
   const int in = ::open(directory.file("in").c_str(), O_RDONLY);
   const std::string path = "/dev/fd/" + std::to_string(in);
-  try {
-    const OutputFile file(path);
-    FAIL();
-  } catch (const OutputError& error) {
-    EXPECT_EQ(error.what(), path + ": cannot open for writing: Bad file descriptor");
-  }
+  EXPECT_EQ(tests::thrown_by<OutputError>([&] { const OutputFile file(path); }),
+            path + ": cannot open for writing: Bad file descriptor");
   ::close(in);
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::files {
 namespace {
@@ -84,12 +85,8 @@ TEST(output_folder, undoes_what_it_put_in_place_when_a_later_file_fails) {
   {
     OutputFolder folder(directory.file("there"));
     for (const char* name : {"a.svg", "b.svg", "c.svg"}) folder.write(name, "new");
-    try {
-      folder.commit();
-      ADD_FAILURE() << "a mount point was replaced";
-    } catch (const OutputError& error) {
-      EXPECT_EQ(error.what(), directory.file("there/c.svg") + ": cannot put in place: Device or resource busy");
-    }
+    EXPECT_EQ(tests::thrown_by<OutputError>([&] { folder.commit(); }),
+              directory.file("there/c.svg") + ": cannot put in place: Device or resource busy");
   }
   EXPECT_EQ(::umount(directory.file("there/c.svg").c_str()), 0);
   EXPECT_EQ(directory.read("there/a.svg"), "old");
@@ -106,14 +103,12 @@ TEST(output_folder, leaves_nothing_on_a_disk_that_fills_up_and_names_the_file) {
   for (const char* there : {"", "there"}) {
     const std::string path = directory.file("disk/plots");
     if (*there != '\0') std::filesystem::create_directory(path);
-    try {
-      OutputFolder folder(path);
-      for (const char* name : {"a.svg", "b.svg", "c.svg"}) folder.write(name, std::string(30000, 'x'));
-      folder.commit();
-      ADD_FAILURE() << "it held more than it is large";
-    } catch (const OutputError& error) {
-      EXPECT_EQ(error.what(), path + "/c.svg: cannot write: No space left on device");
-    }
+    EXPECT_EQ(tests::thrown_by<OutputError>([&] {
+                OutputFolder folder(path);
+                for (const char* name : {"a.svg", "b.svg", "c.svg"}) folder.write(name, std::string(30000, 'x'));
+                folder.commit();
+              }),
+              path + "/c.svg: cannot write: No space left on device");
     EXPECT_EQ(std::filesystem::exists(path), *there != '\0');
     EXPECT_TRUE(*there == '\0' || std::filesystem::is_empty(path));
     EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("disk"))), *there == '\0' ? 0 : 1);
@@ -137,14 +132,9 @@ TEST(output_folder, has_a_path_alone_until_it_ends) {
       {
         OutputFolder folder(directory.file(first));
         folder.write("a.svg", "a");
-        try {
-          const OutputFolder other(directory.file(second));
-          ADD_FAILURE() << "two have " << first;
-        } catch (const OutputError& error) {
-          const std::string named = std::filesystem::path(second).has_filename() ? second : first;
-          EXPECT_EQ(error.what(),
-                    directory.file(named) + ": another run is writing this folder; give each run a folder of its own");
-        }
+        const std::string named = std::filesystem::path(second).has_filename() ? second : first;
+        EXPECT_EQ(tests::thrown_by<OutputError>([&, second = second] { const OutputFolder other(directory.file(second)); }),
+                  directory.file(named) + ": another run is writing this folder; give each run a folder of its own");
         EXPECT_TRUE(std::filesystem::exists(folder.so_far() / "a.svg")) << "the second one took it away";
         if (is_committed) folder.commit();
       }

@@ -5,7 +5,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
-  fuzz::read_or_refuse<properties::CertificateError>("certificate.json", [&] {
+  fuzz::read_or_refuse<Error>("certificate.json", [&] {
     const properties::Certificate certificate =
         properties::from_json(std::string(fuzz::text_of(data, size)), "certificate.json");
     // A certificate that is read once is read the same again.

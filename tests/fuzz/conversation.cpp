@@ -29,7 +29,7 @@ template <class Read>
 void read_or_fail(const Read& read) {
   try {
     read();
-  } catch (const conformance::RendererFailed& failure) {
+  } catch (const files::ProcessFailed& failure) {
     require_message(failure.what());
   }
 }

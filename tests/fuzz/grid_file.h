@@ -14,7 +14,7 @@ namespace forceshade::fuzz {
 inline int load_grid(std::string_view bytes, std::string_view magic) {
   if (!bytes.starts_with(magic)) return -1;
   const std::string file = file_of(bytes, "grid");
-  read_or_refuse<heights::Error>(file + ": ", [&] {
+  read_or_refuse<Error>(file + ": ", [&] {
     const auto grid = heights::load({file, 0.5F, 2, height::Edge::clamp, height::Interpolant::bilinear});
     require(grid->columns >= 2 && grid->rows >= 2 && grid->values.size() == std::size_t{grid->columns} * grid->rows,
             "a grid has as many heights as it says");

@@ -23,7 +23,7 @@ inline std::vector<std::array<mesh::Vertex, 3>> corners_of(const mesh::TriangleM
 inline int load_mesh(std::string_view bytes, const char* name) {
   const std::string file = file_of(bytes, name);
   for (const mesh::Unit unit : {mesh::Unit::mm, mesh::Unit::m, mesh::Unit::in})
-    read_or_refuse<mesh::Error>(file + ": ", [&] {
+    read_or_refuse<Error>(file + ": ", [&] {
       const mesh::LoadedMesh loaded = mesh::load_with_corners(file, unit);
       const auto& [vertices, triangles] = loaded.mesh;
       require(!triangles.empty(), "a mesh has a triangle");

@@ -6,7 +6,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
-  fuzz::read_or_refuse<properties::CertificateError>("plan.json", [&] {
+  fuzz::read_or_refuse<Error>("plan.json", [&] {
     const properties::Plan plan = properties::plan_from_json(std::string(fuzz::text_of(data, size)), "plan.json");
     // A plan that is read once is read the same again.
     const std::string json = properties::to_json(plan);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "rendering/meshes/placement.h"
-#include "rendering/subjects/motion.h"
+#include "subjects/motion.h"
 #include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   const std::string file = fuzz::file_of(fuzz::text_of(data, size), "poses.csv");
-  fuzz::read_or_refuse<files::BadInput>(file + ":", [&] {
+  fuzz::read_or_refuse<Error>(file + ":", [&] {
     const scene::Motion motion = subjects::read_motion(file, 1000, size % 2 == 0);
     fuzz::require(!motion.poses.empty(), "there is a first pose");
     for (const scene::Pose& pose : motion.poses) {

@@ -7,7 +7,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   std::istringstream in{std::string(fuzz::text_of(data, size))};
-  fuzz::read_or_refuse<files::Error>("in.csv:", [&] {
+  fuzz::read_or_refuse<Error>("in.csv:", [&] {
     files::Reader rows(in, "in.csv", {"x_mm", "y_mm", "z_mm"});
     std::size_t last = 1;
     while (rows.next()) {

@@ -6,7 +6,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   const std::string file = fuzz::file_of(fuzz::text_of(data, size), "run.fsr");
-  fuzz::read_or_refuse<recorder::RecordingError>(file + ": ", [&] {
+  fuzz::read_or_refuse<Error>(file + ": ", [&] {
     recorder::Recording recording(file);
     const std::vector<std::string> problems = problems_of(recording);
     const recorder::Recording::Extent extent = recording.extent();

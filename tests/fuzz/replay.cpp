@@ -6,7 +6,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   const std::string file = fuzz::file_of(fuzz::text_of(data, size), "hand.csv");
-  fuzz::read_or_refuse<files::Error>(file + ':', [&] {
+  fuzz::read_or_refuse<Error>(file + ':', [&] {
     device::Replay replay = device::Replay::load(file);
     fuzz::require(!replay.start(1000), "a recording can be started");
     const std::size_t left = replay.readings_left().value();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rendering/subjects/scene.h"
+#include "subjects/scene.h"
 
 #include "rendering/mesh_rendering.h"
 #include "tests/fuzz/input_file.h"
@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::string mesh =
       fuzz::file_of("v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\ng tyre\nf 1 3 2\nf 1 2 4\ng\nf 1 4 3\nf 2 3 4\n", "its.obj");
   // An error is about the scene, or about a file that it names, wherever that lies.
-  fuzz::read_or_refuse<files::BadInput>("", [&] {
+  fuzz::read_or_refuse<Error>("", [&] {
     const subjects::Scene scene = subjects::load_scene({{"scene", file}});
     const mesh::Ground& ground = scene.ground;
     const std::size_t triangles = ground.loaded.mesh.triangles.size();

@@ -8,9 +8,6 @@ Usage: make_god_object_golden.py [directory]       (the default is god_object/ b
            the same by the contact rule sub-goal on some of the meshes; the default is sub_goal_god_object/
        make_god_object_golden.py --check directory [mesh ...]
            computes every path in the directory again and compares every column
-       make_god_object_golden.py --single-moves directory output [mesh ...]
-           writes the directory's paths as ticks of one move each, with each position repeated until the god-object has followed,
-           so that check_god_object.py sees every move; each last row must be as in the directory, but for its number of moves
 The contact rule friction has a program of its own, make_friction_golden.py.
 
 All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a decision.
@@ -699,33 +696,6 @@ def check(directory, only):
     return different
 
 
-def write_single_moves(directory, output, only):
-    """A row that is `unfinished` in the directory is left out: the next row is expected to have its position, and goes on."""
-    Mesh.most_moves = 1
-    output.mkdir(exist_ok=True)
-    table = []
-    for name, (sides, crease) in listed(directory).items():
-        if only and name not in only:
-            continue
-        mesh, _, rows = read_path(directory, name, sides)
-        positions = [(tuple(map(from_text, row[:3])), row) for row in rows if row[3] != 'unfinished']
-        ticks, last = [], None
-
-        def repeated():
-            for position, row in positions:
-                yield position
-                while last[3] == 'unfinished':
-                    yield position
-                assert last[:6] + last[7:] == row[:6] + row[7:], f'{name}: {row} by single moves: {last}'
-        for last in follow(mesh, repeated()):
-            ticks.append(last)
-        write(output / f'{name}.csv', [COLUMNS.split(','), *ticks])
-        (output / f'{name}.off').write_text((directory / f'{name}.off').read_text())
-        table.append([name, sides, crease, len(mesh.triangles), len(ticks)])
-        print(f'{name}: {len(rows)} ticks, {len(ticks)} of one move')
-    write(output / 'meshes.csv', [TABLE, *table])
-
-
 def write(path, rows):
     with open(path, 'w', newline='') as file:
         csv.writer(file, lineterminator='\n').writerows(rows)
@@ -1075,8 +1045,6 @@ def main(directory):
 if __name__ == '__main__':
     if sys.argv[1:2] == ['--check']:
         sys.exit(1 if check(Path(sys.argv[2]), sys.argv[3:]) else 0)
-    if sys.argv[1:2] == ['--single-moves']:
-        sys.exit(write_single_moves(Path(sys.argv[2]), Path(sys.argv[3]), sys.argv[4:]))
     if sys.argv[1:2] == ['--sub-goal']:
         sys.exit(main_of_sub_goals(Path(sys.argv[2]) if len(sys.argv) > 2 else Path(__file__).parent / 'sub_goal_god_object'))
     main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent / 'god_object')

@@ -65,7 +65,7 @@ std::vector<HeightCase> read_height_cases(std::istream& in, const std::string& f
     if (cases.back().closest.empty()) throw reader.unexpected(9, "a distance");
     if (cases.back().why.empty()) throw reader.unexpected(10, "words");
   }
-  if (cases.empty()) throw files::Error(file + ":1: expected cases below the header");
+  if (cases.empty()) throw Error(file + ":1: expected cases below the header");
   return cases;
 }
 

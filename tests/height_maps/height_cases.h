@@ -31,7 +31,7 @@ struct HeightCase {
 
 std::string case_file(const HeightScene& scene);  // from the root of the sources
 
-// Throws files::Error, which names file and line, where the file is malformed or has no cases.
+// Throws Error, which names file and line, where the file is malformed or has no cases.
 std::vector<HeightCase> height_cases(const HeightScene& scene);
 std::vector<HeightCase> read_height_cases(std::istream& in, const std::string& file);
 

@@ -15,6 +15,7 @@
 #include "forceshade/fast.h"
 #include "forceshade/reference.h"
 #include "properties/binary32.h"
+#include "tests/support/words.h"
 
 namespace forceshade::tests {
 namespace {
@@ -78,16 +79,11 @@ INSTANTIATE_TEST_SUITE_P(of, HeightCases, ::testing::Range(std::size_t{0}, heigh
 
 std::string refusal_of(const std::string& row) {
   std::istringstream in("rendering,K,x,y,z,Fx,Fy,Fz,status,closest,why\n" + row);
-  try {
-    read_height_cases(in, "tests/some.cases");
-  } catch (const files::Error& error) {
-    return error.what();
-  }
-  return "none";
+  return tests::thrown_by<Error>([&] { read_height_cases(in, "tests/some.cases"); });
 }
 
 TEST(height_case_files, are_refused_by_file_and_line) {
-  EXPECT_EQ(refusal_of("height-map,1,0,0,-1,0,0,1,contact,z 0,a tie\n"), "none");
+  EXPECT_EQ(refusal_of("height-map,1,0,0,-1,0,0,1,contact,z 0,a tie\n"), "");
   EXPECT_EQ(refusal_of(""), "tests/some.cases:1: expected cases below the header");
   EXPECT_EQ(refusal_of("map,1,0,0,-1,0,0,1,contact,z 0,a tie\n"),
             "tests/some.cases:2: column 1 (rendering): expected a rendering, got \"map\"");

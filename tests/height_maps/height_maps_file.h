@@ -9,7 +9,7 @@
 
 namespace forceshade::tests {
 
-// By the name in the column `map`. Throws files::Error, std::invalid_argument or std::out_of_range for a file that no such
+// By the name in the column `map`. Throws Error, std::invalid_argument or std::out_of_range for a file that no such
 // program has written.
 std::map<std::string, HeightMap> height_maps_in(const std::string& path);
 

@@ -15,6 +15,7 @@
 #include "forceshade/heights.h"
 #include "rendering/heights/coefficients.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::heights {
 namespace {
@@ -98,12 +99,8 @@ TEST(band_limit, grids_with_large_prime_factors_are_refused) {
   const auto words = [&](std::uint32_t columns, std::uint32_t rows) -> std::string {
     std::string file = "Pf " + std::to_string(columns) + " " + std::to_string(rows) + " -1\n";
     file.resize(file.size() + std::size_t{4} * columns * rows);  // zeros
-    try {
-      load({.file = directory.write("flat.pfm", file), .pitch = 0.5F, .scale = 1, .shortest_wavelength = 2.0F});
-      return "";
-    } catch (const Error& error) {
-      return error.what();
-    }
+    return tests::thrown_by<Error>(
+        [&] { load({.file = directory.write("flat.pfm", file), .pitch = 0.5F, .scale = 1, .shortest_wavelength = 2.0F}); });
   };
   EXPECT_EQ(words(128, 97), "");
   EXPECT_EQ(words(97 * 97, 4), "");

@@ -13,33 +13,17 @@
 #include "forceshade/reference.h"
 #include "tests/support/rational.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::heights {
 namespace {
 
 using tests::TemporaryDirectory;
 
-// The error of reading a spec of this text, whatever file it is about.
-std::string words_of_anything(const std::string& text) {
-  const TemporaryDirectory directory;
-  try {
-    read_spec(directory.write("map.toml", text));
-    return ": ";
-  } catch (const Error& error) {
-    return error.what();
-  }
-}
-
 std::string words_of(const std::string& text) {
   const TemporaryDirectory directory;
   const std::string file = directory.write("map.toml", text);
-  try {
-    read_spec(file);
-    return "";
-  } catch (const Error& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with(file + ": ")) << error.what();
-    return std::string(error.what()).substr(file.size() + 2);
-  }
+  return tests::without(file + ": ", tests::thrown_by<Error>([&] { read_spec(file); }));
 }
 
 TEST(height_spec, reads_every_shape_with_its_defaults) {
@@ -132,8 +116,9 @@ TEST(height_spec, band_limits_a_grid) {
   const std::string start = "render = \"height-map\"\n[[part]]\nshape = \"grid\"\nfile = \"" FORCESHADE_SOURCE_DIR
                             "/examples/leather.png\"\npitch_mm = 0.15\nscale_mm = 0.4\ninterpolant = ";
   const auto words = [&](const std::string& rest) {
-    const std::string all = words_of_anything(start + rest);
-    return all.substr(all.find(": ") + 2);
+    const TemporaryDirectory directory;
+    const std::string all = tests::thrown_by<Error>([&] { read_spec(directory.write("map.toml", start + rest)); });
+    return all.empty() ? "" : all.substr(all.find(": ") + 2);  // whatever file it is about
   };
   EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = 0.6\n"), "");
   EXPECT_EQ(words("\"band-limited\"\n"), "line 2: key shortest_wavelength_mm is missing");

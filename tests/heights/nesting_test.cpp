@@ -10,6 +10,7 @@
 
 #include "forceshade/heights.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::heights {
 namespace {
@@ -30,12 +31,7 @@ std::string dotted(std::size_t dots) {
 std::string words_of(const std::string& text) {
   const tests::TemporaryDirectory directory;
   const std::string file = directory.write("map.toml", text);
-  try {
-    read_spec(file);
-    return "";
-  } catch (const Error& error) {
-    return std::string(error.what()).substr(file.size() + 2);
-  }
+  return tests::without(file + ": ", tests::thrown_by<Error>([&] { read_spec(file); }));
 }
 
 TEST(nesting, is_counted_up_to_its_limits) {
@@ -110,7 +106,9 @@ TEST(height_spec_file, with_a_scale_of_nothing_is_refused_with_its_line) {
   for (const char* scale : {"0", "0.0", "-0.0", "1e-10", "nan", "inf", "1e-400"})
     EXPECT_TRUE(words_of(head + scale + "\n").starts_with("line 6: scale_mm: expected a finite number of at least 2^-30 mm"))
         << words_of(head + scale + "\n");
-  EXPECT_TRUE(words_of(head + "-1e-3\n").ends_with("not be opened")) << words_of(head + "-1e-3\n");
+  const tests::TemporaryDirectory directory;
+  const auto read = [&] { read_spec(directory.write("map.toml", head + "-1e-3\n")); };
+  EXPECT_TRUE(tests::thrown_by<Error>(read).ends_with("not be opened")) << "the picture";
 }
 
 }  // namespace

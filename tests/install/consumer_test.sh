@@ -73,7 +73,7 @@ libraries=$(dirname "$pc")
 # shellcheck disable=SC2046,SC2086  # flags are words
 "$compiler" -std=c++20 -O1 $flags -shared -fPIC "$source/plugin.cpp" -o "$scratch/plugin.so" \
   $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -Wl,-z,defs -Wl,--whole-archive \
-  "$libraries"/libforceshade_{fast,files,device,heights,meshes,subjects,identity,renderer,certificate,recorder,run,reference,properties,certify}.a -Wl,--no-whole-archive \
+  "$libraries"/libforceshade_{fast,files,toml,device,heights,meshes,subjects,identity,renderer,certificate,recorder,run,reference,properties,certify}.a -Wl,--no-whole-archive \
   $(PKG_CONFIG_PATH=$pc pkg-config --libs forceshade-subjects forceshade-properties)
 # shellcheck disable=SC2086
 "$compiler" -std=c++20 $flags "$source/plugin_loader.cpp" -o "$scratch/plugin_loader" -ldl

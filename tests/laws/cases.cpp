@@ -40,7 +40,7 @@ std::vector<HardCase> read_hard_cases(std::istream& in, const std::string& file)
     if (cases.back().from_tie.empty()) throw reader.unexpected(7, "a distance");
     if (cases.back().why.empty()) throw reader.unexpected(8, "words");
   }
-  if (cases.empty()) throw files::Error(file + ":1: expected cases below the header");
+  if (cases.empty()) throw Error(file + ":1: expected cases below the header");
   return cases;
 }
 

@@ -22,7 +22,7 @@ struct HardCase {
   std::string place;  // file and line
 };
 
-// Throws files::Error, which names file and line, where the file is malformed or has no cases.
+// Throws Error, which names file and line, where the file is malformed or has no cases.
 std::vector<HardCase> hard_cases(LawId law);
 std::vector<HardCase> read_hard_cases(std::istream& in, const std::string& file);
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "files/csv.h"
+#include "tests/support/words.h"
 
 namespace forceshade::tests {
 namespace {
@@ -16,12 +17,7 @@ const std::string kHeader = "R,w,K,x,z,Fx,Fz,from tie,why\n";
 
 std::string refusal_of(const std::string& text) {
   std::istringstream in(text);
-  try {
-    read_hard_cases(in, "tests/some.cases");
-  } catch (const files::Error& error) {
-    return error.what();
-  }
-  return "none";
+  return tests::thrown_by<Error>([&] { read_hard_cases(in, "tests/some.cases"); });
 }
 
 TEST(cases, are_read_with_their_place) {
@@ -35,7 +31,7 @@ TEST(cases, are_read_with_their_place) {
 }
 
 TEST(cases, must_not_be_none) {
-  EXPECT_NE(refusal_of(""), "none");
+  EXPECT_NE(refusal_of(""), "");
   EXPECT_EQ(refusal_of(kHeader), "tests/some.cases:1: expected cases below the header");
 }
 

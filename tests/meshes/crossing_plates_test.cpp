@@ -138,7 +138,7 @@ TEST(crossing_sheets, a_god_object_climbs_a_ramp_that_goes_through_the_floor) {
     state = fast::step(mesh, state, p, kStiffness, mesh::Shading::none).after;
   const mesh::Tick tick = fast::step(mesh, state, {-5, 1, -0.1F}, kStiffness, mesh::Shading::none);
   // The foot on x + z = 0.1 is (5.2/2) (1, 0, 1) off p.
-  EXPECT_EQ(tick.status, mesh::TickStatus::touching);
+  EXPECT_EQ(tick.status, Status::contact);
   EXPECT_GE(tick.after.index[0], 2U) << "on the ramp";
   EXPECT_NEAR(tick.force[0], kStiffness * 2.6, 1e-4);
   EXPECT_NEAR(tick.force[1], 0, 1e-4);

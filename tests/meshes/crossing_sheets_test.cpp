@@ -225,7 +225,7 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
       reached["a way that is blocked"] += is_blocked;
       reached[shaded] += is_turned;
       reached[shaded + ", where a way is blocked"] += is_turned && is_blocked;
-      reached["a rest where a way is blocked"] += found.status == mesh::TickStatus::touching && found.after != without.after;
+      reached["a rest where a way is blocked"] += found.status == Status::contact && found.after != without.after;
       reached["a move onto another part"] += found.moves > 1 && found.after.place == mesh::Place::triangle &&
                                              state.place == mesh::Place::triangle && is_blocked &&
                                              found.after.index != state.index;
@@ -233,7 +233,7 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
       ++reached[made.is_embedded ? "embedded" : kKinds[made.kind]];
       ++reached[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(found.status)])];
       reached["more than one move"] += found.moves > 1;
-      reached["free and unfinished"] += found.status == mesh::TickStatus::unfinished && found.after.place == mesh::Place::free;
+      reached["free and unfinished"] += found.status == Status::unfinished && found.after.place == mesh::Place::free;
       auto& most = reached["most moves"];
       most = std::max<std::size_t>(most, found.moves);
     }
@@ -267,7 +267,7 @@ TEST(crossing_sheets, an_embedded_mesh_is_rendered_as_ever_in_every_bit) {
           << properties::kMeshFamilies[made.family] << ", mesh " << seed << ", tick " << i << ": expected "
           << tests::show(expected) << ", found " << tests::show(found);
       state = found.after;
-      touching += found.status == mesh::TickStatus::touching;
+      touching += found.status == Status::contact;
     }
   }
   std::printf("  %zu ticks in contact\n", touching);
@@ -318,7 +318,7 @@ TEST(crossing_sheets, a_god_object_that_begins_outside_is_never_inside_a_part) {
       const std::array<float, 3> p = path.next();
       const mesh::Tick tick = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
       state = tick.after;
-      if (tick.status != mesh::TickStatus::touching) continue;
+      if (tick.status != Status::contact) continue;
       const Exact point = point_of(made.mesh, state);
       const std::size_t triangles = made.mesh.triangles.size();
       const bool is_in_second = made.is_of_second(state);

@@ -45,7 +45,7 @@ TEST(friction_consequences, a_rest_at_a_rough_place_is_the_state_and_inside_the_
       21, 330, 200, expected,
       [](const Scene& scene, const Step& step, Counts& counts) {
         const mesh::GodObject& after = step.tick.after;
-        if (step.tick.status != mesh::TickStatus::touching) return;
+        if (step.tick.status != Status::contact) return;
         const auto at = tests::point_of(scene.surface, after);
         if (!scene.materials.is_rough(at.feature)) {
           EXPECT_FALSE(after.is_slipping);
@@ -164,7 +164,7 @@ TEST(friction_consequences, an_infinite_coefficient_holds_until_nothing_presses)
   for (const Position& p : {Position{7, -6, -0x1p-30F}, Position{-7, 5, -9}, Position{900, 0, -1}, Position{1, -2, -1}})
     EXPECT_EQ(session.step(p).after, landed);
   EXPECT_EQ(session.step({3, -2.5F, 0}).force, (Position{0, 0, 0})) << "on the surface";
-  EXPECT_EQ(session.step({3, -2.5F, 0x1p-30F}).status, mesh::TickStatus::free);
+  EXPECT_EQ(session.step({3, -2.5F, 0x1p-30F}).status, Status::free);
 }
 
 TEST(friction_consequences, of_an_edge_the_stiffest_triangle_counts) {

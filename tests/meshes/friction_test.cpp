@@ -75,7 +75,7 @@ TEST(mesh_friction, is_the_usual_rule_where_nothing_is_rough) {
       const std::array<float, 3> p = path.next();
       const mesh::Tick expected = usual->tick(p), found = smooth->tick(p);
       ASSERT_TRUE(tests::is_same(found, expected)) << tests::show(found) << ", expected " << tests::show(expected);
-      touching += expected.status == mesh::TickStatus::touching;
+      touching += expected.status == Status::contact;
     }
   }
   EXPECT_GT(touching, 0U);

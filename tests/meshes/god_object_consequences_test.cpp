@@ -25,7 +25,6 @@ namespace {
 using mesh::Place;
 using mesh::Side;
 using mesh::Sides;
-using mesh::TickStatus;
 using reference::GodObject;
 using reference::meshes::Feature;
 using reference::meshes::Fold;
@@ -50,7 +49,7 @@ TEST(god_object_consequences, resting_is_idempotent) {
     on_random_paths(
         1, 220, 200, {"rested again"},
         [](const Scene& scene, const Step& step, Counts& counts) {
-          if (step.tick.status == TickStatus::unfinished || step.tick.status == TickStatus::invalid) return;
+          if (step.tick.status == Status::unfinished || step.tick.status == Status::invalid) return;
           const mesh::Tick again = scene.god_object.step(step.tick.after, step.position);
           EXPECT_EQ(again.status, step.tick.status) << show(again);
           EXPECT_EQ(again.after, step.tick.after) << show(again);
@@ -62,7 +61,7 @@ TEST(god_object_consequences, resting_is_idempotent) {
 
 TEST(god_object_consequences, an_invalid_position_changes_nothing_and_gives_no_force) {
   on_random_paths(2, 110, 100, {"invalid while touching"}, [](const Scene&, const Step& step, Counts& counts) {
-    if (step.tick.status != TickStatus::invalid) return;
+    if (step.tick.status != Status::invalid) return;
     EXPECT_EQ(step.tick.after, step.before);
     EXPECT_EQ(step.tick.force, (Position{0, 0, 0}));
     counts["invalid while touching"] += is_touching(step.before);
@@ -75,13 +74,13 @@ TEST(god_object_consequences, fewer_moves_a_tick_lead_to_the_same_state_and_from
     on_random_paths(
         3, 220, 150, {"several moves", "landed farther off"},
         [](const Scene& scene, const Step& step, Counts& counts) {
-          if (step.tick.status == TickStatus::invalid || step.tick.status == TickStatus::unfinished) return;
+          if (step.tick.status == Status::invalid || step.tick.status == Status::unfinished) return;
           mesh::GodObject state = step.before;
           unsigned moves = 0;
           for (int ticks = 0; ticks <= 300; ++ticks) {
             const mesh::Tick one = scene.god_object.step(state, step.position, 1);
             moves += one.moves;
-            if (one.status != TickStatus::unfinished) {
+            if (one.status != Status::unfinished) {
               EXPECT_EQ(one.after, step.tick.after) << show(one);
               EXPECT_EQ(one.force, step.tick.force) << show(one);
               EXPECT_EQ(moves, step.tick.moves);
@@ -164,7 +163,7 @@ TEST(god_object_consequences, it_never_gets_into_a_closed_mesh_nor_out_of_one_th
             is_inside.emplace(scene.made.mesh);
           }
           const bool blocks_both = scene.made.sides == Sides::both;
-          if (step.tick.status == TickStatus::free) {
+          if (step.tick.status == Status::free) {
             const bool is_now_inside = (*is_inside)(step.tick.after.position);
             EXPECT_FALSE(is_out && is_now_inside) << "it was outside";
             EXPECT_FALSE(blocks_both && is_in && !is_now_inside) << "it was inside";
@@ -207,7 +206,7 @@ TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_of
   const std::vector<std::string> expected{"refused", "nearest of its triangles", "nearest on the surface alone", "narrow",
                                           "at the rim"};
   on_random_paths(8, 330, 200, expected, [](const Scene& scene, const Step& step, Counts& counts) {
-    if (step.tick.status != TickStatus::touching) return;
+    if (step.tick.status != Status::contact) return;
     const auto end = descend(scene.ground(), step.before, step.position, step.position, 256);
     const auto& rest = end.rest.value();
     const Vector p = reference::meshes::exact_point(step.position);
@@ -267,7 +266,7 @@ TEST(god_object_consequences, a_tick_gives_no_more_than_the_account_with_the_rou
         10, 440, 200, expected,
         [&](const Scene& scene, const Step& step, Counts& counts) {
           const std::optional<Ended> before = std::exchange(last, std::nullopt);
-          if (step.tick.status != TickStatus::touching) return;
+          if (step.tick.status != Status::contact) return;
           const auto end = descend(scene.ground(), step.before, step.position, step.position, 256);
           const auto& rest = end.rest.value();
           const Vector p = reference::meshes::exact_point(step.position);

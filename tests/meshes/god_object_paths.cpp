@@ -140,15 +140,15 @@ void read_ticks(GodObjectPath& path, const std::string& file) {
       row.tick.force[axis] = rows.binary32(7 + axis);
       row.shaded[axis] = rows.binary32(10 + axis);
     }
-    row.tick.status = named<mesh::TickStatus>(rows, 3, mesh::kTickStatusNames, "a status");
+    row.tick.status = named<Status>(rows, 3, mesh::kTickStatusNames, "a status");
     row.tick.moves = static_cast<std::uint16_t>(rows.binary32(6));
     row.tick.after = read_state(rows, 4, 5);
     if (has_friction) row.tick.after.is_slipping = named<bool>(rows, 13, std::array<std::string_view, 2>{"0", "1"}, "0 or 1");
-    if (row.tick.status == mesh::TickStatus::invalid) {
+    if (row.tick.status == Status::invalid) {
       if (feature_text(before) != rows.text(4)) throw rows.unexpected(4, "the state before an invalid position");
       if (before.is_slipping != row.tick.after.is_slipping) throw rows.unexpected(13, "the bit before an invalid position");
       row.tick.after = before;
-    } else if ((row.tick.after.place == mesh::Place::free) != (row.tick.status == mesh::TickStatus::free)) {
+    } else if ((row.tick.after.place == mesh::Place::free) != (row.tick.status == Status::free)) {
       throw rows.unexpected(4, "- where and only where the status is free");
     } else if (row.tick.after.place == mesh::Place::free) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -204,7 +204,7 @@ std::string show(const mesh::Tick& tick) {
   text += ", " + feature_text(tick.after) + ", " + std::string(mesh::kSideNames[static_cast<std::size_t>(tick.after.side)]);
   if (tick.after.is_slipping) text += ", slipping";
   text += ", " + std::to_string(tick.moves) + " moves, (";
-  for (const float component : tick.force) text += files::shortest(component) + " ";
+  for (const float component : tick.force) text += shortest(component) + " ";
   text.back() = ')';
   return text;
 }

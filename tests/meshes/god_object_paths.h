@@ -33,7 +33,7 @@ struct GodObjectPath {
 // The names of the paths in the folder, sorted: every NAME with a NAME.off and a NAME.csv.
 std::vector<std::string> god_object_paths_in(const std::string& folder);
 
-// Throws std::runtime_error, mesh::Error or files::Error, with the file and the line of what it cannot read.
+// Throws std::runtime_error with the file and the line of what it cannot read.
 GodObjectPath read_god_object_path(const std::string& folder, const std::string& name);
 
 // As the column `feature` has it: "v i", "e i j m", "t i k l", or "-" where it is free or nowhere.

@@ -22,7 +22,6 @@ namespace {
 using mesh::Place;
 using mesh::Side;
 using mesh::Sides;
-using mesh::TickStatus;
 using reference::GodObject;
 using reference::meshes::Surface;
 using reference::meshes::Vector;
@@ -217,7 +216,7 @@ TEST(god_object_consequences, renumbering_changes_only_ties_and_the_last_grid_st
             ++counts["a tie of directions"];
             return;
           }
-          const bool is_rest = one.status == TickStatus::touching && renumbered.status == TickStatus::touching;
+          const bool is_rest = one.status == Status::contact && renumbered.status == Status::contact;
           if (is_rest && one.force == renumbered.force && is_a_grid_step_apart(as_expected.after, renumbered.after)) {
             ++counts["the last grid step"];
             return;
@@ -273,7 +272,7 @@ TEST(god_object_consequences, turning_every_triangle_over_swaps_the_sides_off_th
           EXPECT_EQ(turned.status, one.status);
           EXPECT_EQ(turned.moves, one.moves);
           EXPECT_EQ(turned.after.side, as_expected.after.side) << show(turned) << ", expected " << show(as_expected);
-          const bool is_rest = one.status == TickStatus::touching && turned.force == one.force;
+          const bool is_rest = one.status == Status::contact && turned.force == one.force;
           EXPECT_TRUE((is_rest && is_a_grid_step_apart(as_expected.after, turned.after)) ||
                       squared_distance(scene.surface, one.after, step.position) ==
                           squared_distance(scene.surface, turned_over(turned.after, scene.surface), step.position))

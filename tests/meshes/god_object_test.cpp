@@ -77,7 +77,7 @@ struct Reached {
 
   void note(const mesh::Tick& tick) {
     ++counts[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(tick.status)])];
-    if (tick.status == mesh::TickStatus::invalid) return;
+    if (tick.status == Status::invalid) return;
     ++counts["at " + std::string(mesh::kPlaceNames[static_cast<std::size_t>(tick.after.place)])];
     ++counts[std::string(mesh::kSideNames[static_cast<std::size_t>(tick.after.side)])];
     counts["more than one move"] += tick.moves > 1;
@@ -114,8 +114,8 @@ struct Scene {
         path(made.mesh, seed) {}
 
   std::string place(std::size_t tick, const std::array<float, 3>& p) const {
-    return std::string(properties::kMeshFamilies[made.family]) + ", tick " + std::to_string(tick) + " at " +
-           files::shortest(p[0]) + " " + files::shortest(p[1]) + " " + files::shortest(p[2]);
+    return std::string(properties::kMeshFamilies[made.family]) + ", tick " + std::to_string(tick) + " at " + shortest(p[0]) +
+           " " + shortest(p[1]) + " " + shortest(p[2]);
   }
 };
 
@@ -172,7 +172,7 @@ TEST(god_object, is_the_same_with_and_without_a_filter_and_from_tick_to_tick_in_
                                                  << tests::show(exact) << ", found " << tests::show(tick);
       // A free one may have a ball, in which nothing is decided.
       const bool is_in_doubt = in_integers > before;
-      if (exact.status != mesh::TickStatus::free) {
+      if (exact.status != Status::free) {
         EXPECT_EQ(session.stage() == Stage::binary64, !is_in_doubt) << "mesh " << seed << ", " << scene.place(i, p);
         ++reached.counts[is_in_doubt ? "a tick not in binary64" : "a tick in binary64"];
       }
@@ -305,9 +305,8 @@ TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
     EXPECT_TRUE(tests::is_same(found, expected)) << tests::show(expected) << ", found " << tests::show(found);
     state = found.after;
     const Evaluation evaluation = driven->step({p[0], p[1], p[2]});
-    EXPECT_EQ(evaluation.is_unfinished, found.status == mesh::TickStatus::unfinished) << "what a supervisor is given";
-    EXPECT_EQ(evaluation.status, found.status == mesh::TickStatus::free ? Status::free : Status::contact);
-    if (found.status == mesh::TickStatus::unfinished) {
+    EXPECT_EQ(evaluation.status, found.status) << "what a supervisor is given";
+    if (found.status == Status::unfinished) {
       ++unfinished;
       EXPECT_EQ(found.moves, 256);
     }

@@ -129,9 +129,9 @@ TEST(hard_ticks, a_god_object_on_a_needle_through_a_cube_does_not_creep) {
       const mesh::Tick tick = both.step(p), again = both.step(p);
       most = std::max<std::size_t>(most, tick.moves);
       ++ticks;
-      EXPECT_NE(tick.status, mesh::TickStatus::unfinished) << "seed " << seed;
+      EXPECT_NE(tick.status, Status::unfinished) << "seed " << seed;
       EXPECT_EQ(again.after, tick.after) << "seed " << seed;
-      changed += tick.status == mesh::TickStatus::touching;
+      changed += tick.status == Status::contact;
     }
   }
   std::printf("  %zu ticks, %zu in contact, at most %zu moves\n", ticks, changed, most);
@@ -165,11 +165,11 @@ TEST(hard_ticks, a_tick_without_tries_is_unfinished_and_the_next_one_goes_on) {
     both.step(p);
   const std::array<float, 3> held{-3.28553295F, -2.74942589F, -4.73269796F};
   const mesh::Tick first = both.step(held);
-  EXPECT_EQ(first.status, mesh::TickStatus::unfinished);
+  EXPECT_EQ(first.status, Status::unfinished);
   EXPECT_LT(first.moves, 256);
   EXPECT_GE(both.tries(), kMostTries);
   const mesh::Tick second = both.step(held);
-  EXPECT_EQ(second.status, mesh::TickStatus::touching);
+  EXPECT_EQ(second.status, Status::contact);
   EXPECT_GT(second.moves, 0);
   EXPECT_EQ(both.step(held).after, second.after);
 }

@@ -62,7 +62,7 @@ TEST(real_meshes, are_read_checked_repaired_and_rendered) {
     std::optional<mesh::TriangleMesh> loaded;
     try {
       loaded = mesh::load(file, mesh::Unit::mm);
-    } catch (const mesh::Error& error) {
+    } catch (const Error& error) {
       const std::string words = error.what();
       EXPECT_TRUE(words.starts_with(file + ": ")) << words;
       std::printf("%-40s %8s  refused: %s\n", name.c_str(), "", words.substr(file.size() + 2).c_str());

@@ -73,7 +73,7 @@ inline void expect_same(const GodObjectPath& path, Reached& reached) {
     ++reached.ticks;
     reached.most_moves = std::max<int>(reached.most_moves, tick.moves);
     ++reached.of[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(tick.status)])];
-    if (tick.status == mesh::TickStatus::invalid || tick.status == mesh::TickStatus::free) continue;
+    if (tick.status == Status::invalid || tick.status == Status::free) continue;
     ++reached.of[std::string(mesh::kPlaceNames[static_cast<std::size_t>(tick.after.place)])];
     ++reached.of[std::string(mesh::kSideNames[static_cast<std::size_t>(tick.after.side)])];
     reached.of["slipping"] += tick.after.is_slipping;

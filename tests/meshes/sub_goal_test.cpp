@@ -116,10 +116,10 @@ TEST(sub_goal, a_sub_goal_off_the_surface_does_not_let_go_of_it) {
   session->tick({4.5F, 0.25F, 1});
   for (int i = 0; i < 20; ++i) {
     const mesh::Tick tick = session->tick({4.5F, 0.25F, -3});
-    EXPECT_EQ(tick.status, mesh::TickStatus::touching);
+    EXPECT_EQ(tick.status, Status::contact);
     EXPECT_FLOAT_EQ(tick.force[2], 0.9F);
   }
-  EXPECT_EQ(session->tick({4.5F, 0.25F, 0.5F}).status, mesh::TickStatus::free);
+  EXPECT_EQ(session->tick({4.5F, 0.25F, 0.5F}).status, Status::free);
 }
 
 // A sub-goal is limited to the domain of positions. Here its end is the floor's rim, from which the way to the sub-goal is

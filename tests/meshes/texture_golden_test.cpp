@@ -97,7 +97,7 @@ TEST(texture_golden, corners_and_ticks_are_those_of_the_python_program_on_both_s
       state = expected.after;
       ++reached["ticks"];
       ++reached[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(expected.status)])];
-      if (expected.status != mesh::TickStatus::touching) continue;
+      if (expected.status != Status::contact) continue;
       ++reached[std::string(mesh::kPlaceNames[static_cast<std::size_t>(state.place)])];
       ++reached[std::string(mesh::kSideNames[static_cast<std::size_t>(state.side)])];
       ++reached[row.shaded == row.tick.force ? "unshaded" : "turned"];

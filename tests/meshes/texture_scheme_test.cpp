@@ -28,6 +28,7 @@
 #include "tests/meshes/steps.h"
 #include "tests/support/allocations.h"
 #include "tests/support/drawn.h"
+#include "tests/support/words.h"
 
 namespace forceshade {
 namespace {
@@ -320,12 +321,7 @@ std::vector<std::array<mesh::TexturePoint, 3>> scaled(std::vector<std::array<mes
 std::string refusal(const std::vector<std::array<mesh::TexturePoint, 3>>& points) {
   const auto checked =
       std::get<mesh::CheckedMesh>(mesh::check({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}}));
-  try {
-    mesh::corner_textures(checked, points);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return tests::thrown_by<std::invalid_argument>([&] { mesh::corner_textures(checked, points); });
 }
 
 TEST(texture_scheme, gradients_are_those_of_the_map_and_what_cannot_be_laid_over_a_mesh_is_refused) {

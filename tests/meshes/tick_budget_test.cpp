@@ -23,7 +23,6 @@ namespace forceshade {
 namespace {
 
 using mesh::Sides;
-using mesh::TickStatus;
 using Position = std::array<float, 3>;
 
 constexpr int kMostLooks = 16384;
@@ -109,7 +108,7 @@ std::size_t compare(const tests::CostlyMesh& one, int repeats) {
         EXPECT_TRUE(tests::is_same(exact, expected)) << one.family << ", in integers";
       }
       state = found.after;
-      unfinished += found.status == TickStatus::unfinished && found.moves < 256;
+      unfinished += found.status == Status::unfinished && found.moves < 256;
     }
   return unfinished;
 }
@@ -172,9 +171,9 @@ TEST(tick_budget, is_two_to_the_fourteenth_triangles) {
       EXPECT_TRUE(tests::is_same(ticks.back(), expected)) << tests::show(expected) << ", " << tests::show(ticks.back());
     }
     const bool is_over = below + 1 == kMostLooks;
-    EXPECT_EQ(ticks[1].status, is_over ? TickStatus::unfinished : TickStatus::touching);
+    EXPECT_EQ(ticks[1].status, is_over ? Status::unfinished : Status::contact);
     EXPECT_EQ(ticks[1].moves, is_over ? 1 : 2);
-    EXPECT_EQ(ticks[2].status, TickStatus::touching) << "the next tick goes on";
+    EXPECT_EQ(ticks[2].status, Status::contact) << "the next tick goes on";
   }
 }
 

@@ -24,7 +24,6 @@ using fast::MeshSession;
 using mesh::Place;
 using mesh::Shading;
 using mesh::Sides;
-using mesh::TickStatus;
 using Position = std::array<float, 3>;
 
 constexpr float kStiffness = 0.5F;  // N/mm
@@ -99,7 +98,7 @@ TEST(usual_faults, the_force_does_not_turn_to_and_fro_on_a_sphere) {
     for (int i = 0; i < 100000; ++i) {
       const Position p = around_the_sphere(1e-3 * i);
       const mesh::Tick tick = session.tick(p);
-      ASSERT_EQ(tick.status, TickStatus::touching) << i;
+      ASSERT_EQ(tick.status, Status::contact) << i;
       ASSERT_EQ(tick.after.place, Place::triangle) << i;
       if (i > 0) {
         const auto seen = [&](const Position& at) { return std::asin(kRadius * std::sin(rho) / length(binary64(at))); };
@@ -141,7 +140,7 @@ TEST(usual_faults, a_hand_that_is_held_still_has_the_same_force_for_ever) {
       ASSERT_EQ(again.after, first.after) << i;
       ASSERT_EQ(std::memcmp(again.force.data(), first.force.data(), sizeof again.force), 0) << i;
     }
-    stills += first.status == TickStatus::touching;
+    stills += first.status == Status::contact;
   }
   EXPECT_EQ(stills, 2000);
 }
@@ -198,7 +197,7 @@ TEST(usual_faults, a_text_in_m_gives_the_same_bits_as_the_same_text_in_mm) {
     const Position p = around_the_sphere(1e-3 * i);
     const mesh::Tick in_a = a.tick(p), in_b = b.tick(p);
     ASSERT_TRUE(is_same(in_a, in_b)) << i;
-    touching += in_a.status == TickStatus::touching;
+    touching += in_a.status == Status::contact;
   }
   EXPECT_EQ(touching, 5000);
 }
@@ -252,7 +251,7 @@ TEST(usual_faults, nan_infinity_and_1e26_change_nothing_in_contact_and_in_free_s
         off[axis] = wrong;
         const mesh::GodObject before = disturbed.state();
         const mesh::Tick tick = disturbed.tick(off);
-        ASSERT_EQ(tick.status, TickStatus::invalid) << i << ": " << wrong;
+        ASSERT_EQ(tick.status, Status::invalid) << i << ": " << wrong;
         ASSERT_EQ(tick.force, (Position{0, 0, 0}));
         ASSERT_EQ(tick.moves, 0);
         ASSERT_EQ(tick.after, before);
@@ -284,13 +283,13 @@ TEST(usual_faults, a_jump_of_10_m_does_not_pass_through_a_thin_wall) {
     for (const float y : {0.0F, -25.0F, 10.0F, 3.1F})
       for (const float slant : {0.0F, 20.0F, 70.0F}) {
         MeshSession session(wall, kStiffness, Shading::none);
-        ASSERT_EQ(session.tick({x - slant, y, 5000}).status, TickStatus::free);
+        ASSERT_EQ(session.tick({x - slant, y, 5000}).status, Status::free);
         const mesh::Tick below = session.tick({x, y, -5000});
-        ASSERT_EQ(below.status, TickStatus::touching) << x << " " << y << " " << slant;
+        ASSERT_EQ(below.status, Status::contact) << x << " " << y << " " << slant;
         EXPECT_EQ(below.after.side, mesh::Side::front);
         EXPECT_EQ(below.force, (Position{0, 0, 2500}));
         const mesh::Tick above = session.tick({x, y, 5000});
-        EXPECT_EQ(above.status, TickStatus::free);
+        EXPECT_EQ(above.status, Status::free);
         EXPECT_EQ(above.force, (Position{0, 0, 0}));
         ++jumps;
       }
@@ -302,7 +301,7 @@ TEST(usual_faults, a_jump_of_10_m_stops_at_the_first_of_two_sheets_that_nearly_t
   MeshSession session(built(mesh::box(100, 100, 0.01), Sides::front), kStiffness, Shading::none);
   session.tick({1, 2, 5000});
   const mesh::Tick tick = session.tick({3, 4, -5000});
-  ASSERT_EQ(tick.status, TickStatus::touching);
+  ASSERT_EQ(tick.status, Status::contact);
   const double height = static_cast<double>(static_cast<float>(0.005)) + 5000;
   EXPECT_EQ(tick.force, (Position{0, 0, static_cast<float>(0.5 * height)}));
 }
@@ -332,7 +331,7 @@ TEST(usual_faults, a_crease_stays_a_crease_under_shading) {
     ASSERT_TRUE(is_side || is_top || tick.force == Position{}) << i;
     on_side += is_side;
     on_top += is_top;
-    is_free += tick.status == TickStatus::free;
+    is_free += tick.status == Status::free;
     turned_by_shading += turned.force != tick.force;
   }
   std::printf("  %d ticks on the side, %d on top, %d free; shading without the crease turned %d forces\n", on_side, on_top,
@@ -363,7 +362,7 @@ TEST(usual_faults, a_groove_holds_the_god_object_at_its_bottom) {
     const double t = 1e-3 * i;
     const Position p{static_cast<float>(15 * std::sin(3 * t)), static_cast<float>(0.9 * std::sin(40 * t)), -1};
     const mesh::Tick tick = session.tick(p);
-    ASSERT_EQ(tick.status, TickStatus::touching) << i;
+    ASSERT_EQ(tick.status, Status::contact) << i;
     ASSERT_TRUE(tick.after.place == Place::edge || tick.after.place == Place::vertex) << i;
     at_edges += tick.after.place == Place::edge;
     if (tick.after.place == Place::edge) {

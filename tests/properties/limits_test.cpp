@@ -24,7 +24,7 @@ MeshRendering flat_triangle(mesh::Shading shading) {
 // At rest above (x, 1, z), with this force.
 Ticked resting(double x, double z, const Eigen::Vector3d& force) {
   Ticked ticked{{static_cast<float>(x), 1, static_cast<float>(z)}, {}};
-  ticked.tick.status = mesh::TickStatus::touching;
+  ticked.tick.status = Status::contact;
   ticked.tick.force = {static_cast<float>(force.x()), static_cast<float>(force.y()), static_cast<float>(force.z())};
   ticked.tick.after.place = mesh::Place::triangle;
   ticked.tick.after.parameter = {static_cast<std::uint32_t>(std::lround(x / 4 * 0x1p24)), 1U << 22};
@@ -62,7 +62,7 @@ TEST(limits, of_the_energy_of_a_shaded_tick_are_reached_along_the_chord) {
 }
 
 TEST(limits, of_a_force_that_is_none) {
-  for (const mesh::TickStatus status : {mesh::TickStatus::free, mesh::TickStatus::invalid})
+  for (const Status status : {Status::free, Status::invalid})
     for (const float force : {0x1p-149F, 0.5F, 2.0F})
       for (const std::size_t axis : {0U, 1U, 2U}) {
         Ticked ticked{{1, 1, 1}, {}};

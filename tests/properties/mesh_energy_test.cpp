@@ -50,7 +50,7 @@ TEST(mesh_energy, no_rest_turns_a_force_by_more) {
       for (int i = 0; i < 3000; ++i) {
         const MeshPosition position = path.next();
         const mesh::Tick tick = session->tick(position);
-        if (tick.status != mesh::TickStatus::touching) continue;
+        if (tick.status != Status::contact) continue;
         const Eigen::Vector3d D = point_of(rendering.mesh(), tick.after) - vector_of(position), F = vector_of(tick.force);
         if (!(D.norm() > kFar * longest)) continue;
         const double turn = (F.normalized() - D.normalized()).norm();
@@ -128,7 +128,7 @@ TEST(mesh_energy, counts_the_valleys_that_are_behind) {
       const mesh::Tick tick = session->tick({0.001F, 0.001F, 6});
       if (sides == mesh::Sides::front) {
         EXPECT_EQ(is_roof ? turns.edges : turns.vertices, 0);
-        EXPECT_EQ(tick.status, mesh::TickStatus::free);
+        EXPECT_EQ(tick.status, Status::free);
         continue;
       }
       ASSERT_EQ(tick.after.place, is_roof ? mesh::Place::edge : mesh::Place::vertex);

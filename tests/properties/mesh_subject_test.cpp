@@ -134,7 +134,7 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
   };
   const auto stays_behind = [](const Tick& before, Tick now, const MeshPosition& p) {
     // The force towards where the god-object was, as if it had stuck there.
-    if (now.status != mesh::TickStatus::touching || before.after.place == mesh::Place::nowhere) return now;
+    if (now.status != Status::contact || before.after.place == mesh::Place::nowhere) return now;
     for (std::size_t i = 0; i < 3; ++i) now.force[i] = before.force[i] - 0.3F * p[i];
     return now;
   };
@@ -142,7 +142,7 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
             std::set<std::string>{});
   EXPECT_EQ(failed(
                 [](const Tick&, Tick now, const MeshPosition&) {
-                  if (now.status == mesh::TickStatus::touching) ++now.moves;
+                  if (now.status == Status::contact) ++now.moves;
                   return now;
                 },
                 mesh::Shading::none),
@@ -178,7 +178,7 @@ TEST(mesh_subject, leaves_no_tick_of_a_path_that_the_failure_does_not_need) {
   const MeshRendering rendering = rendering_of(source, 7, mesh::Shading::none);
   const MeshSubject subject("star", rendering, [right = fast_god_object(rendering)](float stiffness) {
     return std::make_unique<Changed>(right(stiffness), [](const mesh::Tick&, mesh::Tick now, const MeshPosition&) {
-      if (now.status == mesh::TickStatus::touching) ++now.moves;
+      if (now.status == Status::contact) ++now.moves;
       return now;
     });
   });

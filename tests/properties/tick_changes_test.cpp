@@ -66,7 +66,7 @@ void rub(const MeshRendering& rendering, std::uint64_t seed, const Take& take) {
       const MeshPosition position{static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
       const mesh::Tick tick = session->tick(position);
       const Vector3d force = vector_of(tick.force);
-      const bool counts = tick.status == mesh::TickStatus::touching && force.norm() > 0.05 &&
+      const bool counts = tick.status == Status::contact && force.norm() > 0.05 &&
                           force.norm() <= static_cast<double>(rendering.stiffness) * kHand.depth;
       if (counts && has_last) take(last, force);
       has_last = counts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "recorder/parts.h"
+#include "run/recorder/parts.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,10 @@
 #include <string>
 
 #include "forceshade/recording.h"
-#include "recorder/layout.h"
-#include "recorder/settings.h"
+#include "run/recorder/layout.h"
+#include "run/recorder/settings.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 #include "tests/world/in_the_world.h"
 
 namespace forceshade::recorder {
@@ -25,7 +26,7 @@ TEST_IN_THE_WORLD(parts, that_cannot_be_made_leave_the_one_before_as_it_is) {
   parts.push({.tick = 0});  // goes nowhere
   parts.begin(directory.file("a.fsr"), {});
   parts.push({.tick = 0});
-  EXPECT_THROW(parts.begin(directory.file("a.fsr"), {}), RecordingError);
+  EXPECT_THROW(parts.begin(directory.file("a.fsr"), {}), Error);
   parts.push({.tick = 1});
   parts.end("over");
   Recording recording(directory.file("a.fsr"));
@@ -57,7 +58,7 @@ TEST_IN_THE_WORLD(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_ot
     try {
       if (has_next) parts.begin(directory.file("c.fsr"), {});
       parts.end("over");
-    } catch (const RecordingError& error) {
+    } catch (const Error& error) {
       words = error.what();
     }
     EXPECT_TRUE(words.starts_with(path + ": the disk was too slow; recorded ")) << words;
@@ -77,7 +78,7 @@ TEST_IN_THE_WORLD(parts, after_one_that_lost_ticks_have_their_own_end) {
   for (std::uint64_t tick = 0; tick < 50; ++tick) parts.push({.tick = tick});
   parts.begin(directory.file("b.fsr"), {});
   parts.push({.tick = 50});
-  EXPECT_THROW(parts.end("over"), RecordingError);
+  EXPECT_THROW(parts.end("over"), Error);
   Recording last(directory.file("b.fsr"));
   EXPECT_EQ(problems_of(last), std::vector<std::string>{});
   EXPECT_EQ(last.extent().samples, 1U);
@@ -153,12 +154,7 @@ TEST(settings, that_are_missing_or_odd_are_refused_by_their_key) {
       bad.erase(key);
     else
       bad[key] = value;
-    try {
-      safety_settings_in(bad, "run.fsr");
-    } catch (const RecordingError& error) {
-      return error.what();
-    }
-    return "";
+    return tests::thrown_by<Error>([&] { safety_settings_in(bad, "run.fsr"); });
   };
   int missing = 0;
   for (const auto& [key, value] : good) {

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "forceshade/recording.h"
-#include "recorder/layout.h"
-#include "recorder/loss.h"
+#include "run/recorder/layout.h"
+#include "run/recorder/loss.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/recorder/numbered_samples.h"
 #include "tests/support/allocations.h"
@@ -230,12 +230,12 @@ TEST_IN_THE_WORLD(recorder, says_that_the_recording_was_deleted) {
 TEST_IN_THE_WORLD(recorder, never_overwrites_and_leaves_no_file_that_it_cannot_begin) {
   const TemporaryDirectory directory;
   const std::string old = directory.write("old.fsr", "precious");
-  EXPECT_THROW(Recorder(old, {}), RecordingError);
+  EXPECT_THROW(Recorder(old, {}), Error);
   EXPECT_EQ(directory.read("old.fsr"), "precious");
-  EXPECT_THROW(Recorder(directory.file("absent/run.fsr"), {}), RecordingError);
+  EXPECT_THROW(Recorder(directory.file("absent/run.fsr"), {}), Error);
   const FaultyDisk disk;
   FaultyDisk::full = true;
-  EXPECT_THROW(Recorder(directory.file("run.fsr"), {}), RecordingError);
+  EXPECT_THROW(Recorder(directory.file("run.fsr"), {}), Error);
   EXPECT_EQ(directory.entries(), 1);
 }
 

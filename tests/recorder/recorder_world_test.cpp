@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "forceshade/recording.h"
-#include "recorder/parts.h"
+#include "run/recorder/parts.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/recorder/numbered_samples.h"
 #include "tests/support/temporary_directory.h"
@@ -137,7 +137,7 @@ class Run {
       try {
         Recording recording(copy);
         read(recording, next);
-      } catch (const RecordingError& error) {
+      } catch (const Error& error) {
         violate(7, error.what());
       }
     }

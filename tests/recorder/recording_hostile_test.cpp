@@ -8,10 +8,11 @@
 #include <set>
 
 #include "forceshade/recording.h"
-#include "recorder/checksum.h"
-#include "recorder/layout.h"
-#include "recorder/sqlite.h"
+#include "run/recorder/checksum.h"
+#include "run/recorder/layout.h"
+#include "run/recorder/sqlite.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -72,13 +73,7 @@ class Hostile {
   }
   template <class Read>
   std::string words(const Read& read) const {
-    try {
-      read();
-    } catch (const RecordingError& error) {
-      EXPECT_TRUE(std::string(error.what()).starts_with(path() + ": ")) << error.what();
-      return std::string(error.what()).substr(path().size() + 2);
-    }
-    return "";
+    return tests::without(path() + ": ", tests::thrown_by<Error>(read));
   }
 
  private:
@@ -105,7 +100,7 @@ std::optional<Read> read_whole(const std::string& path) {
       read.bytes.append(reinterpret_cast<const char*>(chunk.data()), chunk.size() * sizeof(Sample));
     });
     return read;
-  } catch (const RecordingError&) {
+  } catch (const Error&) {
     return std::nullopt;
   }
 }

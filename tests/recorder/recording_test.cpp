@@ -15,10 +15,11 @@
 #include "forceshade/device.h"
 #include "forceshade/fast.h"
 #include "forceshade/servo_loop.h"
-#include "recorder/layout.h"
-#include "recorder/sqlite.h"
+#include "run/recorder/layout.h"
+#include "run/recorder/sqlite.h"
 #include "tests/support/kept_samples.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -56,12 +57,7 @@ Kept record(const std::string& path) {
 }
 
 std::string words_of(const std::string& path) {
-  try {
-    Recording recording(path);
-    return "";
-  } catch (const RecordingError& error) {
-    return error.what();
-  }
+  return tests::thrown_by<Error>([&] { Recording recording(path); });
 }
 
 void execute(const std::string& path, const std::string& sql) {
@@ -347,7 +343,7 @@ TEST(recording, that_was_damaged_or_truncated_on_disk_is_found_out) {
       Recording recording(path);
       const auto problems = problems_of(recording);
       return !problems.empty();
-    } catch (const RecordingError& error) {
+    } catch (const Error& error) {
       EXPECT_TRUE(std::string(error.what()).starts_with(path + ": ")) << error.what();
       return true;
     }
@@ -364,8 +360,8 @@ TEST(recording, that_was_damaged_or_truncated_on_disk_is_found_out) {
   damaged[at] = static_cast<char>(damaged[at] ^ 1);
   EXPECT_TRUE(found_out(damaged));
   Recording recording(directory.file("damaged.fsr"));
-  EXPECT_THROW(export_csv(recording, directory.file("never.csv")), RecordingError);
-  EXPECT_THROW(export_npy(recording, directory.file("never.npy")), RecordingError);
+  EXPECT_THROW(export_csv(recording, directory.file("never.csv")), Error);
+  EXPECT_THROW(export_npy(recording, directory.file("never.npy")), Error);
   EXPECT_EQ(directory.entries(), 2);
 }
 

@@ -15,6 +15,7 @@
 #include "reference/numbers/taylor_coefficients.h"
 #include "tests/properties/random_loop.h"
 #include "tests/support/drawn.h"
+#include "tests/support/words.h"
 
 namespace forceshade::reference {
 namespace {
@@ -335,14 +336,7 @@ TEST(height_enclosures, of_laws_are_finite_and_in_order) {
 TEST(height_enclosures, refuse_a_cone_whose_apex_is_missed_by_less_than_64_bits_show) {
   const HeightMapField law = build({{{height::Cone{0.3F, 0, 3, 4}}}}, Mode::true_height);
   const Slice slice{Along::x, 1e-35F, -1, 1};
-  const auto words = [](const auto& f) -> std::string {
-    try {
-      f();
-    } catch (const NotEnclosed& error) {
-      return error.what();
-    }
-    return "enclosed";
-  };
+  const auto words = [](const auto& f) -> std::string { return tests::thrown_by<NotEnclosed>(f); };
   EXPECT_EQ(words([&] { loop_bound(law, slice, 1); }).find("not enclosed: the height map is so steep or so fine"), 0U);
   EXPECT_EQ(words([&] { witness(law, slice, 1); }).find("not enclosed: "), 0U);
   EXPECT_EQ(words([&] { work(law, {{-1, 1e-35F, 1}, {1, 1e-35F, 1}}); }).find("not enclosed: "), 0U);

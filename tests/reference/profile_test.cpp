@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "reference/theta_critical.h"
+#include "tests/support/words.h"
 
 namespace forceshade::reference {
 namespace {
@@ -101,12 +102,7 @@ TEST(profile, its_polygons_turn_equally) {
 
 TEST(profile, refuses_kinks_and_says_which) {
   const auto words = [](height::Shape shape, float from, float to) -> std::string {
-    try {
-      const Profile profile({{std::move(shape)}}, from, to);
-      return "";
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
+    return tests::thrown_by<std::invalid_argument>([&] { const Profile profile({{std::move(shape)}}, from, to); });
   };
   const std::string kink = "the section has a kink between its ends: ";
   EXPECT_EQ(words(height::CylinderCap{1, 5, 8}, -3, 5), "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "certificate/report/depth_buffer.h"
+#include "report/depth_buffer.h"
 
 #include <gtest/gtest.h>
 

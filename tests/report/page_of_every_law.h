@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "certificate/report/report.h"
 #include "forceshade/identity.h"
+#include "report/report.h"
 
 namespace forceshade::tests {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pictures as files of their own: nothing written in them is cut off, and they say what they show.
 
-#include "certificate/report/pictures.h"
+#include "report/pictures.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "certificate/report/mesh_picture.h"
-#include "certificate/report/thesis_figures.h"
+#include "report/mesh_picture.h"
+#include "report/thesis_figures.h"
 #include "tests/support/has.h"
 
 namespace forceshade::properties {
@@ -103,20 +103,18 @@ TEST(pictures, of_a_height_map_hold_their_words_whole) {
 TEST(pictures, of_a_mesh_hold_their_words_whole_and_divide_the_path_into_seen_and_hidden) {
   const mesh::TriangleMesh wall{{{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const auto touching = [](float z, std::uint32_t k, std::uint32_t l) {
-    mesh::Tick tick{mesh::TickStatus::touching, 1, {0, 0, -z}, {}};
+    mesh::Tick tick{Status::contact, 1, {0, 0, -z}, {}};
     tick.after = {mesh::Place::triangle, mesh::Side::front, false, {}, {0}, {k, l}};
     return Ticked{{0, -1, z}, tick};
   };
   const auto free = [](const MeshPosition& position) {
-    mesh::Tick tick{mesh::TickStatus::free, 1, {}, {}};
+    mesh::Tick tick{Status::free, 1, {}, {}};
     tick.after.place = mesh::Place::free;
     tick.after.position = position;
     return Ticked{position, tick};
   };
-  const std::vector<Ticked> path{free({0, -1, 4}),
-                                 touching(-2, 1U << 22U, 1U << 22U),
-                                 free({9, 0, -2}),
-                                 {{NAN, 0, 0}, {mesh::TickStatus::invalid, 0, {}, {}}}};
+  const std::vector<Ticked> path{
+      free({0, -1, 4}), touching(-2, 1U << 22U, 1U << 22U), free({9, 0, -2}), {{NAN, 0, 0}, {Status::invalid, 0, {}, {}}}};
   const Heading heading{"title 'of' \"it\" {/:Bold x}_y.off",
                         "268435456 triangles; K = 123.45678 N/mm, shading vertex, sides both"};
   const Picture picture = mesh_picture(wall, path, {30, 25}, "wall", heading);

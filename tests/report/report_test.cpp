@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page of a certificate: its figures, what it says of what was found, and what it does when gnuplot fails.
 
-#include "certificate/report/report.h"
+#include "report/report.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,12 @@
 #include <optional>
 #include <string>
 
-#include "certificate/report/gnuplot.h"
 #include "forceshade/identity.h"
+#include "report/gnuplot.h"
 #include "tests/report/page_of_every_law.h"
 #include "tests/support/has.h"
 #include "tests/support/html.h"
+#include "tests/support/words.h"
 
 namespace forceshade::properties {
 namespace {
@@ -40,12 +41,7 @@ class WithPath {
 };
 
 std::string error_of(const Certificate& certificate) {
-  try {
-    to_html(certificate);
-  } catch (const PlotError& error) {
-    return error.what();
-  }
-  return "no error";
+  return tests::thrown_by<Error>([&] { to_html(certificate); });
 }
 
 TEST(report, needs_nothing_from_elsewhere) {
@@ -210,17 +206,14 @@ TEST(report, tells_what_to_install_when_gnuplot_is_missing) {
 }
 
 TEST(gnuplot, is_quoted_when_it_fails) {
-  try {
-    svg_plot({100, 100, "a", "nothing"}, "plot nonsense(1)\n");
-    FAIL();
-  } catch (const PlotError& error) {
-    EXPECT_TRUE(has(error.what(), "exit status 1")) << error.what();
-    EXPECT_TRUE(has(error.what(), "undefined function: nonsense")) << error.what();
-  }
+  tests::expect_words(tests::thrown_by<Error>([] {
+                        svg_plot({100, 100, "a", "nothing"}, "plot nonsense(1)\n");
+                      }),
+                      {"exit status 1", "undefined function: nonsense"});
 }
 
 TEST(gnuplot, that_draws_nothing_is_an_error) {
-  EXPECT_THROW(svg_plot({100, 100, "a", "nothing"}, "exit\n"), PlotError);
+  EXPECT_THROW(svg_plot({100, 100, "a", "nothing"}, "exit\n"), Error);
 }
 
 TEST(gnuplot, takes_more_data_than_a_pipe_holds) {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "certificate/report/html.h"
-#include "certificate/report/report.h"
 #include "forceshade/identity.h"
+#include "report/html.h"
+#include "report/report.h"
 #include "tests/certificate/made_certificate.h"
 #include "tests/report/page_of_every_law.h"
 #include "tests/support/has.h"

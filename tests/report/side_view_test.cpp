@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The side view shows a height map as it is.
 
-#include "certificate/report/side_view.h"
+#include "report/side_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The thesis's figures have the numbers of their geometry, and panels that belong together are of one size.
 
-#include "certificate/report/thesis_figures.h"
+#include "report/thesis_figures.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "certificate/report/pictures.h"
+#include "report/pictures.h"
 #include "tests/support/has.h"
 
 namespace forceshade::properties {

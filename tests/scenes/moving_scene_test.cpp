@@ -12,6 +12,7 @@
 #include "properties/world_step.h"
 #include "tests/meshes/both_sides.h"
 #include "tests/scenes/poses.h"
+#include "tests/support/words.h"
 
 namespace forceshade {
 namespace {
@@ -135,12 +136,8 @@ TEST(moving_scene, is_driven_at_its_rate_alone) {
   plan.servo.paced = false;
   plan.servo.max_seconds = 0.02;
   const std::atomic<bool> stop = false;
-  try {
-    run::run(device, rendering, plan, stop);
-    ADD_FAILURE() << "driven at 1000 Hz";
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "the rate of the loop: expected 500 Hz, for which the motions of wall.toml are made, got 1000");
-  }
+  EXPECT_EQ(tests::thrown_by<std::runtime_error>([&] { run::run(device, rendering, plan, stop); }),
+            "the rate of the loop: expected 500 Hz, for which the motions of wall.toml are made, got 1000");
   plan.servo.rate_hz = 500;
   EXPECT_EQ(run::run(device, rendering, plan, stop).result.ticks, 10U);
 }

@@ -8,13 +8,14 @@
 #include <set>
 #include <string>
 
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/identity.h"
 #include "forceshade/renderer.h"
 #include "forceshade/subjects.h"
-#include "rendering/subjects/file.h"
-#include "rendering/subjects/read.h"
+#include "subjects/file.h"
+#include "subjects/read.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::subjects {
 namespace {
@@ -41,12 +42,7 @@ class Materials : public testing::Test {
   }
   template <class Read>
   static void expect_refusal(const std::string& words, const Read& read) {
-    try {
-      read();
-      ADD_FAILURE() << "is not refused: " << words;
-    } catch (const files::BadInput& error) {
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what() << "\nexpected: " << words;
-    }
+    tests::expect_words(tests::thrown_by<Error>(read), {words});
   }
 
   tests::TemporaryDirectory folder;

@@ -6,12 +6,13 @@
 
 #include <cmath>
 
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/identity.h"
 #include "forceshade/renderer.h"
-#include "rendering/subjects/motion.h"
-#include "rendering/subjects/read.h"
+#include "subjects/motion.h"
+#include "subjects/read.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::subjects {
 namespace {
@@ -36,12 +37,7 @@ class MovingScenes : public testing::Test {
     return read_one(all);
   }
   void expect_refusal(const std::string& text, const std::string& words, std::initializer_list<Option> others = {}) {
-    std::string refused;
-    try {
-      read_scene_of(text, others);
-    } catch (const files::BadInput& error) {
-      refused = error.what();
-    }
+    const std::string refused = tests::thrown_by<Error>([&] { read_scene_of(text, others); });
     EXPECT_NE(refused.find(words), std::string::npos) << "of:\n" << text << "got: " << refused << "\nexpected: " << words;
   }
 
@@ -87,12 +83,7 @@ TEST_F(MovingScenes, have_poses_for_the_rate) {
 
 TEST_F(MovingScenes, refuse_what_is_no_file_of_poses) {
   const auto expect = [&](const std::string& text, const std::string& words) {
-    try {
-      motion_of(text);
-      ADD_FAILURE() << text;
-    } catch (const files::BadInput& error) {
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
+    tests::expect_words(tests::thrown_by<Error>([&] { motion_of(text); }), {words});
   };
   expect(kTranslations, "expected a row for each pose, got none");
   expect(kTranslations + "1,0,0,0\n", ":2: column 1 (time_s): expected 0, the time of the first pose, got \"1\"");

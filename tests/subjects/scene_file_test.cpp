@@ -6,15 +6,16 @@
 
 #include <cmath>
 
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/fast.h"
 #include "forceshade/identity.h"
 #include "forceshade/reference.h"
 #include "forceshade/subjects.h"
-#include "rendering/subjects/file.h"
-#include "rendering/subjects/read.h"
-#include "rendering/subjects/scene.h"
+#include "subjects/file.h"
+#include "subjects/read.h"
+#include "subjects/scene.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::subjects {
 namespace {
@@ -38,12 +39,7 @@ class Scenes : public testing::Test {
     return read_one(all);
   }
   std::string refusal_of(const std::string& text, std::initializer_list<Option> others = {}) {
-    try {
-      read_scene_of(text, others);
-    } catch (const files::BadInput& error) {
-      return error.what();
-    }
-    return "";
+    return tests::thrown_by<Error>([&] { read_scene_of(text, others); });
   }
   void expect_refusal(const std::string& text, const std::string& words, std::initializer_list<Option> others = {}) {
     const std::string refused = refusal_of(text, others);
@@ -96,7 +92,7 @@ TEST_F(Scenes, of_one_unmoved_object_are_its_mesh) {
     for (std::size_t i = 0; i < path.size(); ++i) {
       EXPECT_EQ(a[i].force, b[i].force);
       EXPECT_EQ(a[i].after, b[i].after);
-      touching += a[i].status == mesh::TickStatus::touching ? 1 : 0;
+      touching += a[i].status == Status::contact ? 1 : 0;
     }
     EXPECT_GT(touching, 10);
   }
@@ -309,7 +305,7 @@ TEST_F(Scenes, say_which_other_file_is_at_fault) {
   expect_refusal(
       kTetrahedron + "materials = \"wheel.toml\"\n",
       "wheel.toml: line 3: groups: expected a group or material of the mesh's file (rubber, steel, tyre), got \"tire\"");
-  EXPECT_THROW(read_one({{"scene", folder.file("absent.toml")}}), files::BadInput);
+  EXPECT_THROW(read_one({{"scene", folder.file("absent.toml")}}), Error);
 }
 
 TEST_F(Scenes, stand_beside_no_option_of_another_subject) {
@@ -324,12 +320,10 @@ TEST_F(Scenes, stand_beside_no_option_of_another_subject) {
   expect({{"stiffness", "2000"}}, "--stiffness is 2000 N/mm; expected 0.001 to 1000 N/mm");
   expect_refusal("sides = \"both\"\n" + kPlate, "table.toml: line 1: sides: expected once, got several times",
                  {{"sides", "front"}});
-  try {
-    read_one({{"law", "wall"}, {"sides", "both"}});
-    ADD_FAILURE() << "a law has no sides";
-  } catch (const files::BadInput& error) {
-    EXPECT_STREQ(error.what(), "--sides: expected --mesh or --scene beside it, got --law");
-  }
+  EXPECT_EQ(tests::thrown_by<Error>([&] {
+              read_one({{"law", "wall"}, {"sides", "both"}});
+            }),
+            "--sides: expected --mesh or --scene beside it, got --law");
 }
 
 }  // namespace

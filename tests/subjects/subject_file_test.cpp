@@ -7,9 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/subjects.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::subjects {
 namespace {
@@ -19,12 +20,7 @@ const Parameters& parameters_of(const Description& description) {
 }
 
 std::string refusal_of(const std::string& text) {
-  try {
-    read_text(text, "its.toml");
-  } catch (const files::BadInput& error) {
-    return error.what();
-  }
-  return "";
+  return tests::thrown_by<Error>([&] { read_text(text, "its.toml"); });
 }
 
 TEST(subject_file, names_a_law_with_its_parameters_in_their_units) {
@@ -99,7 +95,7 @@ TEST(subject_file, is_refused_with_its_line_and_what_was_expected) {
   expect("law = [\"wall\", \"bump-2p\"]\n", "its.toml: line 1: law: expected");
   expect("law = \"wall\"\nunit = \"mm\"\n", "its.toml: line 2: unit");
   expect("law = = 3\n", "its.toml: line 1");
-  EXPECT_THROW(read_file("no-such-file.toml"), files::BadInput);
+  EXPECT_THROW(read_file("no-such-file.toml"), Error);
 }
 
 }  // namespace

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "certificate/build.h"
-#include "device/run/words.h"
 #include "forceshade/certify.h"
 #include "forceshade/device.h"
 #include "forceshade/properties.h"
 #include "forceshade/recording.h"
 #include "forceshade/run.h"
 #include "forceshade/servo_loop.h"
+#include "run/words.h"
 #include "tests/subjects/sticky_wall.h"
 #include "tests/support/temporary_directory.h"
 

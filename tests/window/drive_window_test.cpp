@@ -13,7 +13,7 @@
 
 #include "device/simulated/simulated.h"
 #include "forceshade/recording.h"
-#include "rendering/subjects/read.h"
+#include "subjects/read.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/window/drawn_canvas.h"
 #include "tests/window/items.h"

@@ -22,7 +22,7 @@ class window_settings : public testing::Test {
   std::string refusal(const std::string& text) const {
     try {
       read(text);
-    } catch (const files::Error& error) {
+    } catch (const Error& error) {
       const std::string what = error.what(), begin = folder_.file("window.toml") + ":";
       EXPECT_TRUE(what.starts_with(begin)) << what;
       return what.substr(begin.size());
@@ -106,8 +106,8 @@ TEST_F(window_settings, what_is_wrong_is_named_with_line_key_expectation_and_val
   };
   for (const auto& [text, expected] : refusals) EXPECT_EQ(refusal(text), expected) << text;
   EXPECT_TRUE(refusal("width = ").starts_with("1: ")) << refusal("width = ");
-  EXPECT_THROW(read_settings(folder_.file("absent.toml")), files::Error);
-  EXPECT_THROW(read_settings(folder_.path()), files::Error);
+  EXPECT_THROW(read_settings(folder_.file("absent.toml")), Error);
+  EXPECT_THROW(read_settings(folder_.path()), Error);
 }
 
 std::string described(const std::optional<Press>& press) {

@@ -128,10 +128,9 @@ class Driver {
   std::string state() {
     const device::FrameState its = arm_.state();
     const auto& at = its.position;
-    return R"({"time_s":)" + files::shortest(static_cast<double>(++answers_)) + R"(,"position_mm":[)" +
-           files::shortest(at.x()) + ',' + files::shortest(at.y()) + ',' + files::shortest(at.z()) + R"(],"buttons":)" +
-           std::to_string(its.buttons) + R"(,"calibrated":)" + (its.calibrated ? "true" : "false") + R"(,"forces_on":)" +
-           (its.forces_on ? "true" : "false") + '}';
+    return R"({"time_s":)" + shortest(static_cast<double>(++answers_)) + R"(,"position_mm":[)" + shortest(at.x()) + ',' +
+           shortest(at.y()) + ',' + shortest(at.z()) + R"(],"buttons":)" + std::to_string(its.buttons) + R"(,"calibrated":)" +
+           (its.calibrated ? "true" : "false") + R"(,"forces_on":)" + (its.forces_on ? "true" : "false") + '}';
   }
 
   Arm& arm_;

@@ -91,10 +91,9 @@ class Service {
     const auto flag = [](bool is) { return is ? "true" : "false"; };
     return std::string(R"({"inverse3":[{"device_id":"049D")") +
            (has_configuration ? R"(,"config":{"type":"inverse3","basis":{"permutation":"XYZ"}})" : "") +
-           R"(,"state":{"cursor_position":{"x":)" + files::shortest(at.x()) + R"(,"y":)" + files::shortest(at.y()) +
-           R"(,"z":)" + files::shortest(at.z()) + R"(}},"status":{"calibrated":)" + flag(its.calibrated) +
-           R"(,"power_supply":)" + flag(its.forces_on) + R"(}}],"verse_grip":[{"state":{"button":)" +
-           flag((its.buttons & 1U) != 0) + "}}]}";
+           R"(,"state":{"cursor_position":{"x":)" + shortest(at.x()) + R"(,"y":)" + shortest(at.y()) + R"(,"z":)" +
+           shortest(at.z()) + R"(}},"status":{"calibrated":)" + flag(its.calibrated) + R"(,"power_supply":)" +
+           flag(its.forces_on) + R"(}}],"verse_grip":[{"state":{"button":)" + flag((its.buttons & 1U) != 0) + "}}]}";
   }
 
   Arm& arm_;

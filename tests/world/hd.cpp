@@ -15,8 +15,6 @@
 namespace forceshade::world {
 
 using namespace device::hdapi;
-using stand_in_hd::Answer;
-using stand_in_hd::Blocks;
 
 namespace {
 
@@ -61,7 +59,7 @@ struct HdFunctions {
   // A condition that lasts is reported once.
   static void fail_in_frame(const char* name, HDerror code) {
     const bool lasts = code >= kWarmMotors;
-    if (code != kSuccess && (!lasts || hd().orders_.errors_repeat || hd().reported_.emplace(name, code).second)) fail(code);
+    if (code != kSuccess && (!lasts || hd().reported_.emplace(name, code).second)) fail(code);
   }
   template <typename T>
   static void give(const char* name, const Answer& answer, std::initializer_list<T> right, T* values) {
@@ -106,7 +104,7 @@ struct HdFunctions {
     d.state_.forces_on = d.state_.forces_on && d.seen_.output;
     if (d.orders_.output_goes_off) d.seen_.output = false;
     if (!std::exchange(d.has_position_, true) || !d.orders_.comm_lost)
-      d.position_ = d.orders_.position ? Eigen::Vector3d(*d.orders_.position) : device::turned_to_arm(d.state_.position);
+      d.position_ = d.orders_.position ? *d.orders_.position : device::turned_to_arm(d.state_.position);
     if (d.arm_.event_at(number, Event::Kind::garbage)) d.position_.setConstant(std::numeric_limits<double>::quiet_NaN());
     fail_in_frame("hdBeginFrame", d.orders_.begin);
     if (d.orders_.comm_lost) fail_in_frame("hdBeginFrame", kCommunication);
@@ -151,7 +149,7 @@ struct HdFunctions {
   }
   static void get_boolean(HDenum, HDboolean* value) {
     call("hdGetBooleanv", Where::not_beside_scheduler);
-    *value = hd().orders_.safety_switch ? 1 : 0;
+    *value = 0;
   }
   static void get_integer(HDenum what, int* value) {
     call("hdGetIntegerv", Where::not_beside_scheduler);
@@ -316,7 +314,7 @@ const Functions& Hd::functions() {
   return all;
 }
 
-void Hd::tell(const stand_in_hd::Orders& orders) {
+void Hd::tell(const Orders& orders) {
   orders_ = orders;
   reported_.clear();
 }

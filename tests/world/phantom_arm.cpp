@@ -9,9 +9,6 @@
 namespace forceshade::world {
 namespace {
 
-namespace hdapi = device::hdapi;
-using stand_in_hd::Blocks;
-using stand_in_hd::Orders;
 using std::chrono::milliseconds;
 
 // Changes what the driver does from this step on.

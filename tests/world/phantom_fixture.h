@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "device/phantom/phantom.h"
+#include "tests/support/words.h"
 #include "tests/world/hd.h"
 #include "tests/world/world.h"
 
@@ -18,8 +19,7 @@ namespace forceshade::world {
 
 using namespace std::chrono_literals;
 using namespace device;
-using stand_in_hd::Answer;
-using stand_in_hd::Orders;
+using tests::expect_words;
 
 inline void tell(const Orders& orders) {
   Hd::current().tell(orders);
@@ -58,10 +58,6 @@ inline std::string fault_of(Device& device) {
     return !words.empty();
   });
   return words;
-}
-
-inline void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\nnot in: " << text;
 }
 
 // Every test leaves the device without a misuse, closed and without force, and no thread.

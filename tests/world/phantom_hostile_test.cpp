@@ -91,7 +91,7 @@ IN_WORLD(whatever_its_driver_says_is_refused_or_has_no_wider_limits_and_says_whi
   int refused = 0, accepted = 0;
   for (unsigned i = 0, first = seed(); i < 200; ++i) {
     Draws draws(first + i);
-    Orders orders{.prints = false};
+    Orders orders;
     draws.draw(orders, kOfTheDevice, 3);
     SCOPED_TRACE(words_of(first, draws.drawn));
     tell(orders);

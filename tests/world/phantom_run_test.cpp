@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A PHANToM that runs: what it gives, what it obeys, and how it ends.
+// A PHANToM that runs: what it gives, what it obeys, and how it ends. The forces of its frames, one by one, are those of
+// phantom_frames_forces_test; stalls, and frames that end, are those of phantom_world_test.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -133,17 +133,6 @@ IN_WORLD(lost_connection_ends_the_run_and_is_said_again_by_the_next) {
   EXPECT_FALSE(seen().output);
 }
 
-// Nothing is reported: only the driver's count of its frames tells.
-IN_WORLD(connection_that_is_lost_without_an_error_ends_the_run) {
-  Phantom device = opened(kPatient);
-  ASSERT_FALSE(device.start(1000));
-  device.command({0, 0, 1});
-  wait_until([] { return !last_force().isZero(0); });
-  tell({.instantaneous_rate = 0});
-  EXPECT_EQ(fault_of(device), hdapi::kNoAnswer);
-  wait_until([] { return last_force().isZero(0) && !seen().output; });
-}
-
 IN_WORLD(words_of_a_fault_outlive_the_device) {
   std::vector<const char*> words;
   for (const hdapi::HDerror code : {hdapi::kSchedulerFull, hdapi::kDeviceFault}) {
@@ -164,89 +153,6 @@ IN_WORLD(closed_under_force_sends_zero_first) {
     wait_until([] { return !last_force().isZero(0); });
   }
   EXPECT_TRUE(last_force().isZero(0));
-}
-
-IN_WORLD(force_is_not_held_when_the_loop_stalls_and_zero_may_be_held_for_ever) {
-  Phantom device = opened();
-  ASSERT_FALSE(device.start(1000));
-  device.command({0, 0, 0});
-  system::sleep_for(400ms);
-  EXPECT_TRUE(seen().output);
-  device.command({0, 0, 1});
-  wait_until([] { return !last_force().isZero(0); });
-  wait_until([] { return last_force().isZero(0) && !seen().output; });
-  EXPECT_EQ(fault_of(device), hdapi::kStalled);
-  // It does not come back with a kick.
-  device.command({0, 0, 1});
-  const std::size_t frames = seen().frames.size();
-  wait_until([&] { return seen().frames.size() >= frames + 5; });
-  EXPECT_TRUE(last_force().isZero(0));
-  EXPECT_FALSE(device.state().forces_on);
-}
-
-IN_WORLD(is_lost_when_the_driver_runs_no_frames) {
-  Phantom device = opened();
-  ASSERT_FALSE(device.start(1000));
-  device.command({0, 0, 1});
-  wait_until([] { return !last_force().isZero(0); });
-  tell({.hung = true});
-  EXPECT_EQ(fault_of(device), hdapi::kSilent);
-  tell({});
-  wait_until([] { return last_force().isZero(0); });
-}
-
-// The loop stalls, again and again, while the hand withdraws at 0.5 m/s along a force of 1 N that nobody takes back; then the
-// hand pushes in as far. Given is what was sent times the step that followed, counted here from the frames alone.
-IN_WORLD(gives_a_hand_that_withdraws_no_more_than_it_may_be_given_while_the_loop_stalls) {
-  constexpr double kAllowed = 2, kStep = 1;  // mJ, mm
-  const auto at = [](double height) { return Orders{.position = Eigen::Vector3d(0, height, 0)}; };
-  tell(at(0));
-  Phantom device = opened(kPatient);
-  ASSERT_FALSE(device.start(1000));
-  const auto command = [&](double forgiven = 0) {
-    const ReadResult read = device.read();
-    ASSERT_TRUE(std::holds_alternative<Reading>(read));
-    device.allow({.work = std::max(kAllowed, std::get<Reading>(read).sent->work + forgiven), .longest_step = kStep});
-    ASSERT_FALSE(device.command({0, 0, 1}));
-  };
-  double height = 0;
-  // Moves by a frame's way in every frame, whichever is later: the machine or the device.
-  const auto move = [&](int frames, double step) {
-    for (int k = 0; k < frames; ++k) {
-      tell(at(height += step));
-      wait_until([&] { return seen().frames.back().position.y() == height; });
-    }
-  };
-  command();
-  wait_until([] { return !last_force().isZero(0); });
-  for (int stall = 0; stall < 2; ++stall) {
-    command();
-    move(12, 0.5);
-  }
-  const std::size_t withdrawn = seen().frames.size();
-  // The small rest of the force takes the energy back, by half as much again in each frame. After a step that was too long,
-  // nothing is left, and the loop forgives a little.
-  command(0.01);
-  move(80, -0.5);
-  command();
-  wait_until([] { return last_force() == Eigen::Vector3d(0, 1, 0); });
-
-  const auto frames = seen().frames;
-  double given = 0, most = 0, excess = 0;
-  for (std::size_t k = 1; k < frames.size(); ++k) {
-    const Eigen::Vector3d step = frames[k].position - frames[k - 1].position;
-    given += frames[k - 1].force.dot(step);
-    excess += frames[k - 1].force.norm() * std::max(0.0, step.norm() - kStep);  // of a step that is longer than agreed
-    if (k < withdrawn) {
-      EXPECT_LE(given, kAllowed + excess + 1e-6) << "frame " << k;
-    }
-    most = std::max(most, given);
-  }
-  EXPECT_GT(most, 0.9 * kAllowed) << "else nothing was held back";
-  EXPECT_LT(frames[withdrawn - 1].force.norm(), 0.2) << "of 1 N";
-  EXPECT_NEAR(std::get<Reading>(device.read()).sent->work, given, 0.02);
-  device.command({0, 0, 0});
-  std::printf("  %.3f mJ given at most, of %.3f allowed and %.3f for steps that were too long\n", most, kAllowed, excess);
 }
 
 // Keeps the loop waiting between its two calls, so that a frame begins there.

@@ -28,13 +28,9 @@ std::string why_not_started(const Orders& orders, const Phantom::Options& option
 
 std::string why_not_opened(const Orders& orders, const std::string& name = "") {
   tell(orders);
-  try {
-    Phantom device = opened(kPatient, nobody(), name);
-  } catch (const DeviceError& error) {
-    EXPECT_FALSE(seen().initialised);
-    return error.what();
-  }
-  return "";
+  const std::string words = tests::thrown_by<DeviceError>([&] { Phantom device = opened(kPatient, nobody(), name); });
+  EXPECT_FALSE(seen().initialised);
+  return words;
 }
 
 IN_WORLD(opened_moves_nothing_and_switches_nothing_on) {

@@ -16,8 +16,6 @@
 namespace forceshade::world {
 namespace {
 
-namespace hdapi = device::hdapi;
-using stand_in_hd::Blocks;
 using std::chrono::milliseconds;
 
 constexpr Ns kMillisecond = 1'000'000;

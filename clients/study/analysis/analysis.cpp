@@ -77,8 +77,7 @@ std::string classification_text(const std::vector<ClassificationRow>& all) {
   std::vector<std::vector<std::string>> rows{{"bump", "radius (mil)", "trials", "1 (%)", "2 (%)", "3 (%)", "4 (%)", "thesis"}};
   for (const ClassificationRow& row : all) {
     if (row.participant != kOverall) continue;
-    std::vector<std::string> line{files::printable(title_of(row.stimulus)), files::shortest(row.radius),
-                                  std::to_string(row.trials)};
+    std::vector<std::string> line{files::printable(title_of(row.stimulus)), shortest(row.radius), std::to_string(row.trials)};
     for (const Estimate& percent : row.percents) line.push_back(with_interval(percent, 0));
     std::string thesis;
     if (const ThesisClassificationRow* printed = thesis_classification(row.stimulus, row.radius))
@@ -110,7 +109,7 @@ std::string csv_text(const std::string& text) {
 }
 
 std::string csv_number(double value) {
-  return std::isfinite(value) ? files::shortest(value) : "";
+  return std::isfinite(value) ? shortest(value) : "";
 }
 
 std::string csv_end(const char* column, const Estimate& estimate, const std::string& thesis, const std::string& who) {
@@ -182,8 +181,8 @@ std::string to_csv(const Analysis& analysis) {
   for (const ClassificationRow& row : analysis.classification) {
     const ThesisClassificationRow* thesis = thesis_classification(row.stimulus, row.radius);
     for (std::size_t k = 0; k < row.percents.size(); ++k)
-      text += std::string(thesis == nullptr ? "" : "6.9") + ',' + csv_text(row.stimulus) + ",," + files::shortest(row.radius) +
-              ',' + csv_text(row.participant) + ',' + std::to_string(row.trials) +
+      text += std::string(thesis == nullptr ? "" : "6.9") + ',' + csv_text(row.stimulus) + ",," + shortest(row.radius) + ',' +
+              csv_text(row.participant) + ',' + std::to_string(row.trials) +
               csv_end(kAnswers[k], row.percents[k],
                       thesis != nullptr && row.participant == kOverall ? std::to_string(thesis->percents[k]) : "",
                       answered_by(origins, row.participant));

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "certificate/report/plot_text.h"
+#include "report/plot_text.h"
 #include "study/analysis/analysis.h"
 #include "study/analysis/number_words.h"
 #include "study/analysis/thesis.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The figures of chapter 6 of the thesis, for gnuplot: certificate/report/gnuplot.h makes SVG and PNG files of them.
+// The figures of chapter 6 of the thesis, for gnuplot: report/gnuplot.h makes SVG and PNG files of them.
 
 #include <string>
 #include <vector>
 
-#include "certificate/report/gnuplot.h"
+#include "report/gnuplot.h"
 #include "study/analysis/profiles.h"
 #include "study/analysis/psychometric.h"
 #include "study/analysis/tables.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/analysis/page.h"
 
-#include "certificate/report/html.h"
-#include "certificate/report/page_style.h"
-#include "certificate/report/plot_text.h"
+#include "report/html.h"
+#include "report/page_style.h"
+#include "report/plot_text.h"
 #include "study/analysis/figures.h"
 #include "study/analysis/number_words.h"
 #include "study/analysis/origins.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "certificate/report/gnuplot.h"
+#include "report/gnuplot.h"
 #include "study/analysis/analysis.h"
 #include "study/analysis/profiles.h"
 

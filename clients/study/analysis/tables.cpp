@@ -111,7 +111,7 @@ ClassificationRow classification_row(const std::vector<ClassificationResult>& tr
   const std::vector<double> values = percents(rows);
   const bool is_of_one_person = resampling.unit == Unit::participants && strata.front().size() < 2;
   const std::vector<Interval> intervals = bca_intervals(
-      strata, percents, resampling, "classification/" + row.stimulus + '/' + files::shortest(row.radius) + '/' + participant);
+      strata, percents, resampling, "classification/" + row.stimulus + '/' + shortest(row.radius) + '/' + participant);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const auto chosen = static_cast<std::size_t>(
         std::ranges::count_if(rows, [&](std::size_t i) { return trials[i].answer == static_cast<int>(k) + 1; }));

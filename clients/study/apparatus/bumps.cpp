@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "files/csv.h"
-#include "forceshade/bad_input.h"
 #include "forceshade/checks.h"
-#include "rendering/subjects/read.h"
+#include "forceshade/error.h"
+#include "subjects/read.h"
 #include "window/contact_border.h"
 
 namespace forceshade::apparatus {
@@ -16,16 +16,15 @@ namespace {
 using experiments::Bump;
 using experiments::kMillimetresPerMil;
 using experiments::StimulusKind;
-using files::BadInput;
 
 // The protocol's stiffness is that of all that a session renders.
 Description of_file(const std::string& file, float stiffness, const Bumps::Read& read) {
   Description described = read(subjects::options_of_file(file));
   if (std::holds_alternative<DescribedScene>(described.what))
-    throw BadInput(file + ": expected no object with a motion, since a session compares surfaces at rest");
+    throw Error(file + ": expected no object with a motion, since a session compares surfaces at rest");
   if (const float its = described.stiffness(); its != stiffness)
-    throw BadInput(file + ": stiffness: expected that of the protocol, " + files::shortest(stiffness) + " N/mm, got " +
-                   files::shortest(its) + " N/mm");
+    throw Error(file + ": stiffness: expected that of the protocol, " + shortest(stiffness) + " N/mm, got " + shortest(its) +
+                " N/mm");
   return described;
 }
 
@@ -40,10 +39,10 @@ Description Bumps::description(const Bump& bump) const {
   if (stimulus.kind == StimulusKind::law)
     return {std::string(name_of(stimulus.law)), DescribedLaw{stimulus.law, protocol_.parameters(bump.radius)}};
   const auto variant = std::ranges::find(stimulus.variants, bump.radius, &experiments::Variant::radius);
-  if (variant == stimulus.variants.end()) throw BadInput(words_of(bump) + ": the protocol has no such shape");
+  if (variant == stimulus.variants.end()) throw Error(words_of(bump) + ": the protocol has no such shape");
   const std::string file = variant->file;
   if (stimulus.kind == StimulusKind::subject) return of_file(file, protocol_.stiffness, read_);
-  subjects::Options options{{"stiffness", files::shortest(protocol_.stiffness)}};
+  subjects::Options options{{"stiffness", shortest(protocol_.stiffness)}};
   if (stimulus.kind == StimulusKind::mesh) {
     options.add({"mesh", file});
     options.add({"unit", variant->unit});
@@ -57,7 +56,7 @@ Bumps::Kept& Bumps::kept(const Bump& bump) {
   Kept& kept = kept_[{bump.stimulus, bump.radius}];
   if (!kept.rendering) {
     auto built = rendering_of(description(bump));
-    if (const auto* error = std::get_if<ParameterError>(&built)) throw BadInput(words_of(bump) + ": " + error->message());
+    if (const auto* error = std::get_if<ParameterError>(&built)) throw Error(words_of(bump) + ": " + error->message());
     kept.rendering = std::get<Rendering>(std::move(built));
   }
   return kept;
@@ -77,7 +76,7 @@ double Bumps::height(const Bump& bump, double x) {
   if (!its.looked_at) its.looked_at = its.rendering->renderer.open();
   // The highest place with a force, to a hundredth of a millimetre; a height map is at most as high as its domain.
   const auto is_inside = [&](double z) {
-    return its.looked_at->step({static_cast<float>(x), 0, static_cast<float>(z)}).status == Status::contact;
+    return finished(its.looked_at->step({static_cast<float>(x), 0, static_cast<float>(z)}).status) == Status::contact;
   };
   constexpr double kInside = -100, kOutside = 100;
   return std::isfinite(x) && is_inside(kInside) ? window::contact_border(kInside, kOutside, is_inside) : 0;

@@ -12,8 +12,8 @@
 
 #include "forceshade/description.h"
 #include "forceshade/renderer.h"
-#include "rendering/subjects/options.h"
 #include "study/experiments/protocol.h"
+#include "subjects/options.h"
 
 namespace forceshade::apparatus {
 
@@ -27,7 +27,7 @@ class Bumps {
   // read: read_until(), or one that shows how far the check of a mesh is.
   explicit Bumps(experiments::Protocol protocol, Read read) : protocol_(std::move(protocol)), read_(std::move(read)) {}
 
-  // The description of this stimulus and radius, wherever it stands. Throws BadInput, heights::Error or mesh::Error where it
+  // The description of this stimulus and radius, wherever it stands. Throws Error where it
   // cannot be rendered. The protocol's height maps and meshes are read as `drive` reads them without further options.
   Description description(const experiments::Bump& bump) const;
 

@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/run.h"
 #include "rendering/identity/digest.h"
 
@@ -48,9 +48,8 @@ std::map<std::string, std::string> certificates_of(Bumps& bumps, const fs::path&
   }
   if (count == 0) return digests;
   if (count > kNamed) lacking += "; and " + std::to_string(count - kNamed) + " more";
-  throw files::BadInput("no certificate of this build covers " + lacking + " (" + why +
-                        "); 'forceshade-study experiment prepare PROTOCOL " + "--out " + folder.string() +
-                        "' makes what is missing");
+  throw Error("no certificate of this build covers " + lacking + " (" + why +
+              "); 'forceshade-study experiment prepare PROTOCOL " + "--out " + folder.string() + "' makes what is missing");
 }
 
 }  // namespace forceshade::apparatus

@@ -9,7 +9,7 @@
 
 #include "device/kinds.h"
 #include "forceshade/recording.h"
-#include "recorder/settings.h"
+#include "run/recorder/settings.h"
 #include "study/experiments/session_folder.h"
 
 namespace forceshade::apparatus {

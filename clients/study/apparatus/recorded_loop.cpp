@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "device/run/summary.h"
-#include "device/run/words.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
+#include "run/summary.h"
+#include "run/words.h"
 #include "study/apparatus/certificates.h"
 #include "study/experiments/stimulus_list.h"
 
@@ -16,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using experiments::Bump;
-using files::BadInput;
 
 // 16 s at 1 kHz: a part lasts a minute and a half, and one is begun while another is closed.
 constexpr std::size_t kRing = std::size_t{1} << 14;
@@ -45,10 +44,10 @@ RecordedLoop::RecordedLoop(device::Device& device, Bumps& bumps, LoopPlan plan, 
       latest_(stop, stop_) {
   std::error_code error;
   if (!fs::create_directory(plan_.folder, error))
-    throw BadInput(plan_.folder.string() +
-                   ": cannot make the folder of this run's ticks: " + (error ? error.message() : "it is there already"));
+    throw Error(plan_.folder.string() +
+                ": cannot make the folder of this run's ticks: " + (error ? error.message() : "it is there already"));
   stimuli_.open(plan_.folder / "stimuli.jsonl");
-  if (!stimuli_) throw BadInput((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
+  if (!stimuli_) throw Error((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
   plan_.metadata = known_before(plan_, device_.capabilities());
   plan_.servo.sinks.push_back(&parts_);
   plan_.servo.sinks.push_back(&latest_);
@@ -72,7 +71,7 @@ void RecordedLoop::start() {
 
 void RecordedLoop::follow(const experiments::Session& session) {
   // Answers to what was not recorded are worth little, and the disk may take no answer either.
-  if (parts_.failing()) throw recorder::RecordingError(plan_.folder.string() + ": the disk refuses the ticks; is it full?");
+  if (parts_.failing()) throw Error(plan_.folder.string() + ": the disk refuses the ticks; is it full?");
   begin_part(session);
   if (const experiments::Scene scene = session.scene(); scene != offered_) offer(scene);
   stage_.collect();
@@ -119,12 +118,12 @@ void RecordedLoop::offer(const experiments::Scene& scene) {
             name,
             digest == plan_.certificates.end() ? "none" : digest->second};
     if (!plan_.certificates.empty() && digest == plan_.certificates.end())
-      throw BadInput(words_of(*bump) + ": no certificate was checked for it before the session");
+      throw Error(words_of(*bump) + ": no certificate was checked for it before the session");
   };
   place(scene.left, stimulus->left, listed.left);
   place(scene.right, stimulus->right, listed.right);
   stimuli_ << experiments::line_of(listed) << std::flush;
-  if (!stimuli_) throw BadInput((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
+  if (!stimuli_) throw Error((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
   stage_.offer(std::move(stimulus));
   offered_ = scene;
   scenes_[number_] = scene;

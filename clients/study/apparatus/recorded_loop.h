@@ -13,7 +13,7 @@
 #include "device/latest_tick.h"
 #include "device/stage.h"
 #include "forceshade/servo_loop.h"
-#include "recorder/parts.h"
+#include "run/recorder/parts.h"
 #include "study/apparatus/bumps.h"
 #include "study/experiments/session.h"
 #include "system/system.h"
@@ -34,8 +34,8 @@ struct LoopPlan {
 // written before the offer: what `shown` in the ticks means.
 class RecordedLoop {
  public:
-  // Makes the folder. Device, bumps and stop live longer; stop ends the loop, whatever the calling thread does. Throws BadInput
-  // or RecordingError.
+  // Makes the folder. Device, bumps and stop live longer; stop ends the loop, whatever the calling thread does. Throws Error
+  // or Error.
   RecordedLoop(device::Device& device, Bumps& bumps, LoopPlan plan, const std::atomic<bool>& stop);
   // Stops where stop() was not called.
   ~RecordedLoop();
@@ -46,7 +46,7 @@ class RecordedLoop {
   void start();
 
   // Offers the session's present scene to the loop, and begins the part of a new trial. Call after every press, and often
-  // meanwhile. Throws RecordingError where the disk has refused.
+  // meanwhile. Throws Error where the disk has refused.
   void follow(const experiments::Session& session);
 
   // s since the first tick: by this machine's clock, and by the device's where the run is not paced.
@@ -59,7 +59,7 @@ class RecordedLoop {
 
   bool has_ended() const noexcept { return ended_; }
 
-  // The loop ends with zero force, and the recording with it. Throws what the loop threw, and RecordingError for ticks that
+  // The loop ends with zero force, and the recording with it. Throws what the loop threw, and Error for ticks that
   // were lost.
   device::ServoResult stop();
   // The same, once the device has ended the loop.

@@ -20,7 +20,6 @@
 #include "files/output_folder.h"
 #include "files/quantity.h"
 #include "forceshade/checks.h"
-#include "rendering/subjects/options.h"
 #include "study/analysis/figures.h"
 #include "study/analysis/origins.h"
 #include "study/analysis/page.h"
@@ -29,6 +28,7 @@
 #include "study/command/trial_profiles.h"
 #include "study/experiments/results_csv.h"
 #include "study/experiments/session_results.h"
+#include "subjects/options.h"
 
 namespace forceshade::apps {
 namespace {
@@ -41,10 +41,10 @@ struct AnalyzeOptions {
   std::string json, width = subjects::kUsualWidth, unit = "trials", shape = "logistic";
   analysis::AnalysisOptions options;
 
-  // Throws BadInput.
+  // Throws Error.
   void read() {
     options.width = static_cast<double>(files::parse_length("--width", width)) / 0.0254;
-    if (!(options.width > 0)) throw BadInput("--width: expected a length above 0 mm, got \"" + width + '"');
+    if (!(options.width > 0)) throw Error("--width: expected a length above 0 mm, got \"" + width + '"');
     options.resampling.unit = unit == "trials" ? analysis::Unit::trials : analysis::Unit::participants;
     options.model.shape = shape == "logistic" ? analysis::Shape::logistic : analysis::Shape::gaussian;
     options.psychometric_count = std::min<std::size_t>(options.resampling.count, 1000);
@@ -57,7 +57,7 @@ experiments::Results read_folders(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders) {
     std::error_code unresolved;
     const std::filesystem::path path = std::filesystem::canonical(folder, unresolved);
-    if (!unresolved && !seen.insert(path).second) throw BadInput(folder + ": expected each folder once");
+    if (!unresolved && !seen.insert(path).second) throw Error(folder + ": expected each folder once");
     const bool is_session = std::filesystem::exists(path / "trials.jsonl");
     experiments::Results one =
         is_session ? experiments::results_of(experiments::read_session(path)) : experiments::read_results(folder);
@@ -66,11 +66,10 @@ experiments::Results read_folders(const std::vector<std::string>& folders) {
     all.radius_changes.insert(all.radius_changes.end(), one.radius_changes.begin(), one.radius_changes.end());
   }
   for (const std::string& name : analysis::participants_of(all))
-    if (name == analysis::kOverall) throw BadInput("participant: expected a name other than \"overall\", which the tables use");
+    if (name == analysis::kOverall) throw Error("participant: expected a name other than \"overall\", which the tables use");
   if (all.matching.empty() && all.classification.empty())
-    throw BadInput(folders.front() + ": expected at least one trial, got none");
-  if (const std::string fault = analysis::fault_of(analysis::origins_of(all)); !fault.empty())
-    throw BadInput("folder: " + fault);
+    throw Error(folders.front() + ": expected at least one trial, got none");
+  if (const std::string fault = analysis::fault_of(analysis::origins_of(all)); !fault.empty()) throw Error("folder: " + fault);
   return all;
 }
 
@@ -159,7 +158,7 @@ std::string analysis_json(const analysis::Analysis& analysis, const AnalyzeOptio
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
-// The names of the files to write. Throws BadInput where two conditions would have the same file.
+// The names of the files to write. Throws Error where two conditions would have the same file.
 std::vector<std::string> files_of(const experiments::Results& results, const analysis::Profiles& profiles) {
   std::set<std::pair<std::string, bool>> conditions;
   for (const experiments::MatchingResult& trial : results.matching) conditions.emplace(trial.stimulus, trial.vision);
@@ -170,7 +169,7 @@ std::vector<std::string> files_of(const experiments::Results& results, const ana
       return files::folded_name(stem) == files::folded_name("matching-" + name);
     };
     if (std::ranges::any_of(stems, is_same))
-      throw BadInput("stimulus: expected names that differ in letters, not only capital ones, and digits; two are " + name);
+      throw Error("stimulus: expected names that differ in letters, not only capital ones, and digits; two are " + name);
     stems.insert(stems.end(), {"matching-" + name, "satisfaction-" + name});
   }
   if (!results.classification.empty()) stems.emplace_back("psychometric");
@@ -186,7 +185,7 @@ int analyze(AnalyzeOptions& options, const OutFolder& out) {
   experiments::Results results = read_folders(options.folders);
   watch_for_interrupt();
   const bool has_folder = !out.path().empty();
-  if (!has_folder && !options.trials.empty()) throw BadInput("--trial: expected --out beside it, for its figures");
+  if (!has_folder && !options.trials.empty()) throw Error("--trial: expected --out beside it, for its figures");
   const analysis::Profiles profiles = profiles_of(options.trials, {options.folders.begin(), options.folders.end()}, results);
   if (has_folder) out.expect_room_for(files_of(results, profiles));
   const analysis::Analysis analysis = analysis::analyze(std::move(results), options.options);
@@ -203,7 +202,7 @@ int analyze(AnalyzeOptions& options, const OutFolder& out) {
       figures.emplace_back(picture.frame.id + ".svg", properties::svg_file(picture));
       figures.emplace_back(picture.frame.id + ".png", properties::png_file(picture));
     }
-  } catch (const properties::PlotError& error) {
+  } catch (const Error& error) {
     if (interrupted()) throw Interrupted("not all figures were drawn");
     tell("warning: no figures: " + std::string(error.what()));
     drawn.clear();

@@ -134,11 +134,10 @@ struct Driving {
 
   SessionOptions options() const {
     if (certificates.empty() && !uncertified)
-      throw BadInput(
+      throw Error(
           "--certificates: expected the folder of 'forceshade-study experiment prepare', or --uncertified; got neither");
     if (terminal && dead_man && (device.starts_with("simulated") || device.starts_with("mouse")))
-      throw BadInput("--dead-man: expected a device with buttons of its own beside --terminal, which has the keys; got " +
-                     device);
+      throw Error("--dead-man: expected a device with buttons of its own beside --terminal, which has the keys; got " + device);
     return {.device = device,
             .certificates = certificates,
             .origin = device::parse_placement(origin, "").origin(),
@@ -171,8 +170,8 @@ struct RunOptions {
 
 int run(const RunOptions& options) {
   if (!experiments::is_participant(options.participant))
-    throw BadInput("--participant: expected a pseudonym of at most 32 letters, digits and dashes, got \"" +
-                   options.participant + '"');
+    throw Error("--participant: expected a pseudonym of at most 32 letters, digits and dashes, got \"" + options.participant +
+                '"');
   const Protocol protocol = experiments::read_protocol(options.protocol);
   const SessionOptions session = options.driving.options();
   const std::uint64_t seed = options.seed.value_or(system::random());
@@ -196,7 +195,7 @@ std::unique_ptr<files::OutputFolder> new_folder(const std::string& option, const
   if (path.empty()) return nullptr;
   auto folder = std::make_unique<files::OutputFolder>(path);
   if (folder->is_for_an_empty_path()) return folder;
-  throw BadInput(option + ": expected a folder that does not exist or is empty, got \"" + path + '"');
+  throw Error(option + ": expected a folder that does not exist or is empty, got \"" + path + '"');
 }
 
 struct ExportOptions {
@@ -205,7 +204,7 @@ struct ExportOptions {
 };
 
 int write_out(const ExportOptions& options) {
-  if (options.csv.empty() && options.bids.empty()) throw BadInput("expected --csv DIR, --bids DIR or both; got neither");
+  if (options.csv.empty() && options.bids.empty()) throw Error("expected --csv DIR, --bids DIR or both; got neither");
   const std::vector<fs::path> folders(options.sessions.begin(), options.sessions.end());
   const std::unique_ptr<files::OutputFolder> csv = new_folder("--csv", options.csv), bids = new_folder("--bids", options.bids);
   const experiments::Results results = experiments::results_of(folders);
@@ -289,7 +288,7 @@ void add_virtual(CLI::App& experiment, int& result) {
   command->add_flag("--uncertified", texts->uncertified, "without certificates")->excludes(folder);
   command->callback([options, texts, out, &result] {
     if (texts->certificates.empty() && !texts->uncertified)
-      throw BadInput(
+      throw Error(
           "--certificates: expected the folder of 'forceshade-study experiment prepare', or --uncertified; got neither");
     options->plan.protocol = texts->protocol;
     options->certificates = texts->certificates;

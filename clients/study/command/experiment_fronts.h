@@ -39,8 +39,8 @@ std::optional<experiments::Press> press_of_character(experiments::ScreenKind kin
 
 class WindowFront final : public apparatus::Front {
  public:
-  // Bumps and steering live longer; the labels are in the language of the protocol. Throws window::Error, and
-  // files::Error of its file of texts. steering: null unless the hand is the mouse, whose place then has to be seen on
+  // Bumps and steering live longer; the labels are in the language of the protocol. Throws Error, and
+  // Error of its file of texts. steering: null unless the hand is the mouse, whose place then has to be seen on
   // every screen that has something to feel.
   WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering* steering,
               const Eigen::Vector3f& origin);

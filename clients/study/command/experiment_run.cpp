@@ -16,7 +16,7 @@
 #include "apps/subject_option.h"
 #include "apps/tell.h"
 #include "apps/trip_words.h"
-#include "device/run/rule_names.h"
+#include "run/rule_names.h"
 #include "study/apparatus/certificates.h"
 #include "study/apparatus/session_run.h"
 #include "system/system.h"

@@ -19,8 +19,8 @@ int run_virtual(const VirtualOptions& options) {
   watch_for_interrupt();
   for (int number = 1; number <= options.participants; ++number)
     if (const auto session = options.plan.out / ("V" + std::to_string(number)); std::filesystem::exists(session))
-      throw BadInput("--out: expected a folder without a session V" + std::to_string(number) + ", got one that has \"" +
-                     session.string() + '"');
+      throw Error("--out: expected a folder without a session V" + std::to_string(number) + ", got one that has \"" +
+                  session.string() + '"');
   apparatus::VirtualPlan plan = options.plan;
   if (!options.certificates.empty()) {
     apparatus::Bumps bumps(experiments::read_protocol(plan.protocol), read_with_progress);

@@ -15,14 +15,16 @@ constexpr std::array kCommands{Command{"experiment", add_experiment}, Command{"a
 
 // The files that they name are those of the folder clients/study/examples, or were written by an example before.
 constexpr std::array kExamples{
-    Example{"experiment check", "forceshade-study experiment check clients/study/examples/matching.toml", "the faults of a protocol"},
+    Example{"experiment check", "forceshade-study experiment check clients/study/examples/matching.toml",
+            "the faults of a protocol"},
     Example{"experiment prepare", "forceshade-study experiment prepare clients/study/examples/matching.toml --out certificates",
             "certificates of all bumps of a protocol"},
     Example{"experiment run",
             "forceshade-study experiment run clients/study/examples/matching.toml --participant P-01 \\\n"
             "      --session sessions/P-01 --device phantom --certificates certificates",
             "a session"},
-    Example{"experiment resume", "forceshade-study experiment resume sessions/P-01 --device phantom --certificates certificates",
+    Example{"experiment resume",
+            "forceshade-study experiment resume sessions/P-01 --device phantom --certificates certificates",
             "the rest of a session that was interrupted"},
     Example{"experiment virtual",
             "forceshade-study experiment virtual clients/study/examples/matching.toml --participants 5 \\\n"
@@ -31,7 +33,8 @@ constexpr std::array kExamples{
     Example{"experiment export", "forceshade-study experiment export sessions/* --csv results --bids data",
             "data for other programs"},
     Example{"analyze", "forceshade-study analyze sessions/* --out report", "tables and figures of the thesis from sessions"},
-    Example{"experiment verify", "forceshade-study experiment verify sessions/P-01", "a check that every recording of it is whole"},
+    Example{"experiment verify", "forceshade-study experiment verify sessions/P-01",
+            "a check that every recording of it is whole"},
     Example{"experiment recompute", "forceshade-study experiment recompute sessions/P-01", "every force of it, computed again"},
     Example{"man", "forceshade-study man analyze | man -l -", "the page of one command"},
     Example{"completion", "forceshade-study completion bash > ~/.local/share/bash-completion/completions/forceshade-study",
@@ -43,9 +46,10 @@ constexpr std::array kExamples{
 int main(int argc, char** argv) {
   using namespace forceshade;
   const ExactArithmetic with_all_bits;  // as in apps/main.cpp
-  return apps::run_program({.name = "forceshade-study",
-                            .description = "Experiments with participants who feel certified forces, and the analysis of their answers.",
-                            .commands = apps::kCommands,
-                            .examples = apps::kExamples},
-                           {argv + std::min(argc, 1), argv + argc});
+  return apps::run_program(
+      {.name = "forceshade-study",
+       .description = "Experiments with participants who feel certified forces, and the analysis of their answers.",
+       .commands = apps::kCommands,
+       .examples = apps::kExamples},
+      {argv + std::min(argc, 1), argv + argc});
 }

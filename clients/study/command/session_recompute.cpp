@@ -17,10 +17,10 @@
 #include "apps/signals.h"
 #include "apps/subject_option.h"
 #include "apps/tell.h"
-#include "device/run/summary.h"
 #include "forceshade/checks.h"
 #include "forceshade/properties.h"
 #include "properties/binary32.h"
+#include "run/summary.h"
 #include "study/apparatus/bumps.h"
 #include "study/apparatus/motion.h"
 #include "study/experiments/session_folder.h"
@@ -39,7 +39,7 @@ std::vector<fs::path> runs_of(const fs::path& session) {
   std::vector<fs::path> runs;
   for (int run = 1; fs::is_directory(experiments::ticks_of_run(session, run)); ++run)
     runs.push_back(experiments::ticks_of_run(session, run));
-  if (runs.empty()) throw BadInput(session.string() + ": expected a session with ticks/run-1, got none");
+  if (runs.empty()) throw Error(session.string() + ": expected a session with ticks/run-1, got none");
   return runs;
 }
 
@@ -81,8 +81,8 @@ class Stimuli {
         const Bump bump{(*its)->stimulus, (*its)->radius, 0};
         const auto& [x, y, z] = (*its)->origin;
         if (const std::string subject = run::summary_of(subjects.of(bump).identity()).dump(); (*its)->subject != subject)
-          throw BadInput(file.string() + ":" + std::to_string(listed.number) + ": the rendered " + apparatus::words_of(bump) +
-                         " was " + (*its)->subject + "; the protocol's is " + subject);
+          throw Error(file.string() + ":" + std::to_string(listed.number) + ": the rendered " + apparatus::words_of(bump) +
+                      " was " + (*its)->subject + "; the protocol's is " + subject);
         *side = Side{bump, {x, y, z}};
       }
       lines_[listed.number] = line;
@@ -148,9 +148,9 @@ class Run {
     if (waiting != number_of(waiting_)) waiting_ = waiting == 0 ? nullptr : opened(waiting, recording, sample);
     const reference::Rounded exact = current_ ? current_->step(position) : reference::Rounded{};
     if (waiting_) waiting_->step(position);
-    counts.contacts += exact.status == Status::contact ? 1 : 0;
+    counts.contacts += finished(exact.status) == Status::contact ? 1 : 0;
     const auto& [fx, fy, fz] = sample.law_force;
-    if (static_cast<std::uint8_t>(exact.status) == sample.status && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all())
+    if (finished(exact.status) == finished(sample.law_status()) && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all())
       return;
     if (++counts.differences > kShownDifferences) return;
     tell(recording.path() + ": tick " + std::to_string(sample.tick) + ": recorded " +
@@ -164,8 +164,8 @@ class Run {
     if (number == 0) return nullptr;
     const Line* line = stimuli_.find(number);
     if (line == nullptr)
-      throw BadInput(recording.path() + ": tick " + std::to_string(sample.tick) + " has the stimulus " +
-                     std::to_string(number) + ", which " + name_ + "/stimuli.jsonl does not list");
+      throw Error(recording.path() + ": tick " + std::to_string(sample.tick) + " has the stimulus " + std::to_string(number) +
+                  ", which " + name_ + "/stimuli.jsonl does not list");
     return std::make_unique<Definition>(number, *line, subjects_);
   }
 
@@ -208,7 +208,7 @@ int recompute_session(const fs::path& folder) {
         break;
       }
       if (!check) check = std::make_unique<CommandCheck>(recording);
-      if (!check->why_not().empty()) throw BadInput(part.string() + ": commands cannot be computed: " + check->why_not());
+      if (!check->why_not().empty()) throw Error(part.string() + ": commands cannot be computed: " + check->why_not());
       recording.for_each_chunk([&](std::span<const device::Sample> chunk) {
         for (const device::Sample& sample : chunk) {
           if (sample.status == device::Sample::kEnd) continue;

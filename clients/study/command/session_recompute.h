@@ -8,7 +8,7 @@ namespace forceshade::apps {
 
 // Computes a session folder again, run by run: every force of a renderer from the recorded positions by the exact
 // definition, and every command from that force by supervisor and passivity controller with the recorded settings. Prints what
-// differs and the counts; the exit code. A run that was cut off is computed as far as it goes. Throws BadInput for what is no
+// differs and the counts; the exit code. A run that was cut off is computed as far as it goes. Throws Error for what is no
 // session folder, or whose bumps are not those that were rendered.
 int recompute_session(const std::filesystem::path& folder);
 

@@ -30,7 +30,7 @@ Named named(const std::string& words) {
   const char* const number = words.data() + std::min(words.size(), one.participant.size() + 1);
   const auto [last, error] = std::from_chars(number, end, one.trial);
   if (error != std::errc() || last != end || one.trial < 1 || one.participant.empty())
-    throw BadInput("--trial: expected PARTICIPANT:NUMBER such as P-01:12, got \"" + words + '"');
+    throw Error("--trial: expected PARTICIPANT:NUMBER such as P-01:12, got \"" + words + '"');
   return one;
 }
 
@@ -148,7 +148,7 @@ analysis::Profiles profiles_of(const std::vector<std::string>& trials, const std
   }
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!has_profile[i])
-      throw BadInput(
+      throw Error(
           "--trial: expected an answered trial with its radii (radius.csv) or its ticks (the folder of a session), got " +
           all[i].words);
   return profiles;

@@ -13,7 +13,7 @@ namespace forceshade::apps {
 
 // The profiles of the trials "PARTICIPANT:NUMBER": the radii of each matching trial from `results`, and the positions of each
 // trial that is in one of the folders with its ticks, over the nominal surfaces of the laws that were felt last. Throws
-// BadInput where a trial is written otherwise, or has neither.
+// Error where a trial is written otherwise, or has neither.
 analysis::Profiles profiles_of(const std::vector<std::string>& trials, const std::vector<std::filesystem::path>& folders,
                                const experiments::Results& results);
 

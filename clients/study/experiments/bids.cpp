@@ -128,9 +128,9 @@ void write_motion(const fs::path& base, const SavedSession& session, const Motio
   for (std::optional<MotionSample> sample = first; sample; sample = motion.next()) {
     ++ticks;
     last = sample->time;
-    out.stream() << files::shortest(sample->time);
+    out.stream() << shortest(sample->time);
     for (const double value : {sample->x, sample->y, sample->z, sample->fx, sample->fy, sample->fz})
-      out.stream() << '\t' << files::shortest(value);
+      out.stream() << '\t' << shortest(value);
     out.stream() << '\n';
   }
   out.commit();
@@ -182,7 +182,7 @@ void write_behaviour(const fs::path& base, const SavedSession& session, const st
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw files::Error(folder, "cannot be made: " + error.message());
+  if (error) throw Error(folder, "cannot be made: " + error.message());
 }
 
 // Letters and digits alone (BIDS, "Participant names and other labels"). Whoever knows BIDS calls participants sub-01.
@@ -282,12 +282,12 @@ std::map<std::string, Participant> participants_of(std::span<const fs::path> fol
     const std::string& name = session.participant;
     const auto [at, is_new] = by_folded.try_emplace(files::folded_name(label_of(name)), name);
     if (at->second != name)
-      throw files::Error(folders[i],
-                         "participants " + at->second + " and " + name +
-                             " become one in BIDS, where labels have no dashes and no \"sub-\" of their own, and where file "
-                             "systems may take capital letters for small ones: rename one");
+      throw Error(folders[i],
+                  "participants " + at->second + " and " + name +
+                      " become one in BIDS, where labels have no dashes and no \"sub-\" of their own, and where file "
+                      "systems may take capital letters for small ones: rename one");
     if (!done.insert({name, session.protocol.experiment}).second)
-      throw files::Error(folders[i], "participant " + name + " did the same experiment in an earlier session");
+      throw Error(folders[i], "participant " + name + " did the same experiment in an earlier session");
     Participant& its = participants[label_of(name)];
     its.pseudonym = name;
     its.add(session);
@@ -299,7 +299,7 @@ std::map<std::string, Participant> participants_of(std::span<const fs::path> fol
 
 void export_bids(std::span<const fs::path> sessions, files::OutputFolder& whole, const MotionOf& motion_of,
                  const std::vector<std::string>& authors) {
-  if (!whole.is_for_an_empty_path()) throw files::Error(whole.path(), "expected no file of this name, or an empty folder");
+  if (!whole.is_for_an_empty_path()) throw Error(whole.path(), "expected no file of this name, or an empty folder");
   std::vector<SavedSession> all;
   for (const fs::path& from : sessions) all.push_back(read_session(from));
   const std::map<std::string, Participant> participants = participants_of(sessions, all);

@@ -30,7 +30,7 @@ using MotionOf = std::function<std::optional<Motion>(const std::filesystem::path
 
 // Writes the data set into `folder`, which must not exist or be empty, whole or not at all. In labels pseudonyms lose what BIDS
 // does not allow there, dashes, and "sub-" before them, which every label has; the original is a column of participants.tsv.
-// Throws files::Error where two pseudonyms become one, on file systems that fold case, too, or a participant did an experiment
+// Throws Error where two pseudonyms become one, on file systems that fold case, too, or a participant did an experiment
 // twice; files::OutputError where the disk is full. `authors`: of the data set, a name each, in their order; without any the
 // data set names none.
 void export_bids(std::span<const std::filesystem::path> sessions, const std::filesystem::path& folder,

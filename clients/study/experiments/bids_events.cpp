@@ -133,8 +133,7 @@ std::string header_of_events() {
 }
 
 std::string line_of(const EventRow& row) {
-  return files::shortest(row.onset) + '\t' + (row.duration ? files::shortest(*row.duration) : kMissing) + '\t' + cells_of(row) +
-         '\n';
+  return shortest(row.onset) + '\t' + (row.duration ? shortest(*row.duration) : kMissing) + '\t' + cells_of(row) + '\n';
 }
 
 std::string header_of_behaviour() {
@@ -142,7 +141,7 @@ std::string header_of_behaviour() {
 }
 
 std::string behaviour_line_of(const EventRow& row) {
-  return cells_of(row) + '\t' + files::shortest(*row.duration) + '\n';
+  return cells_of(row) + '\t' + shortest(*row.duration) + '\n';
 }
 
 std::map<int, std::vector<EventRow>> event_rows(const SavedSession& session) {

@@ -29,7 +29,7 @@ struct Language {
   std::vector<std::string> pictures;  // names of the four of figure 5-8: plane, two polygons, three polygons, cylinder
 };
 
-// Throws files::Error with file, line and key: every text has to be there, and hold no other names in braces.
+// Throws Error with file, line and key: every text has to be there, and hold no other names in braces.
 Language read_language(const std::filesystem::path& file);
 
 }  // namespace forceshade::experiments

@@ -96,7 +96,7 @@ struct Protocol {
 // The rule for missing height maps and meshes of a protocol: they may be missing where a finished session is analysed.
 enum class Files { must_exist, may_be_missing };
 
-// Files within it are relative to `folder`; without one, to the protocol's. Throws files::Error with file, line and key, also
+// Files within it are relative to `folder`; without one, to the protocol's. Throws Error with file, line and key, also
 // where a condition cannot be rendered: a radius below half the width, a variant that a condition needs and that is missing.
 // What is in the files of height maps, meshes and texts is for their own readers.
 Protocol read_protocol(const std::filesystem::path& file, const std::filesystem::path& folder = {},

@@ -132,9 +132,9 @@ bool read_file(const fs::path& file, const std::vector<std::string>& columns, bo
     const int trial = whole_in(reader, 1, 1, kMostSteps);
     const auto [earlier, is_new] = seen.try_emplace({participant, trial}, reader.line());
     if (is_once && !is_new)
-      throw files::Error(file, reader.line(),
-                         "trial " + std::to_string(trial) + " of participant " + files::printable(participant) +
-                             " is in line " + std::to_string(earlier->second) + ", too");
+      throw Error(file, reader.line(),
+                  "trial " + std::to_string(trial) + " of participant " + files::printable(participant) + " is in line " +
+                      std::to_string(earlier->second) + ", too");
     read(reader, std::move(participant), trial);
   }
   return true;
@@ -150,7 +150,6 @@ void write_results(const Results& results, const fs::path& path) {
 
 void write_results(const Results& results, const files::OutputFolder& whole) {
   const fs::path& folder = whole.so_far();
-  using files::shortest;
   write_file(folder / "matching.csv", with_origin(kMatchingColumns), results.matching,
              [](std::ostream& out, const MatchingResult& r) {
                out << quoted(r.participant) << ',' << r.trial << ',' << (r.vision ? "yes" : "no") << ',' << quoted(r.stimulus)
@@ -186,7 +185,7 @@ Results read_results(const fs::path& folder) {
                                                 origin_in(in, 7)});
                 });
   if (!has_matching && !has_classification)
-    throw files::Error(folder, "expected matching.csv, classification.csv or both, found neither");
+    throw Error(folder, "expected matching.csv, classification.csv or both, found neither");
   read_file(folder / "radius.csv", kRadiusColumns, false, [&](const files::Reader& in, std::string participant, int trial) {
     all.radius_changes.push_back(
         {std::move(participant), trial, whole_in(in, 2, 0, kMostSteps), seconds_in(in, 3), radius_in(in, 4)});

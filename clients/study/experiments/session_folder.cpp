@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr int kSessionSchema = 1;
 constexpr std::size_t kLongestId = 32;
 
-files::Error failed(const fs::path& file, const char* what) {
+Error failed(const fs::path& file, const char* what) {
   return {file, std::string("cannot ") + what + ": " + std::generic_category().message(errno)};
 }
 
@@ -71,7 +71,7 @@ About read_about(const fs::path& folder) {
     about.files_from = text_member(json, "files_from");
     return about;
   } catch (const std::invalid_argument& error) {
-    throw files::Error(file, files::printable(error.what()));
+    throw Error(file, files::printable(error.what()));
   }
 }
 
@@ -111,7 +111,7 @@ auto with_lines(const fs::path& folder, const Make& make) {
   try {
     return make();
   } catch (const ReplayError& error) {
-    throw files::Error(log_in(folder), error.event + 1, error.what());
+    throw Error(log_in(folder), error.event + 1, error.what());
   }
 }
 
@@ -138,7 +138,7 @@ class RecordedSession::Log {
     if (descriptor_ < 0) throw failed(file_, "be opened for writing");
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
     ::close(descriptor_);
-    throw files::Error(file_, "another process goes on with this session");
+    throw Error(file_, "another process goes on with this session");
   }
   ~Log() { ::close(descriptor_); }
   Log(const Log&) = delete;
@@ -158,7 +158,7 @@ class RecordedSession::Log {
       if (written >= 0) {
         done += static_cast<std::size_t>(written);
       } else if (errno != EINTR) {
-        const files::Error error = failed(file_, "be written");
+        const Error error = failed(file_, "be written");
         // The rest of the line would damage the next one. Where this fails, too, the line is torn, and is recognised.
         [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, size_);
         throw error;
@@ -180,13 +180,13 @@ class RecordedSession::Log {
 RecordedSession RecordedSession::start(const fs::path& folder, const fs::path& protocol_file, const std::string& participant,
                                        std::uint64_t seed, KeyNames keys, Sync sync, const Origin& origin) {
   if (!is_participant(participant))
-    throw files::Error(folder, "participant: expected 1 to 32 letters, digits and dashes, the first no dash, got \"" +
-                                   files::printable(participant) + '"');
+    throw Error(folder, "participant: expected 1 to 32 letters, digits and dashes, the first no dash, got \"" +
+                            files::printable(participant) + '"');
   Protocol protocol = read_protocol(protocol_file);
   Language language = read_language(protocol.language);
   files::OutputFolder whole(folder);
   if (!whole.is_for_an_empty_path())
-    throw files::Error(folder, "expected no file of this name, or an empty folder: a session has a folder of its own");
+    throw Error(folder, "expected no file of this name, or an empty folder: a session has a folder of its own");
   whole.write("protocol.toml", content_of(protocol_file));
   whole.write("language.toml", content_of(protocol.language));
   Json about{{"schema", kSessionSchema},
@@ -197,7 +197,7 @@ RecordedSession RecordedSession::start(const fs::path& folder, const fs::path& p
   if (origin.answered_by != AnsweredBy::not_recorded) about["answered_by"] = name_of(origin.answered_by);
   whole.write("session.json", about.dump(2) + '\n');
   std::error_code error;
-  if (!fs::create_directory(whole.so_far() / "ticks", error)) throw files::Error(folder, "cannot be made: " + error.message());
+  if (!fs::create_directory(whole.so_far() / "ticks", error)) throw Error(folder, "cannot be made: " + error.message());
   RecordedSession recorded;
   recorded.log_ = std::make_shared<Log>(log_in(whole.so_far()), log_in(folder), O_CREAT | O_EXCL, sync);
   whole.commit();
@@ -212,13 +212,13 @@ RecordedSession RecordedSession::resume(const fs::path& folder, KeyNames keys, S
   Opened all = opened(folder, Files::must_exist);
   const AnsweredBy first = all.about.answered_by, now = origin.answered_by;
   if (first != now && first != AnsweredBy::not_recorded && now != AnsweredBy::not_recorded)
-    throw files::Error(folder, "the session was begun by a " + std::string(name_of(first)) + ", so a " +
-                                   std::string(name_of(now)) + " cannot go on with it");
+    throw Error(folder, "the session was begun by a " + std::string(name_of(first)) + ", so a " + std::string(name_of(now)) +
+                            " cannot go on with it");
   RecordedSession recorded;
   recorded.log_ = std::make_shared<Log>(log_in(folder), log_in(folder), 0, sync);  // locked before it is read
   LogText text = read_log(log_in(folder));
   if (std::ranges::any_of(text.events, [](const Event& event) { return event.kind == EventKind::session_ended; }))
-    throw files::Error(folder, "the session is over: there is nothing to go on with");
+    throw Error(folder, "the session is over: there is nothing to go on with");
   with_lines(folder, [&] {
     return Session(
         all.protocol, all.language, all.about.seed, [](const Event&) {}, text.events);

@@ -27,12 +27,12 @@ enum class Sync { each_event, never };
 class RecordedSession {
  public:
   // Makes the folder, which must not exist or be empty, with session.json, protocol.toml, language.toml, trials.jsonl and an
-  // empty ticks/: whole or not at all. Throws files::Error, and files::OutputError, also where another process makes it.
+  // empty ticks/: whole or not at all. Throws Error, and files::OutputError, also where another process makes it.
   static RecordedSession start(const std::filesystem::path& folder, const std::filesystem::path& protocol,
                                const std::string& participant, std::uint64_t seed, KeyNames keys = {},
                                Sync sync = Sync::each_event, const Origin& origin = {});
 
-  // Goes on with an interrupted session. A torn last line is cut off the log, which note() reports. Throws files::Error, also
+  // Goes on with an interrupted session. A torn last line is cut off the log, which note() reports. Throws Error, also
   // for a session that is over, is open in another process, or was begun by a person and would go on with a model, or the
   // reverse.
   static RecordedSession resume(const std::filesystem::path& folder, KeyNames keys = {}, Sync sync = Sync::each_event,
@@ -70,6 +70,6 @@ struct SavedSession {
   AnsweredBy answered_by = AnsweredBy::not_recorded;
 };
 
-SavedSession read_session(const std::filesystem::path& folder);  // Throws files::Error.
+SavedSession read_session(const std::filesystem::path& folder);  // Throws Error.
 
 }  // namespace forceshade::experiments

@@ -117,15 +117,15 @@ Results results_of(std::span<const std::filesystem::path> folders) {
     const SavedSession session = read_session(folder);
     const std::string& name = session.participant;
     if (const auto at = by_folded.try_emplace(files::folded_name(name), name).first; at->second != name)
-      throw files::Error(
-          folder, "participants " + at->second + " and " + name +
+      throw Error(folder,
+                  "participants " + at->second + " and " + name +
                       " differ in capital letters alone, which many programs and file systems do not tell apart: rename one");
     const Results results = results_of(session);
     const auto expect_new = [&](const auto& trials, bool is_matching) {
       for (const auto& one : trials)
         if (!seen.insert({one.participant, one.trial, is_matching}).second)
-          throw files::Error(folder, "trial " + std::to_string(one.trial) + " of participant " + one.participant +
-                                         " is in an earlier session, too: each participant does an experiment once");
+          throw Error(folder, "trial " + std::to_string(one.trial) + " of participant " + one.participant +
+                                  " is in an earlier session, too: each participant does an experiment once");
     };
     expect_new(results.matching, true);
     expect_new(results.classification, false);

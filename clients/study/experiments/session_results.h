@@ -24,7 +24,7 @@ Origin origin_of(const SavedSession& session, int run);
 // repeated are left out. A session that is not over has the results it has.
 Results results_of(const SavedSession& session);
 
-// The results of the sessions in these folders together. Throws files::Error, also where a participant and trial of an
+// The results of the sessions in these folders together. Throws Error, also where a participant and trial of an
 // experiment come twice, or two participants differ in capital letters alone.
 Results results_of(std::span<const std::filesystem::path> folders);
 

@@ -74,16 +74,16 @@ std::string line_of(const ListedStimulus& stimulus) {
 
 std::vector<ListedStimulus> read_stimuli(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw files::Error(file, "cannot be opened: " + std::generic_category().message(errno));
+  if (!in) throw Error(file, "cannot be opened: " + std::generic_category().message(errno));
   std::vector<ListedStimulus> all;
   for (std::string line; std::getline(in, line) && !in.eof();) {
     try {
       all.push_back(stimulus_of(line, all.size() + 1));
     } catch (const std::exception& error) {
-      throw files::Error(file, all.size() + 1, files::printable(error.what()));
+      throw Error(file, all.size() + 1, files::printable(error.what()));
     }
   }
-  if (in.bad()) throw files::Error(file, "cannot be read: " + std::generic_category().message(errno));
+  if (in.bad()) throw Error(file, "cannot be read: " + std::generic_category().message(errno));
   return all;
 }
 

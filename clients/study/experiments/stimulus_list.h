@@ -37,7 +37,7 @@ struct ListedStimulus {
 std::string line_of(const ListedStimulus& stimulus);
 
 // Line by line. A last line without a line feed was cut short by a crash, and its stimulus was never offered: it is left out.
-// Throws files::Error with file and line for every other line that is not what line_of() writes, and for a number out of order.
+// Throws Error with file and line for every other line that is not what line_of() writes, and for a number out of order.
 std::vector<ListedStimulus> read_stimuli(const std::filesystem::path& file);
 
 }  // namespace forceshade::experiments

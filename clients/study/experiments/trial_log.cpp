@@ -124,17 +124,16 @@ std::string line_of(const Event& event, std::size_t number) {
 
 LogText read_log(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw files::Error(file, "cannot be opened: " + std::generic_category().message(errno));
+  if (!in) throw Error(file, "cannot be opened: " + std::generic_category().message(errno));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw files::Error(file, "cannot be read: " + std::generic_category().message(errno));
+  if (in.bad()) throw Error(file, "cannot be read: " + std::generic_category().message(errno));
   LogText log;
   while (log.size < text.size()) {
     const std::size_t number = log.events.size() + 1, end = text.find('\n', log.size);
     const std::string_view line = std::string_view(text).substr(log.size, end == std::string::npos ? end : end - log.size);
     const bool is_last = end == std::string::npos || end + 1 == text.size();
     if (end == std::string::npos || !has_its_checksum(line)) {
-      if (!is_last)
-        throw files::Error(file, number, "expected a line with its checksum: the file was changed or the disk is damaged");
+      if (!is_last) throw Error(file, number, "expected a line with its checksum: the file was changed or the disk is damaged");
       log.note = file.string() + ":" + std::to_string(number) + ": the last line was cut short, most likely by a crash; its " +
                  std::to_string(text.size() - log.size) + " bytes are left out";
       break;
@@ -142,7 +141,7 @@ LogText read_log(const std::filesystem::path& file) {
     try {
       log.events.push_back(event_of(line, number));
     } catch (const std::exception& error) {
-      throw files::Error(file, number, files::printable(error.what()));
+      throw Error(file, number, files::printable(error.what()));
     }
     log.size = end + 1;
   }

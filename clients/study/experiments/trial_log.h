@@ -22,7 +22,7 @@ struct LogText {
 };
 
 // Only the last line may be torn, because each is on the disk before the next is written: a torn one has no line feed or fails
-// its checksum. Throws files::Error with file and line for every other line that is not what line_of() writes.
+// its checksum. Throws Error with file and line for every other line that is not what line_of() writes.
 LogText read_log(const std::filesystem::path& file);
 
 // CRC-32 of IEEE 802.3, as zlib and PNG use it.

@@ -72,7 +72,7 @@ class VirtualParticipant {
 // Lets the participant press until the session is over, and closes it; how long that took the participant, in s.
 double run_to_end(Session& session, VirtualParticipant& participant);
 
-// Session folders FOLDER/V1 to FOLDER/V<participants>, without ticks, each run from start to end. Throws files::Error.
+// Session folders FOLDER/V1 to FOLDER/V<participants>, without ticks, each run from start to end. Throws Error.
 std::vector<std::filesystem::path> run_virtual_study(const std::filesystem::path& folder, const std::filesystem::path& protocol,
                                                      int participants, std::uint64_t seed,
                                                      const Observer& observer = fitted_observer(), Sync sync = Sync::never);

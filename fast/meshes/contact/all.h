@@ -24,20 +24,14 @@ inline mesh::Contact contact_in(const Mesh& mesh, mesh::Contact contact) noexcep
   return contact == mesh::Contact::friction && !mesh.has_friction() ? mesh::kUsualContact : contact;
 }
 
+// Moves `at` by a rule of the list, from where its spot is. p: the hand's position, mm, in the domain and quantised. The mesh
+// has what the rule uses.
 template <class Stages, class First, class... Others>
-FORCESHADE_INLINE Goal move_by_one(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
-                                   const Stages& stages, ContactList<First, Others...>) noexcept {
-  if constexpr (sizeof...(Others) > 0)
-    if (contact != First::kContact) return move_by_one(contact, mesh, at, p, stages, ContactList<Others...>());
-  return First::move(mesh, at, p, stages);
-}
-
-// Moves `at` by a rule that is not the usual one, from where its spot is. p: the hand's position, mm, in the domain and
-// quantised. The mesh has what the rule uses.
-template <class Stages>
 FORCESHADE_INLINE Goal move_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
-                               const Stages& stages) noexcept {
-  return move_by_one(contact, mesh, at, p, stages, ContactRules::Others());
+                               const Stages& stages, ContactList<First, Others...>) noexcept {
+  if constexpr (sizeof...(Others) > 0)
+    if (contact != First::kContact) return move_by(contact, mesh, at, p, stages, ContactList<Others...>());
+  return First::move(mesh, at, p, stages);
 }
 
 }  // namespace forceshade::fast

@@ -8,7 +8,7 @@
 namespace forceshade::conformance {
 
 // The list behind the key of an answer, with an entry for each of what was requested: "positions". whose: "renderer", for
-// messages. Throws RendererFailed.
+// messages. Throws files::ProcessFailed.
 const nlohmann::ordered_json& list_in(const nlohmann::ordered_json& answer, const char* key, std::size_t size,
                                       const char* asked, const char* whose);
 

@@ -21,7 +21,7 @@ inline constexpr std::string_view kAllocations = R"({"allocations":true})";
 // The exit code of that process after goodbye and close(): none that an object gives that ends it itself.
 inline constexpr int kObjectEndedWell = 83;
 
-// Throws files::BadInput where that program is not there.
+// Throws Error where that program is not there.
 OpenRenderer object_door(const std::string& file, const files::ProcessLimits& limits = {});
 
 }  // namespace forceshade::conformance

@@ -37,7 +37,8 @@ class ProcessRenderer final : public RendererUnderTest {
     const auto number = [&](const char* key) {
       const auto found = said.find(key);
       if (found == said.end() || !found->is_number_unsigned())
-        throw RendererFailed("the renderer wrote " + files::shown_json(said) + " of its allocations; expected numbers of them");
+        throw files::ProcessFailed("the renderer wrote " + files::shown_json(said) +
+                                   " of its allocations; expected numbers of them");
       return found->get<double>();
     };
     return Allocations{number("calls"), number("bytes")};
@@ -61,8 +62,8 @@ std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t cou
   for (const Json& one : list_in(object, "answers", count, "positions", kWhose)) {
     const auto answer = one.is_string() ? numbers_of(one.get_ref<const std::string&>()) : std::nullopt;
     if (!answer)
-      throw RendererFailed("the renderer's answer " + std::to_string(answers.size()) + " is " + files::shown_json(one) +
-                           "; expected a text of 24 hexadecimal digits, those of three binary32 numbers");
+      throw files::ProcessFailed("the renderer's answer " + std::to_string(answers.size()) + " is " + files::shown_json(one) +
+                                 "; expected a text of 24 hexadecimal digits, those of three binary32 numbers");
     answers.push_back(*answer);
   }
   return answers;

@@ -16,7 +16,7 @@ namespace forceshade::conformance {
 OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits = {},
                           const std::string& allocations_line = "");
 
-// The answers to so many positions in a line that a renderer wrote. Throws RendererFailed.
+// The answers to so many positions in a line that a renderer wrote. Throws files::ProcessFailed.
 std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t count);
 
 }  // namespace forceshade::conformance

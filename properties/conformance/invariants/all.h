@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The invariants of a renderer. Each opens what it needs, and throws RendererFailed or Interrupted.
+// The invariants of a renderer. Each opens what it needs, and throws files::ProcessFailed or Interrupted.
 
 #include <array>
 

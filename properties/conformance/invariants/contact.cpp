@@ -99,7 +99,7 @@ Invariant first_force_opposes(const Trial& trial) {
     if (const float pull = first->dot(onward); pull > 1e-4F)
       invariant.violated("on the way from " + show(approach.air) + " to " + show(approach.contact) + " mm, at " +
                          show(path[static_cast<std::size_t>(first - forces.begin())]) + " mm, the first force is " +
-                         show(*first) + " N: a hand would be pulled in with " + files::shortest(pull) + " N");
+                         show(*first) + " N: a hand would be pulled in with " + shortest(pull) + " N");
   }
   return invariant;
 }
@@ -137,10 +137,10 @@ Invariant loops_give_no_energy(const Trial& trial) {
       const double its = work_of_definition(trial, loop(trial.renderer, approach, {along, 0, 0}, 2 * kLoopSteps));
       if (trial.renderer.hello().claims_definition && fine <= its + slack) continue;
       const bool is_active = its > *declared + kLeastWork;
-      invariant.violated("in at " + show(approach.contact) + " mm, " + files::shortest(along) +
-                         " mm along x, out and back to " + show(approach.air) + " mm gives " + files::shortest(fine) + " mJ (" +
-                         files::shortest(coarse) + " mJ in half as many steps): a hand that goes round gets as much each time" +
-                         (is_active ? "; the definition itself gives " + files::shortest(its) +
+      invariant.violated("in at " + show(approach.contact) + " mm, " + shortest(along) + " mm along x, out and back to " +
+                         show(approach.air) + " mm gives " + shortest(fine) + " mJ (" + shortest(coarse) +
+                         " mJ in half as many steps): a hand that goes round gets as much each time" +
+                         (is_active ? "; the definition itself gives " + shortest(its) +
                                           " mJ here: declare null, or at least the most that it gives"
                                     : ""));
     }

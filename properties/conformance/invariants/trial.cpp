@@ -22,7 +22,7 @@ constexpr float kHighest = 5000;  // mm: no approach begins higher
 Status exact_status(const Trial& trial, const Path& path) {
   const auto session = trial.subject.open_reference();
   Status status = Status::invalid;
-  for (const Eigen::Vector3f& position : path) status = session->step(position).status;
+  for (const Eigen::Vector3f& position : path) status = finished(session->step(position).status);
   return status;
 }
 
@@ -133,7 +133,7 @@ bool same_bits(const Eigen::Vector3f& one, const Eigen::Vector3f& other) {
 }
 
 std::string newtons(const Eigen::Vector3f& force) {
-  return files::shortest(force.cast<double>().norm()) + " N";
+  return shortest(force.cast<double>().norm()) + " N";
 }
 
 }  // namespace forceshade::conformance

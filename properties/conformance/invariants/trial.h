@@ -40,7 +40,7 @@ struct Trial {
   std::string why_no_approach() const {
     return moves() ? "the objects move, so that a place is in contact in some ticks alone" : "no position in contact was found";
   }
-  bool moves() const { return std::holds_alternative<DescribedScene>(description.what); }
+  bool moves() const { return description.moves(); }
   bool is_mesh() const { return std::holds_alternative<MeshRendering>(description.what); }
 };
 

@@ -9,12 +9,10 @@
 #include <vector>
 
 #include "files/quantity.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 
 namespace forceshade::conformance {
 namespace {
-
-using files::BadInput;
 
 struct FileUnit {
   std::string_view name;
@@ -42,10 +40,10 @@ double unit_of(std::span<const std::string> names, std::span<const FileUnit> uni
     const FileUnit* const its = name.find('_') == std::string::npos ? nullptr : find(units, ending);
     if (its == nullptr && is_given) continue;
     if (its == nullptr)
-      throw BadInput("--units: expected one of " + choices + ", because the column " + name + " does not end in its unit");
+      throw Error("--units: expected one of " + choices + ", because the column " + name + " does not end in its unit");
     if (unit != nullptr && unit != its)
-      throw BadInput("--units: the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
-                     std::string(unit->name));
+      throw Error("--units: the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
+                  std::string(unit->name));
     unit = its;
   }
   return unit->size;
@@ -66,7 +64,7 @@ Columns columns_of(const std::string& text, const std::string& units) {
   if (!text.empty()) {
     columns.names.fill("");
     const auto refused = [](const std::string& why) {
-      return BadInput("--columns: " + why + "; expected t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME");
+      return Error("--columns: " + why + "; expected t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME");
     };
     for (const std::string& part : files::at_commas(text)) {
       const std::size_t sign = part.find('=');
@@ -87,7 +85,7 @@ Columns columns_of(const std::string& text, const std::string& units) {
   columns.millimetres = unit_of(names.subspan(1, 3), kLengths, given);
   columns.newtons = unit_of(names.last(3), kForces, given);
   if (!given.empty())
-    throw BadInput(
+    throw Error(
         "--units: expected a unit of time (s, ms, us, ns), of length (mm, cm, m, in) and of force (N, mN), each once; got \"" +
         given.front() + '"');
   return columns;
@@ -103,7 +101,7 @@ Eigen::Matrix3d turn_of_frame(const std::string& text) {
       turn(letter[0] - 'x', static_cast<Eigen::Index>(i)) = is_minus ? -1 : 1;
   }
   if ((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm() != 0)
-    throw BadInput("--frame: expected three different ones of x, y, z, -x, -y and -z, such as x,z,-y, got \"" + text + '"');
+    throw Error("--frame: expected three different ones of x, y, z, -x, -y and -z, such as x,z,-y, got \"" + text + '"');
   return turn;
 }
 
@@ -116,7 +114,7 @@ Eigen::Vector3d offset_of(const std::string& text) {
     const auto [rest, error] = std::from_chars(numbers[i].data(), end, offset[static_cast<Eigen::Index>(i)]);
     is_right = error == std::errc{} && rest == end && std::isfinite(offset[static_cast<Eigen::Index>(i)]);
   }
-  if (!is_right) throw BadInput("--offset: expected three forces in N, such as 0.12,-0.07,0.31, got \"" + text + '"');
+  if (!is_right) throw Error("--offset: expected three forces in N, such as 0.12,-0.07,0.31, got \"" + text + '"');
   return offset;
 }
 

@@ -20,14 +20,14 @@ struct Columns {
 };
 
 // text: "t=time_s,x=px,y=py,z=pz,fx=f1,fy=f2,fz=f3", or nothing, for the names of `forceshade recording export`. A column's
-// name may end in its unit: px_m. units: those of the others, "m,mN". Throws BadInput, also for a unit that is not known.
+// name may end in its unit: px_m. units: those of the others, "m,mN". Throws Error, also for a unit that is not known.
 Columns columns_of(const std::string& text, const std::string& units);
 
 // The turn of the recording's axes into those of the scene: "x,z,-y" says that its first axis is the scene's x, its second the
-// scene's z, its third the scene's -y. Throws BadInput.
+// scene's z, its third the scene's -y. Throws Error.
 Eigen::Matrix3d turn_of_frame(const std::string& text);
 
-// The force sensor's reading of no force, in N: "0.12,-0.07,0.31". Throws BadInput.
+// The force sensor's reading of no force, in N: "0.12,-0.07,0.31". Throws Error.
 Eigen::Vector3d offset_of(const std::string& text);
 
 }  // namespace forceshade::conformance

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <limits>
 
-#include "files/shortest.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -32,7 +32,7 @@ cpp_int ten_to(int power) {
 }  // namespace
 
 ExactTime::ExactTime(const std::string& text, double value) {
-  const std::string decimal = is_short_decimal(text) ? text : files::shortest(value);
+  const std::string decimal = is_short_decimal(text) ? text : shortest(value);
   const std::size_t e = std::min(decimal.find_first_of("eE"), decimal.size());
   if (e < decimal.size()) exponent_ = std::stoi(decimal.substr(e + 1));
   bool is_fraction = false;

@@ -21,7 +21,7 @@ std::vector<Spot> spots_of(const properties::Subject& subject, float stiffness, 
     const properties::Aimed aimed = positions->next();
     const fast::Evaluation answer = session->step(aimed.position);
     const bool is_near = aimed.aim == properties::Aim::volume || aimed.aim == properties::Aim::surface;
-    if (!is_near || answer.status != Status::contact || !(answer.force.norm() > 0)) continue;
+    if (!is_near || finished(answer.status) != Status::contact || !(answer.force.norm() > 0)) continue;
     const Eigen::Vector3d force = answer.force.cast<double>();
     spots.push_back({aimed.position.cast<double>() + force / static_cast<double>(stiffness), force.normalized()});
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "files/csv.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "properties/conformance/recordings/exact_time.h"
 #include "properties/conformance/recordings/path.h"
 
@@ -42,7 +42,7 @@ Measurements read_measurements(std::istream& in, const std::string& file, const 
     measured.samples.push_back(next);
   }
   if (measured.samples.size() < 2)
-    throw files::BadInput(file + ": expected two samples at least, got " + std::to_string(measured.samples.size()));
+    throw Error(file + ": expected two samples at least, got " + std::to_string(measured.samples.size()));
   return measured;
 }
 

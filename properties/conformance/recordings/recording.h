@@ -28,7 +28,7 @@ struct Measurements {
 };
 
 // A row that has "end" in a column "status", as `forceshade recording export` writes it, is the end of a run and no sample.
-// Throws files::Error, which names the file, the line, the value and what was expected, and BadInput for a file of fewer than
+// Throws Error, which names the file, the line, the value and what was expected, also for a file of fewer than
 // two samples.
 Measurements read_measurements(std::istream& in, const std::string& file, const Columns& columns);
 

@@ -3,18 +3,15 @@
 // Writes measured values as text.
 
 #include <Eigen/Core>
-#include <array>
-#include <charconv>
 #include <string>
 
-#include "files/csv.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 
 // Four significant digits, since more were hardly measured.
 inline std::string brief(double value) {
-  std::array<char, 32> digits{};
-  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 4).ptr};
+  return digits(value, 4);
 }
 
 inline std::string newtons(double value) {
@@ -26,7 +23,7 @@ inline std::string milliseconds(double seconds) {
 
 // "(1.5, 0, -2)".
 inline std::string shown(const Eigen::Vector3d& v) {
-  return '(' + files::shortest(v.x()) + ", " + files::shortest(v.y()) + ", " + files::shortest(v.z()) + ')';
+  return '(' + shortest(v.x()) + ", " + shortest(v.y()) + ", " + shortest(v.z()) + ')';
 }
 
 }  // namespace forceshade::conformance

@@ -35,7 +35,7 @@ Invariant held_in_runs(const RunInvariant& its, Bench& bench, const Monitor& mon
     monitor.at(0);
     try {
       its.look(bench, course, finding);
-    } catch (const RendererFailed& failure) {
+    } catch (const files::ProcessFailed& failure) {
       if (!is_hostile) throw;
       finding.violated(failure.what());
     }
@@ -90,7 +90,7 @@ SimulatorConformance conform_simulator(const OpenSimulator& open, const Monitor&
     for (const StepInvariant& each : steps) add(held_in_each_step(each, bench, monitor));
     for (const RunInvariant& each : pairs) add(held_in_runs(each, bench, monitor, false));
     for (const RunInvariant& each : hostile) add(held_in_runs(each, bench, monitor, true));
-  } catch (const RendererFailed& failure) {
+  } catch (const files::ProcessFailed& failure) {
     found.failure = failure.what();
   }
   return found;

@@ -2,10 +2,10 @@
 #include "properties/conformance/simulators/finding.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+
+#include "text/number_text.h"
 
 namespace forceshade::conformance::simulators {
 namespace {
@@ -20,10 +20,8 @@ double in_units_of_allowed(const Felt& felt) {
 }
 
 std::string in_digits(int digits, double value, const char* unit) {
-  std::array<char, 64> text{};
   // A NaN has no sign.
-  std::snprintf(text.data(), text.size(), "%.*g %s", digits, std::isnan(value) ? std::abs(value) : value, unit);
-  return text.data();
+  return forceshade::digits(std::isnan(value) ? std::abs(value) : value, digits) + ' ' + unit;
 }
 
 }  // namespace

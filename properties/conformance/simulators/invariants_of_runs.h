@@ -12,7 +12,7 @@ namespace forceshade::conformance::simulators {
 struct RunInvariant {
   const char* name;
   Courses courses;
-  void (*look)(Bench& bench, const Course& course, Finding& finding);  // throws RendererFailed
+  void (*look)(Bench& bench, const Course& course, Finding& finding);  // throws files::ProcessFailed
 };
 
 std::vector<RunInvariant> comparisons();

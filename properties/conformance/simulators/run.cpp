@@ -20,8 +20,8 @@ State beginning(const Course& course) {
 std::optional<std::string> refusal_of(const Course& course, const SimulatorCapabilities& its) {
   const double fastest = course.scene.velocity.norm();
   if (its.refusal) return its.refusal;
-  if (course.scene.radius < its.smallest_radius) return "its smallest radius is " + files::shortest(its.smallest_radius) + " m";
-  if (its.speed_cap && fastest > *its.speed_cap) return "its largest speed is " + files::shortest(*its.speed_cap) + " m/s";
+  if (course.scene.radius < its.smallest_radius) return "its smallest radius is " + shortest(its.smallest_radius) + " m";
+  if (its.speed_cap && fastest > *its.speed_cap) return "its largest speed is " + shortest(*its.speed_cap) + " m/s";
   return std::nullopt;
 }
 

@@ -34,7 +34,7 @@ class Bench {
  public:
   explicit Bench(const OpenSimulator& open) : open_(open) {}
 
-  // Throws RendererFailed, as all of these do.
+  // Throws files::ProcessFailed, as all of these do.
   const Run& run(const Course& course);
   Run run_anew(const Course& course) const;
 

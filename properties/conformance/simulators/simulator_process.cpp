@@ -33,8 +33,8 @@ State state_of(const Json& step, std::size_t k, SimulatorCapabilities::Reports r
   const auto list = [&](const char* key, std::size_t size, const char* expected) -> const Json& {
     const Json& found = step.is_object() && step.contains(key) ? step.at(key) : none;
     if (!(size > 0 ? is_list_of_numbers(found, size) : found.is_array()))
-      throw RendererFailed("the simulator's " + std::string(key) + " of step " + std::to_string(k) + " is " +
-                           files::shown_json(found) + "; expected " + expected);
+      throw files::ProcessFailed("the simulator's " + std::string(key) + " of step " + std::to_string(k) + " is " +
+                                 files::shown_json(found) + "; expected " + expected);
     return found;
   };
   const auto vector = [&](const Json& numbers) {
@@ -44,8 +44,8 @@ State state_of(const Json& step, std::size_t k, SimulatorCapabilities::Reports r
               vector(list("velocity", 3, "a list of three numbers")) / units};
   for (const Json& contact : list("contacts", 0, "a list of contacts")) {
     if (!is_list_of_numbers(contact, 4))
-      throw RendererFailed("the simulator's contact in step " + std::to_string(k) + " is " + files::shown_json(contact) +
-                           "; expected a list of four numbers, a normal and its force or impulse");
+      throw files::ProcessFailed("the simulator's contact in step " + std::to_string(k) + " is " + files::shown_json(contact) +
+                                 "; expected a list of four numbers, a normal and its force or impulse");
     if (reports == Reports::nothing) continue;
     state.contacts.push_back({vector(contact), number_of(contact[3]) / units * (reports == Reports::impulse ? scene.rate : 1)});
   }

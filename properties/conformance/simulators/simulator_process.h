@@ -12,7 +12,7 @@ namespace forceshade::conformance::simulators {
 
 OpenSimulator simulator_process(const std::string& command, const files::ProcessLimits& limits = {});
 
-// Reads a simulator's lines: about itself, and in answer to so many forces. Both throw RendererFailed.
+// Reads a simulator's lines: about itself, and in answer to so many forces. Both throw files::ProcessFailed.
 SimulatorCapabilities capabilities_of(const nlohmann::ordered_json& hello);
 Motion motion_in(const nlohmann::ordered_json& said, SimulatorCapabilities::Reports reports, const Simulation& scene,
                  std::size_t count);

@@ -52,15 +52,15 @@ class SimulatorUnderTest {
 
   virtual const SimulatorCapabilities& capabilities() const = 0;
 
-  // The next steps, with one force (N) for each; is_reset: the scene begins anew with them. Throws RendererFailed; then no
-  // further call is of use.
+  // The next steps, with one force (N) for each; is_reset: the scene begins anew with them. Throws files::ProcessFailed; then
+  // no further call is of use.
   virtual Motion apply(std::span<const Eigen::Vector3d> forces, bool is_reset) = 0;
 
-  // Nothing will be asked any more. Throws RendererFailed.
+  // Nothing will be asked any more. Throws files::ProcessFailed.
   virtual void say_goodbye() = 0;
 };
 
-// Throws RendererFailed.
+// Throws files::ProcessFailed.
 using OpenSimulator = std::function<std::unique_ptr<SimulatorUnderTest>(const Simulation&)>;
 
 }  // namespace forceshade::conformance::simulators

@@ -35,7 +35,7 @@ std::optional<std::array<float, 3>> SubGoal::goal(const mesh::GodObject& before,
 Descended SubGoal::move(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned most_moves) const {
   if (const auto goal = this->goal(before, position)) {
     const Descended end = descend(ground_, before, *goal, position, most_moves);
-    if (end.status != mesh::TickStatus::free) return end;
+    if (end.status != Status::free) return end;
   }
   return descend(ground_, before, position, position, most_moves);
 }

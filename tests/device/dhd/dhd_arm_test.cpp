@@ -17,25 +17,13 @@
 #include "tests/device/dhd/fake.h"
 #include "tests/support/set_control_words.h"
 #include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device::dhd {
 namespace {
 
 using Calls = std::vector<std::string>;
-
-template <class Act>
-std::string why_not(Act act) {
-  try {
-    act();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) EXPECT_NE(text.find(word), std::string::npos) << word << "\nnot in: " << text;
-}
+using tests::expect_words;
 
 // Open, and its forces are on.
 class dhd_arm : public testing::Test {
@@ -48,7 +36,7 @@ class dhd_arm : public testing::Test {
     fake.calls.clear();
   }
   std::string fails() {
-    return why_not([&] { arm.exchange({0, 0, 1}); });
+    return tests::thrown_by<std::runtime_error>([&] { arm.exchange({0, 0, 1}); });
   }
   Arm arm;
 };
@@ -197,7 +185,7 @@ TEST_F(dhd_arm, is_chosen_by_serial_number_or_index) {
   const auto opening = [](const std::string& which, int count) {
     Arm one(fake_functions(), true);
     fake.count = count;
-    return why_not([&] { one.open(which); });
+    return tests::thrown_by<std::runtime_error>([&] { one.open(which); });
   };
   EXPECT_EQ(opening("#1", 2), "");
   EXPECT_EQ(fake.calls.front(), "open 1");
@@ -219,10 +207,10 @@ TEST_F(dhd_arm, of_a_falcon_has_no_serial_number_and_an_unknown_type_is_refused)
   EXPECT_EQ(its.model.reach, 40);
   Arm other(fake_functions(), true);
   fake.type = 1;
-  expect_words(why_not([&] { other.open(""); }), {"\"its name\" (type 1)"});
+  expect_words(tests::thrown_by<std::runtime_error>([&] { other.open(""); }), {"\"its name\" (type 1)"});
   Arm locked(fake_functions(), true);
   fake.available = 0;
-  expect_words(why_not([&] { locked.open(""); }), {"another program uses"});
+  expect_words(tests::thrown_by<std::runtime_error>([&] { locked.open(""); }), {"another program uses"});
 }
 
 TEST_F(dhd_arm, without_a_watchdog_is_told) {
@@ -259,7 +247,7 @@ TEST(dhd_models, have_the_published_types) {
 }
 
 TEST(dhd_library, missing_says_every_name_that_was_tried_and_what_another_lacks) {
-  const std::string words = why_not([] { load({"libNoSuchDhd.so.9", "libm.so.6"}); });
+  const std::string words = tests::thrown_by<std::runtime_error>([] { load({"libNoSuchDhd.so.9", "libm.so.6"}); });
   expect_words(words, {"Force Dimension's library (DHD) could not be loaded; tried:\n  libNoSuchDhd.so.9: ",
                        "libm.so.6: is not DHD, it lacks dhdGetDeviceCount, dhdGetAvailableCount, ", "dhdErrorGetLastStr\n",
                        "LD_LIBRARY_PATH", "FORCESHADE_DHD_LIBRARY"});

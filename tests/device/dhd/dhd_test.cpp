@@ -15,6 +15,7 @@
 #include "device/dhd/timed_calls.h"
 #include "tests/device/dhd/fake.h"
 #include "tests/device/framed_device.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device {
 namespace {
@@ -47,12 +48,7 @@ TEST_F(dhd_device, that_cannot_be_driven_is_refused_in_words) {
        {std::tuple{"", "available=no", "another program uses the device"}, std::tuple{"99", "", "there is no such device"},
         std::tuple{"#1", "", "an index below 1"}, std::tuple{"x", "", "expected a serial number"}}) {
     StandIn stand_in(settings);
-    try {
-      open_dhd(name, kPatient, nobody);
-      ADD_FAILURE() << words;
-    } catch (const DeviceError& error) {
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
+    tests::expect_words(tests::thrown_by<DeviceError>([&, name = name] { open_dhd(name, kPatient, nobody); }), {words});
   }
 }
 

@@ -46,7 +46,7 @@ Fault no_recording(std::string what, std::string reaction, std::function<std::st
             try {
               const recorder::Recorder recorder(file, {});
               outcome.reaction = "recorded";
-            } catch (const recorder::RecordingError& error) {
+            } catch (const Error& error) {
               outcome.reaction = std::string("refused: ") + error.what();
             }
             if (directory.entries() != entries) outcome.reaction += "; a file is left";

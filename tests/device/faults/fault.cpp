@@ -55,8 +55,8 @@ std::vector<std::string> complaints(const Fault& fault, const Outcome& outcome) 
   expect(says(outcome.reaction, fault.reaction),
          "expected the reaction \"" + fault.reaction + "\", got \"" + outcome.reaction + "\"");
   expect(fault.under_force ? outcome.before >= kFelt : outcome.before == 0,
-         "a force before the fault of " + files::shortest(outcome.before) + " N");
-  expect(outcome.highest <= kPeak, "a force of " + files::shortest(outcome.highest) + " N");
+         "a force before the fault of " + shortest(outcome.before) + " N");
+  expect(outcome.highest <= kPeak, "a force of " + shortest(outcome.highest) + " N");
   if (!fault.to_zero) {
     expect(!outcome.to_zero, "the force did not go on");
   } else if (!outcome.to_zero) {

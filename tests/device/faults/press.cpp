@@ -150,7 +150,7 @@ std::size_t kept_in(const std::string& recording, const std::vector<device::Samp
     recorder::Recording(recording).for_each_chunk([&](std::span<const device::Sample> chunk) {
       for (const device::Sample& sample : chunk) kept[sample.tick] = sample;
     });
-  } catch (const recorder::RecordingError&) {
+  } catch (const Error&) {
     // Unreadable samples are lost.
   }
   return static_cast<std::size_t>(std::count_if(told.begin(), told.end(), [&](const device::Sample& sample) {

@@ -14,20 +14,10 @@
 #include "device/haply/haply.h"
 #include "device/haply/haply_link.h"
 #include "forceshade/device.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device::haply {
 namespace {
-
-// The words of what it throws, or "".
-template <class Call>
-std::string refusal(Call call) {
-  try {
-    call();
-  } catch (const Unexpected& error) {
-    return error.what();
-  }
-  return "";
-}
 
 void expect_refused(const std::string& words, const std::string& expected) {
   EXPECT_NE(words.find(expected), std::string::npos) << '"' << words << "\" lacks \"" << expected << '"';
@@ -58,9 +48,10 @@ TEST(haply_messages, other_versions_are_refused_in_words) {
   EXPECT_EQ(version_of("3.5.1").minor, 5);
   EXPECT_EQ(version_of("\"3.5\"").minor, 5);
   for (const char* text : {"2.2.0", "3.0.1", "4.0.0"})
-    expect_refused(refusal([&] { version_of(text); }), std::string("expected 3.1 or later, below 4, got ") + text);
+    expect_refused(tests::thrown_by<Error>([&] { version_of(text); }),
+                   std::string("expected 3.1 or later, below 4, got ") + text);
   for (const char* text : {"", "{}", "<html>", R"({"ok":false,"error":"no"})", "99999999999999999999.1"})
-    expect_refused(refusal([&] { version_of(text); }), "version: expected");
+    expect_refused(tests::thrown_by<Error>([&] { version_of(text); }), "version: expected");
 }
 
 TEST(haply_messages, lengths_are_in_millimetres) {
@@ -73,10 +64,10 @@ TEST(haply_messages, lengths_are_in_millimetres) {
 TEST(haply_messages, what_is_no_position_is_refused) {
   for (const char* position : {R"({"x":0.01,"y":-0.15})", R"({"x":0.01,"y":-0.15,"z":null})", R"({"x":0.01,"y":"0","z":0.2})",
                                "[0,0,0]", R"({"x":10.0,"y":-150.0,"z":200.0})", R"({"x":1e999,"y":0,"z":0})"})
-    EXPECT_FALSE(refusal([&] { message_of(state(position)); }).empty()) << position;
+    EXPECT_FALSE(tests::thrown_by<Error>([&] { message_of(state(position)); }).empty()) << position;
   for (const char* text : {"", "{", "[]", "7", R"({"inverse3":[{"state":{}}]})",
                            R"({"inverse3":[{"device_id":"1","state":{"cursor_position":{"x":NaN,"y":0,"z":0}}}]})"})
-    EXPECT_FALSE(refusal([&] { message_of(text); }).empty()) << text;
+    EXPECT_FALSE(tests::thrown_by<Error>([&] { message_of(text); }).empty()) << text;
 }
 
 // Parts that are left out are the identity's.
@@ -174,12 +165,9 @@ TEST(haply_device, is_refused_where_forces_would_be_anothers_or_go_another_way) 
   const auto opening = [](const std::string& config, const std::string& status) -> std::string {
     const std::string text = R"({"inverse3":[{"device_id":"049D","config":{)" + config + R"(},"status":)" + status + "}]}";
     Attendant nobody;
-    try {
+    return tests::thrown_by<DeviceError>([&] {
       open(std::make_unique<Scripted>(std::vector{text, text}), kVersion, "", {}, nobody);
-    } catch (const DeviceError& error) {
-      return error.what();
-    }
-    return "";
+    });
   };
   EXPECT_EQ(opening("", "{}"), "");
   EXPECT_EQ(opening(R"("basis":"XYZ")", R"({"in_use":false})"), "");
@@ -204,9 +192,9 @@ TEST(haply_messages, an_arm_is_chosen_by_its_id_or_serial_number_or_because_it_i
           R"({"inverse3":[{"device_id":"A1","config":{"device_info":{"uuid":"u-1"}}},{"device_id":"B2","config":{}}]})");
   EXPECT_EQ(chosen(two, "B2").id, "B2");
   EXPECT_EQ(chosen(two, "u-1").id, "A1");
-  expect_refused(refusal([&] { chosen(two, ""); }), "several Inverse3 are connected (A1, B2)");
-  expect_refused(refusal([&] { chosen(two, "C3"); }), "C3 is not connected; the Inverse Service lists A1, B2");
-  expect_refused(refusal([&] { chosen(none, ""); }), "no Inverse3 is connected");
+  expect_refused(tests::thrown_by<Error>([&] { chosen(two, ""); }), "several Inverse3 are connected (A1, B2)");
+  expect_refused(tests::thrown_by<Error>([&] { chosen(two, "C3"); }), "C3 is not connected; the Inverse Service lists A1, B2");
+  expect_refused(tests::thrown_by<Error>([&] { chosen(none, ""); }), "no Inverse3 is connected");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "tests/device/framed_device.h"
 #include "tests/device/haply/stand_in.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device {
 namespace {
@@ -22,12 +23,7 @@ const std::string kPatientDevice = "--clock messages --longest-gap 3600000 --ass
 std::string words_of(const char* stand_in) {
   HaplyStandIn service(stand_in);
   Attendant nobody;
-  try {
-    open_haply("", kPatient, nobody);
-  } catch (const DeviceError& error) {
-    return error.what();
-  }
-  return "";
+  return tests::thrown_by<DeviceError>([&] { open_haply("", kPatient, nobody); });
 }
 
 class haply_device : public testing::Test {

@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "tests/device/stand_in_hd/memory.h"
-#include "tests/device/stand_in_hd/stand_in_hd.h"
 
 namespace forceshade::stand_in_hd {
 namespace {
@@ -24,71 +23,48 @@ Memory& memory() {
   return it;
 }
 
-std::optional<Clock::time_point> known(Clock::time_point time) {
-  return time == Clock::time_point{} ? std::nullopt : std::optional(time);
+Memory::Noted noted() {
+  const Lock lock(memory());
+  return memory().noted;
 }
 
 }  // namespace
 
 void reset() {
-  Memory& m = memory();
-  const Lock lock(m);
-  m.orders = first_orders();
-  m.noted = {};
-  ++m.resets;
+  const Lock lock(memory());
+  memory().orders = first_orders();
+  memory().noted = {};
 }
 
 void tell(const Orders& orders) {
-  Memory& m = memory();
-  const Lock lock(m);
-  m.orders = orders;
-  m.noted.killed = m.noted.crashed = {};
-  ++m.tellings;
+  const Lock lock(memory());
+  memory().orders = orders;
+  memory().noted.struck = {};
 }
 
 Seen seen() {
-  Memory& m = memory();
-  Memory::Noted noted;
-  std::vector<Memory::Frame> frames;
-  {
-    const Lock lock(m);
-    noted = m.noted;
-    const std::uint64_t size = m.frames.size(), kept = std::min(noted.frame_count, size);
-    frames.reserve(kept);
-    for (std::uint64_t n = noted.frame_count - kept; n < noted.frame_count; ++n) frames.push_back(m.frames[n % size]);
-  }
-  Seen seen;
-  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(noted.breach_count, noted.breaches.size()); ++i)
-    seen.breaches.emplace_back(noted.breaches[i].data());
-  if (noted.breach_count > noted.breaches.size()) seen.breaches.push_back(std::to_string(noted.breach_count) + " breaches");
-  if (noted.named) seen.name = noted.name.data();
-  const bool is_there = lives(noted.pid);
-  seen.died = noted.initialised && !is_there;
-  seen.initialised = noted.initialised && is_there;
-  seen.scheduler = noted.scheduler && is_there;
-  seen.output = noted.output && is_there;
-  seen.updates = noted.updates;
-  seen.rate = noted.rate;
-  seen.frames.reserve(frames.size());
-  for (const Memory::Frame& frame : frames) seen.frames.push_back({frame.position, frame.force, frame.time, frame.output});
-  seen.pushed_until = noted.pushed_until;
-  seen.killed = known(noted.killed);
-  seen.crashed = known(noted.crashed);
-  seen.killed_under = noted.killed_under;
+  const Memory::Noted it = noted();
+  const bool lives = stand_in_hd::lives(it.pid);
+  Seen seen{.initialised = it.initialised && lives,
+            .scheduler = it.scheduler && lives,
+            .output = it.output && lives,
+            .updates = it.updates,
+            .frames = it.frames};
+  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(it.breach_count, it.breaches.size()); ++i)
+    seen.breaches.emplace_back(it.breaches[i].data());
+  if (it.breach_count > it.breaches.size()) seen.breaches.push_back(std::to_string(it.breach_count) + " breaches");
   return seen;
 }
 
 std::optional<Clock::time_point> struck() {
-  Memory& m = memory();
-  const Lock lock(m);
-  return m.noted.killed != Memory::Time{} ? known(m.noted.killed) : known(m.noted.crashed);
+  const Clock::time_point time = noted().struck;
+  return time == Clock::time_point{} ? std::nullopt : std::optional(time);
 }
 
 Arm arm() {
-  Memory& m = memory();
-  const Lock lock(m);
-  const Eigen::Vector3d force = m.noted.force;
-  return {force, m.noted.changed, force.isZero(0) ? m.noted.pushed_until : Clock::now(), m.noted.pid};
+  const Memory::Noted it = noted();
+  const Eigen::Vector3d force = it.force;
+  return {force, force.isZero(0) ? it.pushed_until : Clock::now(), it.pid};
 }
 
 }  // namespace forceshade::stand_in_hd

@@ -1,208 +1,385 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/device/stand_in_hd/driver.h"
+// The vendor's functions, and the scheduler's thread that runs the caller's frames.
+
+// First, so that what is declared in it can be found by its name.
+#pragma GCC visibility push(default)
+#include "device/phantom/hdapi_abi.h"
+#pragma GCC visibility pop
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
+#include <initializer_list>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "tests/device/stand_in_hd/memory.h"
 
 namespace forceshade::stand_in_hd {
 namespace {
 
-Memory& shared_or_own() {
-  const char* path = std::getenv(kMemory);
-  if (!path) return made(nullptr);
-  try {
-    return opened(path);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "the stand-in for libHD.so cannot use %s: %s\n", kMemory, error.what());
-    std::abort();
-  }
-}
+using namespace hdapi;
 
-void catch_up(Driver& d) {
-  if (d.resets != d.memory.resets) {
-    d.errors.clear();
-    d.force.setZero();
-    d.device = d.running = d.starting = d.calibrated = false;
-    d.rate = d.noted.rate;
-  }
-  if (d.resets != d.memory.resets || d.tellings != d.memory.tellings) d.reported.clear();
-  d.resets = d.memory.resets;
-  d.tellings = d.memory.tellings;
-}
+constexpr HHD kDevice = 7;
+constexpr double kPeakForce = 8.5;  // N
 
-bool reached(const Driver& d, Moment moment, std::uint64_t frame) {
-  switch (moment) {
-    case Moment::settling: return d.frames >= 10;
-    case Moment::frame: return d.frames >= frame;
-    case Moment::free: return d.frames_on >= std::max<std::uint64_t>(frame, 1) && d.contacts == 0 && d.force.isZero(0);
-    case Moment::contact: return d.in_contact >= kContactFrames;
-    default: return false;
-  }
-}
+// Guarded by the memory's lock, which is not held while a callback runs.
+struct Driver {
+  explicit Driver(Memory& shared) : memory(shared) {}
 
-// From 0 to 1, at rest at both ends.
-double smooth(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * t * (10 - 15 * t + 6 * t * t);
-}
-
-// mm, in the driver's frame. Shaken aside by less than a hand does, so that no encoder seems to be frozen.
-Eigen::Vector3d pressing(const Driver& d) {
-  constexpr double kFrom = 3, kTo = -2, kBegin = 0.7, kDuration = 0.2, kShake = 0.1, kShakeHz = 9;
-  const double time = static_cast<double>(d.frames) / meant_rate(d), on = static_cast<double>(d.frames_on) / meant_rate(d);
-  return {kShake * std::sin(2 * std::numbers::pi * kShakeHz * time), kFrom + (kTo - kFrom) * smooth((on - kBegin) / kDuration),
-          0};
-}
-
-void tick() {
-  Driver& d = driver();
-  const std::lock_guard others_wait(d.ticking);
-  std::map<HDSchedulerHandle, Callback> callbacks;
-  {
-    const Lock lock(d.memory);
-    if (!d.noted.output && d.phantom) obey(d, {0, 0, 0});
-    if (d.orders.hung) return;
-    callbacks = d.callbacks;
-    d.frames_this_tick = 0;
-  }
-  for (const auto& [handle, callback] : callbacks) {
-    const bool done = callback.function(callback.data) != kCallbackContinue;
-    Call call("the callback", Where::anywhere);
-    std::erase_if(d.errors, [&](const Error& error) { return error.caused_by == d.scheduler_id; });
-    if (d.in_frame) call.breach("left a frame open");
-    d.in_frame = false;
-    if (done) d.callbacks.erase(handle);
-  }
-}
-
-}  // namespace
+  Memory& memory;
+  Orders& orders = memory.orders;
+  Memory::Noted& noted = memory.noted;
+  std::vector<std::pair<HDErrorInfo, std::thread::id>> errors;                 // with the threads that caused them
+  bool device = false, running = false, calibrated = false, in_frame = false;  // in this process; running: the scheduler
+  int frames_this_tick = 0;
+  double rate = 1000;
+  Eigen::Vector3d position{0, 0, 0}, force{0, 0, 0};
+  std::uint64_t frames = 0, frames_on = 0,
+                in_contact = 0;  // since the start, since the output went on, in contact at a stretch
+  std::optional<std::pair<HDCallback, void*>> callback;
+  std::recursive_mutex ticking;  // held while the callback runs
+  std::thread scheduler;
+  std::thread::id scheduler_id;
+  std::atomic<bool> stop = false;
+};
 
 // Never destroyed: a process may end with its scheduler running.
-Driver& driver() {
-  static auto& it = *new Driver(shared_or_own());
+Driver& driver() noexcept {
+  const char* const path = std::getenv(kMemory);
+  static auto& it = *new Driver(path ? opened(path) : made(nullptr));
   return it;
 }
 
-Call::Call(const char* name, Where where) : name_(name) {
-  catch_up(d);
-  const auto here = std::this_thread::get_id();
-  const bool beside = d.running && here != d.scheduler_id;
-  if (where != Where::anywhere && beside) breach("beside the running scheduler");
-  if (std::any_of(d.errors.begin(), d.errors.end(), [&](const Error& error) { return error.caused_by == here; }))
-    breach("with an error unread");
-  if ((where == Where::in_frame || (where == Where::in_frame_if_running && d.running)) && !d.in_frame)
-    breach("outside a frame");
-}
+enum class Where { anywhere, not_beside_scheduler, in_frame, in_frame_if_running };
 
-void Call::breach(const std::string& words) {
-  const std::uint64_t n = d.noted.breach_count++;
-  if (n < d.noted.breaches.size())
-    std::snprintf(d.noted.breaches[n].data(), d.noted.breaches[n].size(), "%s %s", name_, words.c_str());
-}
+// One call to the driver: holds the lock, and notes what the caller should not have done.
+class Call {
+ public:
+  Call(const char* name, Where where) : name_(name) {
+    const auto here = std::this_thread::get_id();
+    if (where != Where::anywhere && !d.device) breach("without a device");
+    if (where != Where::anywhere && d.running && here != d.scheduler_id) breach("beside the running scheduler");
+    if (std::any_of(d.errors.begin(), d.errors.end(), [&](const auto& error) { return error.second == here; }))
+      breach("with an error unread");
+    if ((where == Where::in_frame || (where == Where::in_frame_if_running && d.running)) && !d.in_frame)
+      breach("outside a frame");
+  }
+  void breach(const std::string& words) {
+    auto& all = d.noted.breaches;
+    const std::uint64_t n = d.noted.breach_count++;
+    if (n < all.size()) std::snprintf(all[n].data(), all[n].size(), "%s %s", name_, words.c_str());
+  }
+  void fail(HDerror code) {
+    if (code != kSuccess) d.errors.push_back({{code, 42, kDevice}, std::this_thread::get_id()});
+  }
 
-void Call::fail_in_frame(HDerror code) {
-  const bool lasts = code >= kWarmMotors;
-  if (code != kSuccess && (!lasts || d.orders.errors_repeat || d.reported.emplace(name_, code).second)) fail(code);
-}
+  Driver& d = driver();
 
+ private:
+  Lock lock_{d.memory};
+  const char* name_;
+};
+
+// Sets the force that the arm feels from now on.
 void obey(Driver& d, const Eigen::Vector3d& force) {
-  d.phantom->command(device::turned_to_law(force).cast<float>());
-  const Eigen::Vector3d before = d.noted.force;
-  if (before == force) return;
-  d.noted.changed = Clock::now();
-  if (force.isZero(0)) d.noted.pushed_until = d.noted.changed;
+  if (force.isZero(0) && !Eigen::Vector3d(d.noted.force).isZero(0)) d.noted.pushed_until = Clock::now();
   d.noted.force = force;
 }
 
-void look(Driver& d) {
-  const auto reading = std::get<device::Reading>(d.phantom->read());
-  if (d.orders.comm_lost) return;
-  d.position = device::turned_to_arm(reading.position.cast<double>());
-  std::copy(reading.encoder->begin(), reading.encoder->end(), d.encoder.begin());
-  if (d.orders.press) d.position = pressing(d);
-  if (d.orders.position) d.position = *d.orders.position;
-  const Eigen::Vector3d& quantum = d.model.quantum;
-  if (const auto angles = d.model.arm.inverse(d.position * device::kMillimetre); angles && angles->allFinite())
-    for (Eigen::Index i = 0; i < 3; ++i) d.encoder[static_cast<std::size_t>(i)] = std::lround((*angles)[i] / quantum[i]);
-  for (Eigen::Index i = 0; i < 3; ++i) d.joints[i] = static_cast<double>(d.encoder[static_cast<std::size_t>(i)]) * quantum[i];
+// mm. Shaken aside by less than a hand does, so that no encoder seems to be frozen.
+Eigen::Vector3d position_of(const Driver& d) {
+  if (d.orders.position) return *d.orders.position;
+  constexpr double kFrom = 3, kTo = -2, kBegin = 0.7, kDuration = 0.2, kShake = 0.1, kShakeHz = 9;
+  const double time = static_cast<double>(d.frames) / d.rate, on = static_cast<double>(d.frames_on) / d.rate;
+  const double t = d.orders.press ? std::clamp((on - kBegin) / kDuration, 0.0, 1.0) : 0;
+  return {kShake * std::sin(2 * std::numbers::pi * kShakeHz * time),
+          kFrom + (kTo - kFrom) * t * t * t * (10 - 15 * t + 6 * t * t), 0};  // at rest at both ends
 }
 
-double meant_rate(const Driver& d) {
-  return d.orders.frame_hz > 0 ? d.orders.frame_hz : d.rate;
+// The crash that is due at this moment, noted as done; happen() carries it out, without the lock.
+std::optional<Crash> due(Driver& d, Moment moment) {
+  const Crash& it = d.orders.crash;
+  const bool is_due = it.when == moment && d.noted.struck == Clock::time_point{} &&
+                      (moment != Moment::frame || d.frames >= it.frame) &&
+                      (moment != Moment::contact || d.in_contact >= kContactFrames);
+  if (!is_due) return std::nullopt;
+  d.noted.struck = Clock::now();
+  return it;
 }
 
-int counted_rate(const Driver& d) {
-  return d.orders.comm_lost ? 0 : static_cast<int>(std::lround(meant_rate(d)));
-}
-
-Due due(Driver& d, std::optional<Moment> moment) {
-  const auto is_due = [&](const auto& order, Memory::Time& done) {
-    const bool now = done == Memory::Time{} && (moment ? order.when == *moment : reached(d, order.when, order.frame));
-    if (now) done = Clock::now();
-    return now;
-  };
-  Due due;
-  if (d.orders.kill.when != Moment::never && is_due(d.orders.kill, d.noted.killed)) {
-    due.kill = d.orders.kill;
-    d.noted.killed_under = d.noted.force;
-  }
-  if (d.orders.crash.when != Moment::never && is_due(d.orders.crash, d.noted.crashed)) due.crash = d.orders.crash;
-  return due;
-}
-
-void happen(const Due& due) {
-  if (due.kill) {
-    pid_t whom = due.kill->pid;
-    if (whom == Kill::kDriver) whom = getpid();
-    if (whom == Kill::kParent) whom = getppid();
-    kill(whom, due.kill->signal);
-  }
-  if (!due.crash) return;
-  switch (due.crash->how) {
+void happen(const std::optional<Crash>& crash) {
+  if (!crash) return;
+  switch (crash->how) {
     case Crash::How::segmentation_fault: std::raise(SIGSEGV); break;
     case Crash::How::abort: std::abort();
     case Crash::How::exit: std::exit(0);
     case Crash::How::exception: throw std::runtime_error("thrown by the driver");
+    case Crash::How::signal_to_parent: kill(getppid(), crash->signal); break;
     case Crash::How::hang:
       for (;;) pause();
   }
 }
 
-void block_if_told(Blocks here) {
+void tick() {
   Driver& d = driver();
-  const auto told = [&] {
+  const std::lock_guard others_wait(d.ticking);
+  std::optional<std::pair<HDCallback, void*>> callback;
+  {
     const Lock lock(d.memory);
-    return d.orders.blocks == here;
-  };
-  if (told())
-    for (;;) pause();
+    if (!d.noted.output) obey(d, {0, 0, 0});
+    if (d.orders.hung) return;
+    callback = d.callback;
+    d.frames_this_tick = 0;
+  }
+  if (!callback) return;
+  const bool done = callback->first(callback->second) != kCallbackContinue;
+  Call call("the callback", Where::anywhere);
+  std::erase_if(d.errors, [&](const auto& error) { return error.second == d.scheduler_id; });
+  if (d.in_frame) call.breach("left a frame open");
+  d.in_frame = false;
+  if (done) d.callback.reset();
 }
 
+// Runs the callback until told to stop: the scheduler's thread.
 void run() {
   Driver& d = driver();
-  const auto period = [&] {
-    const Lock lock(d.memory);
-    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / meant_rate(d)));
-  };
-  // An error of the start is there for who has started it.
-  const auto started_well = [&] {
-    const Lock lock(d.memory);
-    return d.errors.empty();
-  };
-  for (const auto latest = Clock::now() + std::chrono::milliseconds(100); !started_well() && Clock::now() < latest;)
-    std::this_thread::sleep_for(std::chrono::microseconds(100));
-  for (auto next = Clock::now(); !d.stop; next = std::max(next + period(), Clock::now())) {
+  const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / d.rate));
+  for (auto next = Clock::now(); !d.stop; next = std::max(next + period, Clock::now())) {
     std::this_thread::sleep_until(next);
     tick();
   }
 }
 
+}  // namespace
 }  // namespace forceshade::stand_in_hd
+
+namespace forceshade::device::hdapi {
+using namespace stand_in_hd;
+extern "C" {
+
+HHD hdInitDevice(const char*) {
+  std::optional<Crash> crash;
+  {
+    Call call("hdInitDevice", Where::anywhere);
+    Driver& d = call.d;
+    std::puts("InitLogFile : (null)");
+    std::fflush(stdout);
+    if (d.device) call.breach("for a device that is initialised");
+    const bool is_held = !d.device && d.noted.initialised && d.noted.pid != getpid() && lives(d.noted.pid);
+    if (const HDerror error = d.orders.init != kSuccess ? d.orders.init : is_held ? kAlreadyInitiated : kSuccess) {
+      call.fail(error);
+      return kInvalidDevice;
+    }
+    d.noted.scheduler = d.noted.output = false;
+    d.device = d.noted.initialised = true;
+    d.noted.pid = getpid();
+    crash = due(d, Moment::before_start);
+  }
+  happen(crash);
+  return kDevice;
+}
+
+// Ends the force. Waits for a callback that runs, unless it runs on this very thread: then no frame may follow.
+void hdDisableDevice(HHD) {
+  const std::lock_guard waits(driver().ticking);
+  Call call("hdDisableDevice", Where::anywhere);
+  Driver& d = call.d;
+  const bool is_last_resort = d.running && std::this_thread::get_id() == d.scheduler_id;
+  if (!d.device) call.breach("without a device");
+  if (!is_last_resort) {
+    if (d.running) call.breach("while the scheduler runs");
+    if (d.callback) call.breach("with a callback scheduled");
+    if (d.noted.output) call.breach("with the force output on");
+  }
+  obey(d, {0, 0, 0});
+  d.device = d.noted.initialised = d.noted.output = false;
+}
+
+void hdBeginFrame(HHD device) {
+  Call call("hdBeginFrame", Where::not_beside_scheduler);
+  Driver& d = call.d;
+  if (device != kDevice) return call.fail(kBadHandle);
+  if (!d.running) call.breach("without a scheduler");
+  if (d.in_frame || d.frames_this_tick++ > 0) {
+    call.breach("twice in a tick");
+    return call.fail(kIllegalBegin);
+  }
+  d.in_frame = true;
+  d.force.setZero();
+  ++d.frames;
+  if (d.noted.output) ++d.frames_on;
+  d.position = position_of(d);
+  call.fail(d.orders.begin);
+}
+
+void hdEndFrame(HHD) {
+  std::optional<Crash> crash;
+  {
+    Call call("hdEndFrame", Where::in_frame);
+    Driver& d = call.d;
+    if (!d.in_frame) return call.fail(kIllegalEnd);
+    d.in_frame = false;
+    if (!d.force.allFinite()) call.breach("with a force that is not finite");
+    if (d.force.norm() > kPeakForce * (1 + 1e-12)) call.breach("with more than the highest force");
+    if (!d.noted.output && !d.force.isZero(0)) call.breach("with a force while the output is off");
+    obey(d, d.noted.output ? d.force : Eigen::Vector3d(0, 0, 0));
+    d.in_contact = Eigen::Vector3d(d.noted.force).norm() > kContact ? d.in_contact + 1 : 0;
+    ++d.noted.frames;
+    crash = due(d, Moment::frame);
+    if (!crash) crash = due(d, Moment::contact);
+  }
+  happen(crash);
+}
+
+HDErrorInfo hdGetError() {
+  Driver& d = driver();
+  const Lock lock(d.memory);
+  if (d.errors.empty()) return {};
+  const HDErrorInfo last = d.errors.back().first;
+  d.errors.pop_back();
+  return last;
+}
+
+const char* hdGetErrorString(HDerror) {
+  return "Some error.";
+}
+
+void hdEnable(HDenum what) {
+  Call call("hdEnable", Where::not_beside_scheduler);
+  if (what != kForceOutput) return call.fail(kInvalidEnum);
+  if (!call.d.force.isZero(0)) call.breach("with a force set");
+  call.d.noted.output = true;
+  call.d.frames_on = 0;
+}
+
+// The arm gets to know of it at the next tick: never, once the scheduler has stopped.
+void hdDisable(HDenum) {
+  const Call call("hdDisable", Where::not_beside_scheduler);
+  call.d.noted.output = false;
+}
+
+HDboolean hdIsEnabled(HDenum) {
+  const Call call("hdIsEnabled", Where::not_beside_scheduler);
+  return call.d.noted.output ? 1 : 0;
+}
+
+void hdGetBooleanv(HDenum, HDboolean* value) {
+  const Call call("hdGetBooleanv", Where::in_frame_if_running);
+  *value = 0;
+}
+
+void hdGetIntegerv(HDenum what, int* value) {
+  Call call("hdGetIntegerv", what == kButtons ? Where::in_frame : Where::not_beside_scheduler);
+  switch (what) {
+    case kButtons: *value = 2; break;
+    case kInputDegrees: *value = 6; break;
+    case kOutputDegrees: *value = 3; break;
+    case kCalibrationStyles: *value = call.d.orders.needs_reset_pose ? kCalibratesAtResetPose : kCalibratesInInkwell; break;
+    case kUpdateRate: *value = 1000; break;
+    case kInstantaneousRate: *value = static_cast<int>(call.d.rate); break;
+    default: call.fail(kInvalidEnum);
+  }
+}
+
+void hdGetLongv(HDenum, HDlong* values) {
+  const Call call("hdGetLongv", Where::in_frame);
+  std::transform(call.d.position.begin(), call.d.position.end(), values, [](double x) { return std::lround(20 * x); });
+}
+
+void hdGetDoublev(HDenum what, double* values) {
+  const bool of_state = what == kPosition || what == kJointAngles || what == kGimbalAngles || what == kMotorTemperature;
+  Call call("hdGetDoublev", of_state ? Where::in_frame : Where::not_beside_scheduler);
+  const Eigen::Vector3d &p = call.d.position, joints = p / 200;
+  const auto give = [&](std::initializer_list<double> right) { std::copy(right.begin(), right.end(), values); };
+  switch (what) {
+    case kPosition: return give({p.x(), p.y(), p.z()});
+    case kJointAngles: return give({joints.x(), joints.y(), joints.z()});
+    case kGimbalAngles: return give({0.1, 0.2, 0.3});
+    case kMotorTemperature: return give({0.125, 0.25, 0.0625});
+    case kUsableWorkspace: return give({-190, -95, -130, 191, 96, 137});
+    case kMaxForce: return give({kPeakForce});
+    case kContinuousForce: return give({1.4});
+    case kVelocityLimit: return give({1500});
+    case kImpulseLimit: return give({4});
+    default: call.fail(kInvalidEnum);
+  }
+}
+
+void hdSetDoublev(HDenum, const double* value) {
+  const Call call("hdSetDoublev", Where::in_frame);
+  call.d.force = {value[0], value[1], value[2]};
+}
+
+const char* hdGetString(HDenum what) {
+  constexpr const char* kStrings[] = {"3.4.0", "Stand-in 1.5", "4.3.3", "Nobody", "S-0042", "192"};
+  const Call call("hdGetString", Where::not_beside_scheduler);
+  return kStrings[what - kVersion];
+}
+
+HDenum hdCheckCalibration() {
+  const Call call("hdCheckCalibration", Where::in_frame_if_running);
+  return call.d.calibrated || !call.d.orders.needs_reset_pose ? kCalibrated : kCalibrationNeedsHand;
+}
+
+void hdUpdateCalibration(HDenum) {
+  const Call call("hdUpdateCalibration", Where::in_frame_if_running);
+  ++call.d.noted.updates;
+  call.d.calibrated = true;
+}
+
+// The vendor's library, too, puts its own handler of SIGTERM over the program's.
+void hdStartScheduler() {
+  Call call("hdStartScheduler", Where::anywhere);
+  Driver& d = call.d;
+  if (d.running) call.breach("twice");
+  std::signal(SIGTERM, [](int) { _exit(0); });
+  d.stop = false;
+  d.running = d.noted.scheduler = true;
+  d.frames = d.frames_on = d.in_contact = 0;
+  d.scheduler = std::thread(run);
+  d.scheduler_id = d.scheduler.get_id();
+}
+
+void hdStopScheduler() {
+  Driver& d = driver();
+  {
+    Call call("hdStopScheduler", Where::anywhere);
+    if (!d.running) call.breach("before it was started");
+    // A caller cannot send anything through a scheduler that hangs.
+    if (!d.orders.hung && d.noted.output) call.breach("with the force output on");
+    if (!d.orders.hung && !d.force.isZero(0)) call.breach("with a force sent last");
+    d.stop = true;
+  }
+  if (d.scheduler.joinable()) d.scheduler.join();
+  const Lock lock(d.memory);
+  d.running = d.noted.scheduler = false;
+}
+
+void hdSetSchedulerRate(HDulong hz) {
+  const Call call("hdSetSchedulerRate", Where::anywhere);
+  call.d.rate = static_cast<double>(hz);
+}
+
+HDSchedulerHandle hdScheduleAsynchronous(HDCallback function, void* data, HDushort) {
+  const Call call("hdScheduleAsynchronous", Where::anywhere);
+  call.d.callback = {function, data};
+  return 0;
+}
+
+void hdUnschedule(HDSchedulerHandle) {
+  Call call("hdUnschedule", Where::anywhere);
+  if (!call.d.callback) call.fail(kInvalidOperation);
+  call.d.callback.reset();
+}
+}
+
+}  // namespace forceshade::device::hdapi

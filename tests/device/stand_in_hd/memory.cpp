@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -16,8 +15,6 @@
 
 namespace forceshade::stand_in_hd {
 namespace {
-
-using std::chrono::steady_clock;
 
 [[noreturn]] void fail(const std::string& what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -51,23 +48,15 @@ Memory& made(int* file) {
 Memory& opened(const std::string& path) {
   const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
   if (file < 0) fail(path);
-  if (lseek(file, 0, SEEK_END) != static_cast<off_t>(sizeof(Memory))) {
-    errno = EINVAL;
-    fail(path + ": not a stand-in's memory");
-  }
   auto& memory = *static_cast<Memory*>(mapped(file));
   close(file);
-  if (memory.mark != Memory::kMark) {
-    errno = EINVAL;
-    fail(path + ": not this stand-in's memory");
-  }
   return memory;
 }
 
 Lock::Lock(Memory& memory) : memory_(memory) {
   // Tried again and again: of the calls that lock, it is the one of which the thread sanitizer follows that the owner has died.
   int result = pthread_mutex_trylock(&memory.mutex);
-  for (const auto latest = steady_clock::now() + std::chrono::seconds(2); result == EBUSY && steady_clock::now() < latest;
+  for (const auto latest = Clock::now() + std::chrono::seconds(2); result == EBUSY && Clock::now() < latest;
        result = pthread_mutex_trylock(&memory.mutex))
     std::this_thread::sleep_for(std::chrono::microseconds(20));
   if (result == EOWNERDEAD) pthread_mutex_consistent(&memory.mutex);

@@ -3,51 +3,32 @@
 // The state that a test and the process with the driver share: plain data under a lock that outlives who holds it.
 
 #include <pthread.h>
-#include <sys/types.h>
 
 #include <array>
-#include <chrono>
-#include <cstdint>
-#include <string>
-#include <type_traits>
 
-#include "tests/device/stand_in_hd/orders.h"
+#include "tests/device/stand_in_hd/stand_in_hd.h"
 
 namespace forceshade::stand_in_hd {
 
 inline constexpr const char* kMemory = "STAND_IN_HD_MEMORY";  // in the environment: a file
 
 struct Memory {
-  using Time = std::chrono::steady_clock::time_point;
-  struct Frame {
-    Vector position, force;
-    Time time;
-    bool output;
-  };
   struct Noted {
     std::array<std::array<char, 128>, 64> breaches{};
-    std::uint64_t breach_count = 0;
-    std::array<char, 256> name{};
-    bool named = false, initialised = false, scheduler = false, output = false;
+    std::uint64_t breach_count = 0, frames = 0;
+    bool initialised = false, scheduler = false, output = false;
     pid_t pid = 0;
     int updates = 0;
-    double rate = 1000;
     Vector force;  // on the arm
-    Time changed{}, pushed_until{}, killed{}, crashed{};
-    Vector killed_under;
-    std::uint64_t frame_count = 0;
+    Clock::time_point pushed_until{}, struck{};
   };
-  static constexpr std::uint64_t kMark = 0x48442d6f72646572;
 
   pthread_mutex_t mutex;
-  std::uint64_t resets = 0, tellings = 0;
   Orders orders;
   Noted noted;
-  std::array<Frame, 65536> frames;  // frame n at n modulo the size
-  std::uint64_t mark = kMark;
 };
 
-static_assert(std::is_trivially_copyable_v<Memory::Noted> && std::is_trivially_copyable_v<Memory::Frame>);
+static_assert(std::is_trivially_copyable_v<Memory::Noted>);
 
 // In a new file without a name, or, without a file, in this process alone. Never unmapped; throws std::system_error.
 Memory& made(int* file);

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "device/latest_tick.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/recording.h"
-#include "recorder/settings.h"
+#include "run/recorder/settings.h"
 #include "study/apparatus/bumps.h"
 #include "study/apparatus/certificates.h"
 #include "study/apparatus/motion.h"
@@ -50,7 +50,7 @@ TEST(apparatus, a_subject_of_another_stiffness_than_the_protocols_is_refused) {
     try {
       EXPECT_EQ(bumps.of(bump).renderer.open()->step({0, 0, -1}).force.z(), 0.5F);
       EXPECT_EQ(stiffness, "0.5");
-    } catch (const files::BadInput& error) {
+    } catch (const Error& error) {
       EXPECT_NE(stiffness, "0.5");
       EXPECT_NE(std::string(error.what()).find("expected that of the protocol, 0.5 N/mm, got " + stiffness + " N/mm"),
                 std::string::npos)
@@ -135,7 +135,7 @@ TEST(apparatus, a_mesh_has_the_unit_of_its_protocol_and_a_scene_is_none_of_a_ses
   try {
     moving.description(moving.protocol().bumps().at(0));
     ADD_FAILURE();
-  } catch (const files::BadInput& error) {
+  } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("expected no object with a motion"), std::string::npos) << error.what();
   }
 }
@@ -152,7 +152,7 @@ TEST(apparatus, of_bumps_without_certificates_says_how_many_more_there_are) {
     std::string words;
     try {
       certificates_of(bumps, folder.file("none"));
-    } catch (const files::BadInput& error) {
+    } catch (const Error& error) {
       words = error.what();
     }
     const std::string last = "bump-1p, " + std::to_string(600 + std::min(count, 10) - 1) + " mil";

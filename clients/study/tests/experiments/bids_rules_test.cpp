@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The export of sessions to BIDS keeps the validator's rules, each of which is able to fail. study/tests/command/bids_export_test.sh
-// runs the community's validators on it, where they are installed.
+// The export of sessions to BIDS keeps the validator's rules, each of which is able to fail.
+// study/tests/command/bids_export_test.sh runs the community's validators on it, where they are installed.
 
 #include <gtest/gtest.h>
 

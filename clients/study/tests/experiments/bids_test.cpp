@@ -120,9 +120,9 @@ TEST_F(Bids, motion_says_how_long_it_lasts) {
 
 TEST_F(Bids, what_cannot_be_exported_is_refused_before_anything_is_written) {
   sessions.push_back(sessions.front());
-  EXPECT_THROW(export_bids(sessions, directory.file("twice")), files::Error);
+  EXPECT_THROW(export_bids(sessions, directory.file("twice")), Error);
   EXPECT_FALSE(fs::exists(directory.file("twice")));
-  EXPECT_THROW(export_bids({}, out()), files::Error) << "the folder is not empty";
+  EXPECT_THROW(export_bids({}, out()), Error) << "the folder is not empty";
 }
 
 // The columns of an events file by the results of the session and by its log.
@@ -292,7 +292,7 @@ TEST_F(Bids, says_why_it_refuses_sessions) {
     try {
       export_bids(all, folder);
       return "";
-    } catch (const files::Error& error) {
+    } catch (const Error& error) {
       return error.what();
     }
   };

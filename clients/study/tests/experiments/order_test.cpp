@@ -44,7 +44,7 @@ TEST(language, an_unknown_place_in_braces_is_refused) {
   try {
     read_language(file);
     FAIL();
-  } catch (const files::Error& error) {
+  } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("text: expected nothing in braces but {smaller}"), std::string::npos)
         << error.what();
   }
@@ -205,7 +205,7 @@ TEST(language, has_the_text_of_each_key) {
     try {
       read_language(directory.write("changed.toml", changed));
       return false;
-    } catch (const files::Error&) {
+    } catch (const Error&) {
       return true;
     }
   };
@@ -218,7 +218,7 @@ TEST(language, has_the_text_of_each_key) {
   for (const char* list : {"[\"p1\", \"p2\", \"p3\"]", "[\"p1\", \"p2\", \"p3\", \"p4\", \"p5\"]"}) {
     std::string changed = text;
     changed.replace(changed.find("[\"p1\""), std::string("[\"p1\", \"p2\", \"p3\", \"p4\"]").size(), list);
-    EXPECT_THROW(read_language(directory.write("changed.toml", changed)), files::Error) << list;
+    EXPECT_THROW(read_language(directory.write("changed.toml", changed)), Error) << list;
   }
 }
 

@@ -29,7 +29,7 @@ std::string words_with(const std::string& from, const std::string& to) {
   try {
     read_protocol(file);
     return "";
-  } catch (const files::Error& error) {
+  } catch (const Error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with(file + ":")) << error.what();
     return std::string(error.what()).substr(file.size() + 1);
   }
@@ -231,7 +231,7 @@ stimuli = [
 ]
 )";
   const std::string file = directory.write("c.toml", text);
-  EXPECT_THROW(read_protocol(file), files::Error) << "the files are not there";
+  EXPECT_THROW(read_protocol(file), Error) << "the files are not there";
   const Protocol protocol = read_protocol(file, "/elsewhere", Files::may_be_missing);
   EXPECT_EQ(protocol.language, "/elsewhere/e");
   ASSERT_EQ(protocol.stimuli.size(), 4U);
@@ -324,7 +324,7 @@ TEST(protocol, says_what_is_wrong_with_stimuli) {
     try {
       read_protocol(file);
       return std::string();
-    } catch (const files::Error& error) {
+    } catch (const Error& error) {
       return std::string(error.what()).substr(file.size() + 1);
     }
   };

@@ -33,19 +33,19 @@ TEST(session_folder, refuses_what_would_mix_two_sessions) {
   const fs::path folder = directory.file("s");
   const std::string protocol = directory.write("p.toml", kSmallClassification);
   for (const char* id : {"", "Anna Maria", "-x", "ä", "a/b"})
-    EXPECT_THROW(RecordedSession::start(folder, protocol, id, 1), files::Error) << id;
+    EXPECT_THROW(RecordedSession::start(folder, protocol, id, 1), Error) << id;
   EXPECT_FALSE(fs::exists(folder));
   double time = 0;
   {
     RecordedSession recorded = RecordedSession::start(folder, protocol, "A-1", 1);
-    EXPECT_THROW(RecordedSession::start(folder, protocol, "A-1", 1), files::Error);
-    EXPECT_THROW(RecordedSession::resume(folder), files::Error) << "it is open";
+    EXPECT_THROW(RecordedSession::start(folder, protocol, "A-1", 1), Error);
+    EXPECT_THROW(RecordedSession::resume(folder), Error) << "it is open";
     go_on(recorded.session(), time);
   }
-  EXPECT_THROW(RecordedSession::resume(folder), files::Error) << "it is over";
+  EXPECT_THROW(RecordedSession::resume(folder), Error) << "it is over";
   EXPECT_NO_THROW(read_session(folder));
   const std::vector<fs::path> twice{folder, folder};
-  EXPECT_THROW(results_of(twice), files::Error);
+  EXPECT_THROW(results_of(twice), Error);
 }
 
 // The folder states from its first moment on who answers and what gives the forces, and a session stays one's own.
@@ -65,7 +65,7 @@ TEST(session_folder, says_who_answers_and_on_which_device) {
   try {
     RecordedSession::resume(folder, {}, Sync::never, person);
     ADD_FAILURE() << "a person went on with a model's session";
-  } catch (const files::Error& error) {
+  } catch (const Error& error) {
     EXPECT_EQ(error.what(),
               folder.string() + ": the session was begun by a virtual participant, so a person cannot go on with it");
   }
@@ -99,7 +99,7 @@ TEST(session_folder, results_refuse_participants_that_differ_in_capital_letters_
   try {
     results_of(both);
     ADD_FAILURE() << "P-a and p-A were taken for two";
-  } catch (const files::Error& error) {
+  } catch (const Error& error) {
     EXPECT_TRUE(
         std::string(error.what()).starts_with(both[1].string() + ": participants P-a and p-A differ in capital letters"))
         << error.what();

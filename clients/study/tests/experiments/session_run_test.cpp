@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "device/simulated/simulated.h"
-#include "forceshade/bad_input.h"
+#include "forceshade/error.h"
 #include "forceshade/recording.h"
 #include "study/apparatus/apparatus.h"
 #include "study/apparatus/bumps.h"

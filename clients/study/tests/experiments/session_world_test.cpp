@@ -201,7 +201,7 @@ class SessionInTheWorld {
           }
         });
         if (!is_dead_ && first != next && !recording.ended()) violate("a part has no end");
-      } catch (const recorder::RecordingError& error) {
+      } catch (const Error& error) {
         violate(error.what());
       }
   }

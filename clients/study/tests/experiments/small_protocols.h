@@ -62,7 +62,7 @@ inline std::string words_of_reading(const std::filesystem::path& folder) {
   try {
     read_session(folder);
     return "";
-  } catch (const files::Error& error) {
+  } catch (const Error& error) {
     return error.what();
   }
 }

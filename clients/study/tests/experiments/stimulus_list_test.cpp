@@ -35,7 +35,7 @@ TEST(stimulus_list, reads_back_what_was_written_wherever_a_crash_cut_it_short) {
               std::vector<ListedStimulus>(all.begin(), all.begin() + whole))
         << size;
   }
-  EXPECT_THROW(read_stimuli(directory.file("no_such.jsonl")), files::Error);
+  EXPECT_THROW(read_stimuli(directory.file("no_such.jsonl")), Error);
 }
 
 TEST(stimulus_list, refuses_another_line_with_file_and_line) {
@@ -63,7 +63,7 @@ TEST(stimulus_list, refuses_another_line_with_file_and_line) {
     std::string words;
     try {
       read_stimuli(file);
-    } catch (const files::Error& error) {
+    } catch (const Error& error) {
       words = error.what();
     }
     EXPECT_EQ(words, file + ":2: " + expected);

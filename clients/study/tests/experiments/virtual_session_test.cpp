@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "forceshade/bad_input.h"
 #include "forceshade/checks.h"
+#include "forceshade/error.h"
 #include "forceshade/recording.h"
 #include "study/apparatus/bumps.h"
 #include "study/apparatus/certificates.h"

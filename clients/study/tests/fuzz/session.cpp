@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const tests::TemporaryDirectory directory;
   static const std::filesystem::path folder = session_folder(directory);
   const std::string file = directory.write("session/session.json", fuzz::text_of(data, size));
-  fuzz::read_or_refuse<files::Error>(file, [&] {
+  fuzz::read_or_refuse<Error>(file, [&] {
     const experiments::SavedSession saved = experiments::read_session(folder);
     fuzz::require(experiments::is_participant(saved.participant), "a participant is a pseudonym");
     fuzz::require(!saved.protocol.bumps().empty() && !saved.events.empty(), "the rest of the session is as it was");

@@ -7,7 +7,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace forceshade;
   const std::string file = fuzz::file_of(fuzz::text_of(data, size), "stimuli.jsonl");
-  fuzz::read_or_refuse<files::Error>(file, [&] {
+  fuzz::read_or_refuse<Error>(file, [&] {
     const std::vector<experiments::ListedStimulus> read = experiments::read_stimuli(file);
     std::string again;
     for (const experiments::ListedStimulus& stimulus : read) again += experiments::line_of(stimulus);

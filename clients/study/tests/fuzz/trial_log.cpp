@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const std::string_view each : {text, std::string_view(checked)}) {
     const std::string file = fuzz::file_of(each, "trials.jsonl");
-    fuzz::read_or_refuse<files::Error>(file, [&] {
+    fuzz::read_or_refuse<Error>(file, [&] {
       const experiments::LogText log = experiments::read_log(file);
       std::string again;
       for (std::size_t i = 0; i < log.events.size(); ++i) again += experiments::line_of(log.events[i], i + 1);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The settings of the supervisor and the passivity controller of a run, as its recording keeps them.
+
+#include <optional>
+#include <string>
+
+#include "forceshade/recording.h"
+#include "forceshade/servo_loop.h"
+
+namespace forceshade::recorder {
+
+// One key for each number, `supervisor_*` and `passivity_*`, in the shortest form that reads back the same.
+Metadata metadata_of(const device::SafetySettings& settings);
+
+// Nothing without any of these keys, as in a recording of an earlier version. Throws Error, naming the file and
+// the key, where one is missing or is not what metadata_of() writes.
+std::optional<device::SafetySettings> safety_settings_in(const Metadata& metadata, const std::string& path);
+
+}  // namespace forceshade::recorder

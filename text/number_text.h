@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Numbers as text, whatever the locale: the one place that prints them for files and people.
+
+#include <charconv>
+#include <cstdio>
+#include <string>
+
+namespace forceshade {
+
+template <class... Format>
+std::string number_text(auto value, Format... format) {
+  char text[400];  // a binary64 has up to 309 digits in front of the point
+  return {text, std::to_chars(text, text + sizeof text, value, format...).ptr};
+}
+
+// The shortest decimal that reads back as the same number: "0.1".
+inline std::string shortest(float value) {
+  return number_text(value);
+}
+inline std::string shortest(double value) {
+  return number_text(value);
+}
+
+// The same without an exponent, so that 100000 is not 1e+05.
+inline std::string without_exponent(double value) {
+  return number_text(value, std::chars_format::fixed);
+}
+
+// "0x1.8p+1", "nan", "-inf".
+inline std::string hexfloat(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%a", value);
+  return text;
+}
+
+// "0.0001235" with four digits; also what gnuplot reads.
+inline std::string digits(double value, int count) {
+  return number_text(value, std::chars_format::general, count);
+}
+
+}  // namespace forceshade
