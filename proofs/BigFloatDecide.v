@@ -4,7 +4,8 @@
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Operations Nearness Evaluate Inputs SecondStage Separation.
-From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow BigFloatNarrowQuotient.
+From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
+  BigFloatNarrowQuotient.
 From Forceshade Require Import BigFloatNewton BigFloatNewtonStart BigFloatTight BigFloatSearch.
 Open Scope R_scope.
 
@@ -69,7 +70,8 @@ Proof.
   - assert (Xa : (exponent a - 2 <= g)%Z) by (apply (le_bpow radix2); lra). lia.
 Qed.
 
-Lemma signs_beside_fine : forall width k s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z -> fine width k (s - 1) a x ->
+Lemma signs_beside_fine : forall width k s a x, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
+  fine width k (s - 1) a x ->
   Rabs x <= bpow radix2 25 -> (forall m, is_tie m -> x <> m -> bpow radix2 (- s) <= Rabs (x - m)) ->
   (0 <= s)%Z -> (s + 36 <= width)%Z -> signs_are_right (sign_beside_big width a) x.
 Proof.
@@ -150,7 +152,8 @@ Proof.
   intros width k t a x W K T Ht Bx. pose proof T as (N & F & C & Bt & _).
   destruct (tight_cases width k t a x ltac:(lia) ltac:(lia) T) as [[X ->]|(_ & Z & M & X0 & Ea & P & _)].
   { destruct (exact_zero_parts k a K F X) as [Z _]. unfold approximately. rewrite Z. exists 0. split; [exact zero_is|left; now split]. }
-  destruct Bx as [Bx|Bx]; [easy|]. destruct (approximately_near width a x W N Z Bx) as (v & V & Hv); [|exists v; split; [exact V|now right]].
+  destruct Bx as [Bx|Bx]; [easy|]. destruct (approximately_near width a x W N Z Bx) as (v & V & Hv);
+    [|exists v; split; [exact V|now right]].
   destruct C as [C|C]; [destruct F; numbers; lia|]. apply Rle_trans with (1 := C).
   apply Rle_trans with (bpow radix2 (-50 + (exponent a - 2))).
   - rewrite <- (size_some (-50 + (exponent a - 2))) by (destruct F; numbers; lia). apply size_le. lia.
@@ -177,7 +180,8 @@ Proof.
 Qed.
 
 (* A law's third stage: the sign of the gap G and both components are right, so the answer is. *)
-Theorem decided_big_is_right : forall width k t g s c G fx fz Fx Fz touches, (128 <= width)%Z -> (1074 <= k)%Z -> (k + width + 3 <= range)%Z ->
+Theorem decided_big_is_right : forall width k t g s c G fx fz Fx Fz touches, (128 <= width)%Z -> (1074 <= k)%Z ->
+  (k + width + 3 <= range)%Z ->
   is_sign c G -> (0 < G <-> touches) -> (t <= -60)%Z -> (g <= 25)%Z ->
   (touches -> tight width k t fx Fx /\ tight width k t fz Fz) ->
   (touches -> (Fx = 0 \/ bpow radix2 (-990) <= Rabs Fx <= bpow radix2 g) /\ (Fz = 0 \/ bpow radix2 (-990) <= Rabs Fz <= bpow radix2 g)) ->

@@ -19,7 +19,8 @@ Proof.
   intros e n A i f S D P r E N NN PA Pi U Hf HS HD HP Hr. set (T := A * i) in *. assert (PT : 0 < T) by (now apply Rmult_lt_0_compat).
   set (h := 1 - A * (i * i)) in *. assert (h1 : Rabs h <= / 1000) by lra. pose proof (Rabs_le_inv _ _ h1) as h2.
   assert (Ti : T * i = 1 - h) by (unfold T, h; ring). assert (TT : T * T = A * (1 - h)) by (unfold T, h; ring).
-  assert (Ah : Rabs (A * h) <= A / 1000) by (rewrite Rabs_mult, (Rabs_pos_eq A) by lra; pose proof (Rmult_le_compat_l A _ _ ltac:(lra) h1); lra).
+  assert (Ah : Rabs (A * h) <= A / 1000) by (rewrite Rabs_mult, (Rabs_pos_eq A) by lra;
+    pose proof (Rmult_le_compat_l A _ _ ltac:(lra) h1); lra).
   pose proof (Rabs_le_inv _ _ Ah) as Ah'. set (q := T * T) in *. assert (Q : 999 / 1000 * A <= q <= 1001 / 1000 * A) by lra.
   set (t := e * T). assert (Et : 0 <= t <= T / 1000).
   { unfold t. split; [apply Rmult_le_pos; lra|]. pose proof (Rmult_le_compat_r T _ _ ltac:(lra) (proj2 E)). lra. }
@@ -49,7 +50,8 @@ Proof.
   { intros x b H. apply product_at_most; [exact H|]. rewrite Rabs_pos_eq; lra. }
   pose proof (times_i _ _ Hd) as Hdi. pose proof (times_i _ _ D1) as D2.
   assert (D3 : Rabs (D * i) <= 9 / 1000 * T).
-  { apply Rle_trans with (1 := D2). rewrite Rmult_assoc, qi. pose proof (Rmult_le_compat_l T (1 - h) (1001 / 1000) ltac:(lra) ltac:(lra)). lra. }
+  { apply Rle_trans with (1 := D2). rewrite Rmult_assoc, qi. pose proof
+    (Rmult_le_compat_l T (1 - h) (1001 / 1000) ltac:(lra) ltac:(lra)). lra. }
   pose proof (share_times e _ _ _ (proj1 E) D3) as HP'. fold t in HP'.
   assert (P1 : Rabs (P / 2) <= 6 / 1000 * T).
   { apply Rabs_le. apply Rabs_le_inv in HP, D3. lra. }
@@ -127,9 +129,11 @@ Proof.
   apply (scaled_fits _ (-1)) in F4; [|lia].
   assert (F4' : fits (8 * k + 9 * width + 35) (scaled (multiply width rough inverse) (-1))) by (apply fits_le with (2 := F4); lia).
   assert (F1' : fits (8 * k + 9 * width + 35) first) by (apply fits_le with (2 := F1); lia).
-  destruct (big_sum_contains width (8 * k + 9 * width + 35) first (scaled (multiply width rough inverse) (-1)) W0 ltac:(lia) N1 N4 F1' F4') as
+  destruct (big_sum_contains width (8 * k + 9 * width + 35) first (scaled (multiply width rough inverse) (-1)) W0 ltac:(lia) N1
+    N4 F1' F4') as
     (N5 & F5 & _).
-  pose proof (sum_rounds width (8 * k + 9 * width + 35) first (scaled (multiply width rough inverse) (-1)) W0 ltac:(lia) N1 N4 F1' F4') as R5.
+  pose proof (sum_rounds width (8 * k + 9 * width + 35) first (scaled (multiply width rough inverse) (-1)) W0 ltac:(lia) N1 N4
+    F1' F4') as R5.
   rewrite value_halved in R5. apply midpoint_fits in F5.
   change (value width (add width first (scaled (multiply width rough inverse) (-1)))) with
     (value width (midpoint (add width first (scaled (multiply width rough inverse) (-1))))) in R5.
@@ -183,7 +187,8 @@ Proof.
     change (error root) with none. destruct F5 as [E5 _]. clear - E5 P Hr W K. destruct (negb _).
     - apply clamp_at_most. numbers. lia.
     - left. unfold clamp. rewrite (proj2 (Z.ltb_lt _ _)); [reflexivity|]. numbers. lia. }
-  pose proof (big_sum_is_narrow width square (negated back) Za Zk) as S. cbv zeta in S. fold (subtract width square back) in S. fold rest in S.
+  pose proof (big_sum_is_narrow width square (negated back) Za Zk) as S. cbv zeta in S. fold (subtract width square back) in S.
+    fold rest in S.
   change (error square) with none in S. change (error (negated back)) with (error back) in S.
   change (exponent (negated back)) with (exponent back) in S. change (exponent square) with (exponent a) in S.
   assert (M : (magnitude rest <= exponent a + 10 - width)%Z).

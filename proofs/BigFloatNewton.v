@@ -111,7 +111,8 @@ Proof. split; reflexivity. Qed.
 Lemma fraction_is : forall width a, (64 <= width)%Z -> normal width a -> is_zero a = false ->
   exists f, is64 (fraction width a) f /\ near (11 / 10) f (share_of_one width a).
 Proof.
-  intros width a W N Z. pose proof (share_is width a W N Z) as F. destruct N as [N|[L U]]; [unfold is_zero in Z; rewrite N in Z; discriminate|].
+  intros width a W N Z. pose proof (share_is width a W N Z) as F. destruct N as [N|[L U]];
+    [unfold is_zero in Z; rewrite N in Z; discriminate|].
   pose proof (power_pos (width - 64) ltac:(lia)) as P. set (s := (2 ^ (width - 64))%Z) in *.
   pose proof (Z.div_mod (digits a) s ltac:(lia)) as DM. pose proof (Z.mod_pos_bound (digits a) s P) as M.
   assert (T : (2 ^ 63 <= digits a / s < 2 ^ 64)%Z).

@@ -3,7 +3,8 @@
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Operations BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients.
-From Forceshade Require Import BigFloatNarrow BigFloatNarrowQuotient BigFloatNarrowRoot BigFloatNewton BigFloatNewtonStart BigFloatNewtonSteps.
+From Forceshade Require Import BigFloatNarrow BigFloatNarrowQuotient BigFloatNarrowRoot BigFloatNewton BigFloatNewtonStart
+  BigFloatNewtonSteps.
 Open Scope R_scope.
 
 (* ---- The limbs that are cut off ---- *)
@@ -34,7 +35,8 @@ Proof.
     { assert (s = 1%Z) by (unfold s; now rewrite C). replace r with 0%Z by lia. rewrite Rmult_0_l.
       apply Rmult_le_pos; [apply bpow_ge_0|apply Rabs_pos]. }
     pose proof (value_above width a ltac:(lia) N Z) as A.
-    apply Rle_trans with (bpow radix2 (- (bits + 64)) * bpow radix2 (exponent a - 1)); [|apply Rmult_le_compat_l; [apply bpow_ge_0|exact A]].
+    apply Rle_trans with (bpow radix2 (- (bits + 64)) * bpow radix2 (exponent a - 1));
+      [|apply Rmult_le_compat_l; [apply bpow_ge_0|exact A]].
     apply Rle_trans with (IZR s * bpow radix2 (exponent a - width)); [apply Rmult_le_compat_r; [apply bpow_ge_0|apply IZR_le; lia]|].
     unfold s. rewrite IZR_power, <- !bpow_plus by lia. apply bpow_le. lia.
 Qed.
@@ -181,7 +183,8 @@ Proof.
   assert (Zi : is_zero i = false) by (destruct (is_zero i) eqn:Z; [rewrite (value_of_zero width i Z) in H; lra|reflexivity]).
   pose proof (value_above width b W Nb Zb) as B1. pose proof (value_below width b W Nb) as B2.
   pose proof (value_above width i W Ni Zi) as I1. pose proof (value_below width i W Ni) as I2.
-  assert (P : Rabs (value width b) * Rabs (value width i) = value width b * value width i) by (rewrite <- Rabs_mult; apply Rabs_pos_eq; lra).
+  assert (P : Rabs (value width b) * Rabs (value width i) = value width b * value width i) by (rewrite <- Rabs_mult;
+    apply Rabs_pos_eq; lra).
   pose proof (Rabs_pos (value width b)). pose proof (Rabs_pos (value width i)).
   assert (L : (-1 < exponent b + exponent i)%Z).
   { apply (lt_bpow radix2). change (bpow radix2 (-1)) with (/ 2). rewrite bpow_plus.

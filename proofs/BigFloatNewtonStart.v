@@ -43,12 +43,14 @@ Proof.
   { unfold Rdiv. rewrite Rabs_mult, G, Rmult_1_l, Rabs_pos_eq by (apply Rlt_le, Rinv_0_lt_compat; lra).
     split; [apply Rinv_le; lra|]. replace 4 with (/ / 4) by (field). apply Rinv_le; lra. }
   assert (D : is64 (over (if negative b then opp (two_to 0) else two_to 0) (fraction width b)) (nearest64 (g / f))).
-  { apply over_is; try assumption; [lra|]. apply Rle_trans with (bpow radix2 2); [|apply bpow_le; lia]. change (bpow radix2 2) with 4. lra. }
+  { apply over_is; try assumption; [lra|]. apply Rle_trans with (bpow radix2 2); [|apply bpow_le; lia].
+    change (bpow radix2 2) with 4. lra. }
   set (v := over _ _) in *. destruct D as [Dv _].
   destruct (start_is_normal width v (- exponent b) ltac:(lia) ltac:(lia)) as (N1 & N2 & N3). split; [exact N1|]. split; [exact N2|].
   rewrite N3, Dv. assert (C : near (22 / 10) (nearest64 (g / f)) (g / s)).
   { replace (22 / 10) with (one + (22 / 10 - one)) by ring. apply near_then with (g / f).
-    - apply rounding_is_near. right. apply Rle_trans with (bpow radix2 (-1)); [apply bpow_le; lia|]. change (bpow radix2 (-1)) with (/ 2). lra.
+    - apply rounding_is_near. right. apply Rle_trans with (bpow radix2 (-1)); [apply bpow_le; lia|].
+      change (bpow radix2 (-1)) with (/ 2). lra.
     - apply near_more with (0 + 11 / 10); [|unfold one; lra]. apply near_over; [apply near_exactly|exact Nf|lra]. }
   set (q := nearest64 (g / f)) in *.
   replace (g * s * bpow radix2 (exponent b) * (q * bpow radix2 (- exponent b))) with (g * s * q).

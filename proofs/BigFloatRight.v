@@ -39,7 +39,8 @@ Proof.
   destruct (big_quotient_contains width k (midpoint a) (midpoint b) i W0 Hr Na Nb Ni Fa' Fb' Fi) as (N & _ & C).
   specialize (C _ _ (big_midpoint_contains width a) (big_midpoint_contains width b)).
   pose proof (big_quotient_is_narrow width k j (midpoint a) (midpoint b) i ltac:(lia) Hr J J2 Na Nb Ni Fa' Fb' Fi Za Zm U) as B.
-  cbv zeta in B. set (m := divide width (midpoint a) (midpoint b) i) in *. cbn [error exponent midpoint] in B. rewrite X, Zr. clear V X Zr r.
+  cbv zeta in B. set (m := divide width (midpoint a) (midpoint b) i) in *. cbn [error exponent midpoint] in B. rewrite X, Zr.
+    clear V X Zr r.
   pose proof (value_above width a W0 Na Za) as A1. pose proof (value_below width a W0 Na) as A2.
   pose proof (value_above width b W0 Nb Zb0) as B1. pose proof (value_below width b W0 Nb) as B2.
   pose proof (bpow_gt_0 radix2 (exponent a - 1)) as G1. pose proof (bpow_gt_0 radix2 (exponent b - 1)) as G2.
@@ -85,7 +86,8 @@ Theorem big_quotient_is_right : forall width k a b, (128 <= width)%Z -> (60 * (k
       (error r - exponent r <= Z.max (Z.max (error a - exponent a) (error b - exponent b) + 6) (14 - width))%Z)).
 Proof.
   intros width k a b W Hr Na Nb Fa Fb r. assert (K : (0 <= k)%Z) by (destruct Fa; lia).
-  assert (Fa' : fits (k + 3) a) by (apply fits_le with (2 := Fa); lia). assert (Fb' : fits (k + 3) b) by (apply fits_le with (2 := Fb); lia).
+  assert (Fa' : fits (k + 3) a) by (apply fits_le with (2 := Fa); lia).
+    assert (Fb' : fits (k + 3) b) by (apply fits_le with (2 := Fb); lia).
   destruct (may_be_zero b) eqn:Zb.
   - destruct (zero_is_fine width (k + 3) ltac:(lia)) as [Nz Fz].
     assert (R : r = divide width a b zero) by (unfold r, divide_newton, divide; now rewrite Zb). rewrite R.

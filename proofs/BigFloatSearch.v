@@ -99,7 +99,8 @@ Qed.
 
 Lemma above_is_other : forall c, in_binary32 c -> c < succ radix2 fexp32 c.
 Proof.
-  intros c Gc. destruct (Req_dec c 0) as [->|Hne]; [|now apply succ_gt_id]. rewrite succ_0. rewrite ulp_FLT_0 by (auto with typeclass_instances).
+  intros c Gc. destruct (Req_dec c 0) as [->|Hne]; [|now apply succ_gt_id]. rewrite succ_0.
+    rewrite ulp_FLT_0 by (auto with typeclass_instances).
   apply bpow_gt_0.
 Qed.
 
@@ -141,7 +142,8 @@ Proof. intros c x G H. exact (round_N_le_midp radix2 fexp32 (fun n => negb (Z.ev
 Lemma nearest_not_below : forall c x, in_binary32 c -> (c + pred radix2 fexp32 c) / 2 < x -> c <= nearest32 x.
 Proof. intros c x G H. apply (round_N_ge_midp radix2 fexp32 (fun n => negb (Z.even n)) c x G). lra. Qed.
 
-Lemma search_at_nearest : forall beside x c rest, signs_are_right beside x -> is_finite 24 128 c = true -> Rabs (value32 c) < bpow radix2 28 ->
+Lemma search_at_nearest : forall beside x c rest, signs_are_right beside x -> is_finite 24 128 c = true ->
+  Rabs (value32 c) < bpow radix2 28 ->
   nearest32 x = value32 c -> search beside (S rest) c = Some (b32_plus mode_NE c zero32).
 Proof.
   intros beside x c rest H Fc Bc Hn. destruct (signs_of_step beside x c H Fc Bc) as (_ & _ & Su & Sd). rewrite search_step. cbv zeta.
@@ -176,7 +178,8 @@ Proof.
   - exfalso. pose proof (nearest_not_above (value32 c) x Gc ltac:(lra)). lra.
 Qed.
 
-Lemma search_goes_down : forall beside x c rest, signs_are_right beside x -> is_finite 24 128 c = true -> Rabs (value32 c) < bpow radix2 28 ->
+Lemma search_goes_down : forall beside x c rest, signs_are_right beside x -> is_finite 24 128 c = true ->
+  Rabs (value32 c) < bpow radix2 28 ->
   nearest32 x = pred radix2 fexp32 (value32 c) -> search beside (S rest) c = search beside rest (next_below c).
 Proof.
   intros beside x c rest H Fc Bc Hn. destruct (signs_of_step beside x c H Fc Bc) as (_ & _ & Su & Sd). rewrite search_step. cbv zeta.
@@ -199,7 +202,8 @@ Proof.
   intros beside x v c H Fc Ec Hv. pose proof (generic_format_B2R 24 128 c) as Gc. change (SpecFloat.fexp 24 128) with fexp32 in Gc.
   assert (here : forall d rest, is_finite 24 128 d = true -> Rabs (value32 d) < bpow radix2 28 -> nearest32 x = value32 d ->
     exists f, search beside (S rest) d = Some f /\ is_nearest32 f x).
-  { intros d rest Fd Bd Hd. exists (b32_plus mode_NE d zero32). split; [now apply (search_at_nearest beside x)|now apply plus_zero_is_nearest]. }
+  { intros d rest Fd Bd Hd. exists (b32_plus mode_NE d zero32). split;
+    [now apply (search_at_nearest beside x)|now apply plus_zero_is_nearest]. }
   change (bpow radix2 28) with 268435456 in *. destruct Hv as [[-> ->]|[V2 D]].
   { apply here; [exact Fc| |now rewrite Ec]. rewrite Ec, round_0, Rabs_R0 by auto with typeclass_instances. lra. }
   change (bpow radix2 26) with 67108864 in V2. change (bpow radix2 (-40)) with (/ 1099511627776) in D.
@@ -243,7 +247,8 @@ Proof.
   assert (Gb28 : in_binary32 268435456) by (change 268435456 with (bpow radix2 28); apply generic_format_bpow; unfold FLT_exp; lia).
   assert (room : Rabs (value32 c) < 134217728) by lra.
   assert (G27 : in_binary32 134217728) by (change 134217728 with (bpow radix2 27); apply generic_format_bpow; unfold FLT_exp; lia).
-  destruct (neighbours c 134217728 Fc G27 room ltac:(change 134217728 with (bpow radix2 27); apply bpow_le; lia)) as [(_ & _ & Ba) (_ & _ & Bb)].
+  destruct (neighbours c 134217728 Fc G27 room ltac:(change 134217728 with (bpow radix2 27); apply bpow_le; lia)) as
+    [(_ & _ & Ba) (_ & _ & Bb)].
   destruct (Rtotal_order (nearest32 x) (value32 c)) as [Hlt|[Heq|Hgt]].
   - assert (E : nearest32 x = value32 (next_below c))
       by (rewrite Eb; apply Rle_antisym; [apply pred_ge_gt; auto with typeclass_instances|exact N2]).

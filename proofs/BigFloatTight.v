@@ -4,7 +4,8 @@
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Operations BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow.
-From Forceshade Require Import BigFloatNarrowQuotient BigFloatNarrowRoot BigFloatNewton BigFloatNewtonStart BigFloatNewtonLoop BigFloatRight.
+From Forceshade Require Import BigFloatNarrowQuotient BigFloatNarrowRoot BigFloatNewton BigFloatNewtonStart BigFloatNewtonLoop
+  BigFloatRight.
 Open Scope R_scope.
 
 (* The number holds x, and its bound is at most 2^t times it. *)
@@ -36,7 +37,8 @@ Proof.
   { unfold may_be_zero. rewrite Z. cbn [orb]. apply Z.ltb_ge. destruct S as [S|S]; [|lia]. rewrite S. destruct F. numbers. lia. }
   split; [exact M|]. destruct (surely_not_zero width k a x W K N F C M) as (_ & A & D & Sx).
   assert (P : bpow radix2 (exponent a - 2) <= Rabs x).
-  { pose proof (Rabs_triang_inv (value width a) (value width a - x)) as R. replace (value width a - (value width a - x)) with x in R by ring.
+  { pose proof (Rabs_triang_inv (value width a) (value width a - x)) as R.
+    replace (value width a - (value width a - x)) with x in R by ring.
     rewrite (Rabs_minus_sym (value width a) x) in R. pose proof (bpow_double (exponent a - 2)) as B.
     replace (exponent a - 2 + 1)%Z with (exponent a - 1)%Z in B by ring. lra. }
   split; [intro X0; rewrite X0, Rabs_R0 in P; pose proof (bpow_gt_0 radix2 (exponent a - 2)); lra|].

@@ -79,7 +79,8 @@ Theorem bump_1p_shaded_second_stage_answers_right : forall R w K x y z answer, p
 Proof.
   intros R w K x y z answer Hp Hv X Z H. pose proof share_is_small as Hsh. destruct (valid_coordinates _ _ _ Hv) as [Cx Cz]. fold X in Cx.
     fold Z in Cz.
-  destruct (quantised_x_is _ _ _ Hv) as [Vx Fx]. fold X in Vx. pose proof Hp as ((FR & Fw & _) & HR & Hw & HK). pose proof (coordinate_range _ _ Cx) as BX. pose proof
+  destruct (quantised_x_is _ _ _ Hv) as [Vx Fx]. fold X in Vx. pose proof Hp as ((FR & Fw & _) & HR & Hw & HK).
+    pose proof (coordinate_range _ _ Cx) as BX. pose proof
     (coordinate_range _ _ Cz) as BZ.
   assert (LZ : Z = 0 \/ / 2000000000 <= Rabs Z).
   { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }
@@ -115,9 +116,11 @@ Proof.
   assert (along : forall n, 0 <= n <= value32 R -> Z < 0 -> M * n <= 10000).
   { intros n Hn T. unfold M. replace (- Z / value32 R * n) with (- Z * (n / value32 R)) by (field; lra).
     assert (0 <= n / value32 R <= 1).
-    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv.
+      rewrite Rmult_assoc, Rinv_l by lra. lra. }
     apply Rle_trans with (10000 * 1); [apply Rmult_le_compat; lra|lra]. }
-  refine (along_is_right R w K _ M _ X 0 _ (sqrt P) (66 * share101) (Z < 0) answer Hp _ Htouch (encloses_exact _ _ (exactly_is _ _ Ix)) _ Er _ _ H);
+  refine (along_is_right R w K _ M _ X 0 _ (sqrt P) (66 * share101) (Z < 0) answer Hp _ Htouch (encloses_exact _ _ (exactly_is _ _ Ix))
+    _ Er _ _ H);
     try lra.
   - apply (enclosed_is_contained (3 * (0 + 0) + 3 * share101)); [exact Egap|lra|lra].
   - intros _ T. assert (HM : / 100000000000000 <= M).

@@ -47,7 +47,8 @@ Proof.
     assert (E0 : value32 K * - Z * 0 = 0) by ring.
     enough (A : is_answer (along_big 768 K (exactly 768 (opp (to64 (quantised z)))) (exactly 768 zero64) (exactly 768 (two_to 0))) (Z < 0)
       (value32 K * - Z * 0) (value32 K * - Z * 1)) by (rewrite E0 in A; exact A).
-    refine (along_big_is_right 768 1074 t 25 406 R w K _ (- Z) _ 0 _ 1 (Z < 0) _ _ _ Hp (tight_is_seen _ _ _ _ _ Tg) T0 T1 _ _ _ _ _ _ _ _ _);
+    refine (along_big_is_right 768 1074 t 25 406 R w K _ (- Z) _ 0 _ 1 (Z < 0) _ _ _ Hp (tight_is_seen _ _ _ _ _ Tg) T0 T1 _ _ _
+      _ _ _ _ _ _);
       try (unfold t; numbers; lia); try lra.
     - intro T. specialize (LZ T). split; apply component_size; rewrite ?Rabs_R0, ?Rabs_R1; lra.
     - intros m Hm. destruct (Sep m Hm) as [S1 S2]. rewrite E0. now split. }
@@ -59,7 +60,8 @@ Proof.
   assert (EZ : value32 K * (- Z / value32 R) * sqrt P = value32 K * - Z * (sqrt P / value32 R)) by (field; lra).
   rewrite <- EX, <- EZ in Sep |- *. clear EX EZ EP.
   pose proof (tight_exactly 768 t _ _ ltac:(lia) Ht (to64_is_exact R FR)) as TR.
-  pose proof (tight_divide 768 1074 t t _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(unfold t; lia) ltac:(unfold t; lia) Tg TR ltac:(lra)) as Td.
+  pose proof (tight_divide 768 1074 t t _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(unfold t; lia) ltac:(unfold t; lia) Tg TR
+    ltac:(lra)) as Td.
   set (M := - Z / value32 R) in *. set (k := (60 * (3268 + 4 * 768))%Z) in *. set (u := (56 - 768)%Z) in *.
   assert (Hk : (177120 <= k <= BigFloat.range)%Z) by (unfold k; numbers; lia).
   assert (Hu : u = (-712)%Z) by reflexivity. unfold along_shaded_big. cbv zeta.
@@ -73,7 +75,8 @@ Proof.
   assert (along : forall n, 0 <= n <= value32 R -> Z < 0 -> M * n <= 10000).
   { intros n Hn T. unfold M. replace (- Z / value32 R * n) with (- Z * (n / value32 R)) by (field; lra).
     assert (0 <= n / value32 R <= 1).
-    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv.
+      rewrite Rmult_assoc, Rinv_l by lra. lra. }
     apply Rle_trans with (10000 * 1); [apply Rmult_le_compat; lra|lra]. }
   assert (BP : 0 <= sqrt P <= value32 R).
   { split; [apply sqrt_pos|]. rewrite <- (sqrt_square (value32 R)) by lra. apply sqrt_le_1_alt. unfold P.

@@ -5,16 +5,19 @@ From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs Shaded ErrorFree Gap Polygons.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants DoubleDoubleTerms Enclosures.
-From Forceshade Require Import EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondStage SecondAlong Bump1pShadedSecond TwoPolygonsGap.
+From Forceshade Require Import EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondStage SecondAlong Bump1pShadedSecond
+  TwoPolygonsGap.
 Open Scope R_scope.
 
 Definition bump_2p_second (R w K x z : binary32) : option evaluation :=
   if is_beside w x then decide_along K (exactly64 (opp (to64 z))) (exactly64 zero64) (exactly64 (two_to 0))
-  else decide_along K (side_gap_2p R w x z) (if is_less32 x zero32 then negated (face_sine_2p R w) else face_sine_2p R w) (face_cosine_2p R w).
+  else decide_along K (side_gap_2p R w x z) (if is_less32 x zero32 then negated (face_sine_2p R w) else face_sine_2p R w)
+    (face_cosine_2p R w).
 
 Lemma less32_is : forall a b, is_finite 24 128 a = true -> is_finite 24 128 b = true -> is_less32 a b = Rlt_bool (value32 a) (value32 b).
 Proof.
-  intros a b Fa Fb. unfold is_less32. rewrite Bcompare_correct by assumption. case Rcompare_spec; case Rlt_bool_spec; intros; trivial; exfalso; lra.
+  intros a b Fa Fb. unfold is_less32. rewrite Bcompare_correct by assumption.
+    case Rcompare_spec; case Rlt_bool_spec; intros; trivial; exfalso; lra.
 Qed.
 
 Lemma is_answer_same : forall answer p q Fx Fz, (p <-> q) -> is_answer answer p Fx Fz -> is_answer answer q Fx Fz.

@@ -31,7 +31,8 @@ Lemma shaded_second_is_right : forall R w K x X z Z gap M answer, parameters R w
     Some answer ->
   is_answer answer (0 < M) (shaded_x (value32 R) (value32 w) (value32 K) X M) (shaded_z (value32 R) (value32 w) (value32 K) X M).
 Proof.
-  intros R w K x X z Z gap M answer Hp Fx Vx Cx Cz Sg Beside H. pose proof (coordinate_range _ _ Cx) as BX. pose proof Hp as ((_ & Fw & _) & _).
+  intros R w K x X z Z gap M answer Hp Fx Vx Cx Cz Sg Beside H. pose proof (coordinate_range _ _ Cx) as BX.
+    pose proof Hp as ((_ & Fw & _) & _).
   rewrite is_beside_is in H by (rewrite ?Vx; assumption). rewrite Vx in H.
   destruct (Rle_lt_dec (Rabs X) (value32 w / 2)) as [Hin|Hin].
   - rewrite Rle_bool_true in H by exact Hin. exact (along_shaded_is_right R w K x X gap M answer Hp Cx Hin (Sg Hin) H).

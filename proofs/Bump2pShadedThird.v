@@ -46,7 +46,8 @@ Proof.
   rewrite <- EX, <- EZ in Sep |- *. clear EX EZ EP.
   assert (TR : tight 2048 400000000 (-2048) (number (to64 R)) (value32 R))
     by (apply tight_more with (1 := exact_third _ _ (to64_is_exact R FR)); [numbers; lia|lia]).
-  pose proof (seen_divide 2048 400000000 (-1723) (-2048) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Sg TR ltac:(lra)) as Sd.
+  pose proof (seen_divide 2048 400000000 (-1723) (-2048) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Sg TR
+    ltac:(lra)) as Sd.
   assert (Sd' : seen 2048 30000000000 (-1717) (divide_newton 2048 gap (number (to64 R))) (M / value32 R))
     by (apply seen_more with (1 := Sd); [numbers; lia|lia]).
   assert (Tx : tight 2048 30000000000 (-1717) (number (to64 (quantised x))) X)
@@ -62,7 +63,8 @@ Proof.
   assert (along : forall n, 0 <= n <= value32 R -> 0 < M -> G * n <= 20000).
   { intros n Hn T. unfold G. replace (M / value32 R * n) with (M * (n / value32 R)) by (field; lra).
     assert (0 <= n / value32 R <= 1).
-    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv.
+      rewrite Rmult_assoc, Rinv_l by lra. lra. }
     apply Rle_trans with (20000 * 1); [apply Rmult_le_compat; lra|lra]. }
   assert (BP : 0 <= sqrt P <= value32 R).
   { split; [apply sqrt_pos|]. rewrite <- (sqrt_square (value32 R)) by lra. apply sqrt_le_1_alt. unfold P.

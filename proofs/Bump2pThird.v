@@ -11,7 +11,8 @@ Open Scope R_scope.
 
 Definition bump_2p_third (R w K x z : binary32) : evaluation :=
   if is_beside w x then along_big 2048 K (number (opp (to64 z))) (number zero64) (number (two_to 0))
-  else along_big 2048 K (side_gap_third R w x z) (if is_less32 x zero32 then negated (sine_third R w) else sine_third R w) (cosine_third R w).
+  else along_big 2048 K (side_gap_third R w x z) (if is_less32 x zero32 then negated (sine_third R w) else sine_third R w)
+    (cosine_third R w).
 
 Lemma large_component : forall K g n, / 1000 <= K <= 1000 -> bpow radix2 (-300) <= g -> n = 0 \/ bpow radix2 (-40) <= Rabs n ->
   g * Rabs n <= 20000 -> K * g * n = 0 \/ bpow radix2 (-990) <= Rabs (K * g * n) <= bpow radix2 25.
@@ -26,7 +27,8 @@ Lemma plane_third : forall width s R w K z Z, (2048 <= width <= 4096)%Z -> (29 <
   coordinate (to64 z) Z ->
   (forall m, is_tie m -> (0 <> m -> bpow radix2 (- s) <= Rabs (0 - m)) /\
     (value32 K * - Z <> m -> bpow radix2 (- s) <= Rabs (value32 K * - Z - m))) ->
-  is_answer (along_big width K (exactly width (opp (to64 z))) (exactly width zero64) (exactly width (two_to 0))) (0 < - Z) 0 (value32 K * - Z).
+  is_answer (along_big width K (exactly width (opp (to64 z))) (exactly width zero64) (exactly width (two_to 0))) (0 < - Z) 0
+    (value32 K * - Z).
 Proof.
   intros width s R w K z Z W Hs Hp Cz Sep. assert (exact : forall v a, is64 v a -> tight width 1074 (- width) (exactly width v) a).
   { intros v a H. apply tight_exactly; [lia|numbers; lia|exact H]. }
@@ -39,7 +41,8 @@ Proof.
   apply (along_big_is_right width 1074 (- width) 25 s R w); try assumption; try lia; try (numbers; lia); try reflexivity.
   - now apply tight_is_seen.
   - intro T. assert (LZ : bpow radix2 (-300) <= - Z).
-    { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [lra|]. rewrite Rabs_left in L by lra. apply Rle_trans with (2 := L). apply bpow_le. lia. }
+    { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [lra|]. rewrite Rabs_left in L by lra. apply Rle_trans with (2 := L).
+      apply bpow_le. lia. }
     split; apply large_component; rewrite ?Rabs_R0, ?Rabs_R1; try lra. right. apply (bpow_le radix2 (-40) 0). lia.
   - intros m Hm. rewrite E0, E1. now apply Sep.
 Qed.

@@ -5,7 +5,8 @@ From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs Shaded ErrorFree Gap Polygons.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants DoubleDoubleTerms Enclosures.
-From Forceshade Require Import BesideTie SecondStage SecondAlong TwoPolygonsGap Bump2pSecond ThreePolygons ThreePolygonsConstants NewtonThird.
+From Forceshade Require Import BesideTie SecondStage SecondAlong TwoPolygonsGap Bump2pSecond ThreePolygons ThreePolygonsConstants
+  NewtonThird.
 From Forceshade Require Import TopEdge ThreePolygonsRight ThreePolygonsGap.
 Open Scope R_scope.
 

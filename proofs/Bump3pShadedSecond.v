@@ -5,8 +5,10 @@ From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs Shaded ErrorFree Gap Polygons.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants DoubleDoubleTerms Enclosures.
-From Forceshade Require Import BesideTie SecondStage SecondAlong Bump1pShadedSecond TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond.
-From Forceshade Require Import ThreePolygons ThreePolygonsFace ThreePolygonsConstants NewtonThird TopEdge ThreePolygonsRight ThreePolygonsGap.
+From Forceshade Require Import BesideTie SecondStage SecondAlong Bump1pShadedSecond TwoPolygonsGap Bump2pSecond ShadedAlong
+  Bump2pShadedSecond.
+From Forceshade Require Import ThreePolygons ThreePolygonsFace ThreePolygonsConstants NewtonThird TopEdge ThreePolygonsRight
+  ThreePolygonsGap.
 Open Scope R_scope.
 
 Definition bump_3p_shaded_second (R w K x z : binary32) : option evaluation :=

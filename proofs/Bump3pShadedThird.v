@@ -6,7 +6,8 @@ From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Evaluate Inputs Shaded Polygons ThreePolygons TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsConstants ThreePolygonsRight ThreePolygonsGap SecondStage SecondAlong NewtonThird.
 From Forceshade Require Import Separation SeparationOfThreeShaded SeparationOfContact Bump1pShadedSecond Bump2pSecond Bump2pShadedSecond.
-From Forceshade Require Import Bump3pShadedSecond BigFloat BigFloatValues BigFloatRight BigFloatTight ThirdAlong TwoPolygonsThird Bump2pThird.
+From Forceshade Require Import Bump3pShadedSecond BigFloat BigFloatValues BigFloatRight BigFloatTight ThirdAlong TwoPolygonsThird
+  Bump2pThird.
 From Forceshade Require Import SineThirdStage ThreePolygonsThird.
 Open Scope R_scope.
 
@@ -30,8 +31,10 @@ Proof.
   assert (EZ : value32 K * (M / value32 R) * sqrt P = value32 K * M * (sqrt P / value32 R)) by (field; lra).
   rewrite <- EX, <- EZ in Sep |- *. clear EX EZ.
   pose proof (tight_exactly 4096 (-4096) _ _ ltac:(lia) ltac:(numbers; lia) (to64_is_exact R FR)) as TR0.
-  assert (TR : tight 4096 2800000000000 (-4096) (exactly 4096 (to64 R)) (value32 R)) by (apply tight_more with (1 := TR0); [numbers; lia|lia]).
-  pose proof (seen_divide 4096 2800000000000 (m - 4003) (-4096) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Sg TR ltac:(lra))
+  assert (TR : tight 4096 2800000000000 (-4096) (exactly 4096 (to64 R)) (value32 R)) by (apply tight_more with (1 := TR0);
+    [numbers; lia|lia]).
+  pose proof (seen_divide 4096 2800000000000 (m - 4003) (-4096) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Sg
+    TR ltac:(lra))
     as Sd.
   assert (Sd' : seen 4096 170000000000000 (m - 3997) (divide_newton 4096 gap (exactly 4096 (to64 R))) (M / value32 R))
     by (apply seen_more with (1 := Sd); [numbers; lia|lia]).
@@ -48,7 +51,8 @@ Proof.
   assert (along : forall n, 0 <= n <= value32 R -> 0 < M -> G * n <= bpow radix2 (17 - m)).
   { intros n Hn T. unfold G. replace (M / value32 R * n) with (M * (n / value32 R)) by (field; lra). rewrite Rabs_pos_eq in BM by lra.
     assert (0 <= n / value32 R <= 1).
-    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+    { split; [apply Rmult_le_pos; lra|]. apply Rmult_le_reg_r with (value32 R); [lra|]. unfold Rdiv.
+      rewrite Rmult_assoc, Rinv_l by lra. lra. }
     apply Rle_trans with (M * 1); [apply Rmult_le_compat; lra|lra]. }
   assert (BP : 0 <= sqrt P <= value32 R).
   { split; [apply sqrt_pos|]. rewrite <- (sqrt_square (value32 R)) by lra. apply sqrt_le_1_alt. unfold P.
@@ -85,10 +89,12 @@ Proof.
   rewrite Rle_bool_true in Sep |- * by exact Hin. cbn [negb].
   replace (Rsqr (value32 R) - Rsqr X) with ((value32 R - X) * (value32 R + X)) in Sep |- * by (unfold Rsqr; ring).
   assert (Sg : exists m, (2 <= m <= 926)%Z /\ Rabs M <= bpow radix2 (17 - m) /\ seen 4096 2800000000000 (m - 4003)
-    (if Req_bool (Rabs X) (value32 w / 2) then exactly 4096 (opp (to64 (quantised z))) else gap_3p_third R w (quantised x) (quantised z)) M).
+    (if Req_bool (Rabs X) (value32 w / 2) then exactly 4096 (opp (to64 (quantised z))) else gap_3p_third R w (quantised x)
+      (quantised z)) M).
   { case Req_bool_spec; intro E; [|now apply (gap_3p_third_is R w K _ X)].
     assert (EM : M = - Z).
-    { pose proof (top_is_narrower R w K Hp) as Hnarrow. unfold M, penetration_3p. rewrite (Rle_bool_true (Rabs X) (value32 w / 2)) by exact Hin.
+    { pose proof (top_is_narrower R w K Hp) as Hnarrow. unfold M, penetration_3p.
+      rewrite (Rle_bool_true (Rabs X) (value32 w / 2)) by exact Hin.
       rewrite Rle_bool_false by lra. rewrite E. field. lra. }
     destruct (cancelled_bits M ltac:(rewrite EM, Rabs_Ropp; lra) Sepc) as (m & Bm & BM & _).
     exists m. split; [exact Bm|]. split; [exact BM|]. rewrite EM. apply tight_is_seen.

@@ -36,13 +36,15 @@ Proof.
   pose proof (two_to_is 0 ltac:(lia)) as I1. change (bpow radix2 0) with 1 in I1.
   pose proof (input_bounded _ _ I1 ltac:(rewrite Rabs_R1; lra)) as B1.
   unfold o, plane_outcome_third. clear o. cbv zeta. cbn [fst snd].
-  set (g := number (opp (to64 z))) in *. set (kn := number (to64 K)) in *. set (n0 := number zero64) in *. set (n1 := number (two_to 0)) in *.
+  set (g := number (opp (to64 z))) in *. set (kn := number (to64 K)) in *. set (n0 := number zero64) in *.
+    set (n1 := number (two_to 0)) in *.
   assert (Bg' : bounded 2048 1074 (-1974) 17 g (- Z)) by (apply bounded_more with (1 := Bg); numbers; lia).
   assert (BK' : bounded 2048 1074 (-1974) 17 kn (value32 K)) by (apply bounded_more with (1 := BK); numbers; lia).
   pose proof (bounded_multiply 2048 1074 (-1974) 17 (-1974) 17 _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(numbers; lia) ltac:(lia)
     ltac:(lia) BK' Bg') as Bm. set (m := multiply 2048 kn g) in *.
   assert (Bm' : bounded 2048 100000 (-1940) 40 m (value32 K * - Z)) by (apply bounded_more with (1 := Bm); numbers; lia).
-  assert (times : forall n N, bounded 2048 1074 none 15 n N -> bounded 2048 50000000000 (-1500) 170 (multiply 2048 m n) (value32 K * - Z * N)).
+  assert (times : forall n N, bounded 2048 1074 none 15 n N -> bounded 2048 50000000000 (-1500) 170 (multiply 2048 m n)
+    (value32 K * - Z * N)).
   { intros n N B. assert (B' : bounded 2048 100000 (-1974) 17 n N) by (apply bounded_more with (1 := B); numbers; lia).
     pose proof (bounded_multiply 2048 100000 (-1940) 40 (-1974) 17 _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(numbers; lia) ltac:(lia)
       ltac:(lia) Bm' B') as P. apply bounded_more with (1 := P); numbers; lia. }

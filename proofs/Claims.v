@@ -7,14 +7,16 @@ From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonSt
 From Forceshade Require Import DoubleDoubleTerms DoubleDoubleOff NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
 From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
 From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
-From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong Bump1pShadedSecond.
+From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong
+  Bump1pShadedSecond.
 From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond ThreePolygonsEnclosed.
 From Forceshade Require Import NewtonEnclosed SineEnclosed ThreePolygonsGap Bump3pSecond Bump3pShadedSecond.
 From Forceshade Require Import Contained CylinderNearness CylinderSecondParts CylinderSecondBorder CylinderSecondForce CylinderSecond.
 From Forceshade Require Import BumpCylinderSecond.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
-From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch BigFloatDecide.
+From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch
+  BigFloatDecide.
 From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
 From Forceshade Require Import BigFloatBounded CylinderThird BumpCylinderThird.
 From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits.

@@ -10,7 +10,8 @@ Definition size (l h : Z) (a : R) : Prop := bpow radix2 l <= Rabs a <= bpow radi
 
 Lemma size_times : forall l h m k a b, size l h a -> size m k b -> size (l + m) (h + k) (a * b).
 Proof.
-  intros l h m k a b Ha Hb. unfold size in *. rewrite Rabs_mult, !bpow_plus. pose proof (bpow_gt_0 radix2 l). pose proof (bpow_gt_0 radix2 m).
+  intros l h m k a b Ha Hb. unfold size in *. rewrite Rabs_mult, !bpow_plus. pose proof (bpow_gt_0 radix2 l).
+    pose proof (bpow_gt_0 radix2 m).
   split; apply Rmult_le_compat; try apply Rabs_pos; lra.
 Qed.
 
@@ -121,7 +122,8 @@ Proof.
   intros k v [Hv Fv]. split; [assumption|]. rewrite Hv, Rminus_0_r, Rabs_R0. split; [right; ring|]. split; [now left|apply bpow_gt_0].
 Qed.
 
-Lemma exact_is_good : forall k v a, (0 <= k)%Z -> is64 v a -> (a = 0 \/ bpow radix2 (-126) <= Rabs a) -> Rabs a < bpow radix2 127 -> good k v a.
+Lemma exact_is_good : forall k v a, (0 <= k)%Z -> is64 v a -> (a = 0 \/ bpow radix2 (-126) <= Rabs a) ->
+  Rabs a < bpow radix2 127 -> good k v a.
 Proof.
   intros k v a Hk [<- Fv] H1 H2. split; [assumption|]. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. split; [|now split].
   apply Rmult_le_pos; [|apply Rabs_pos]. apply Rmult_le_pos; [now apply IZR_le|apply bpow_ge_0].

@@ -33,7 +33,8 @@ Lemma sum_error : forall a b x y z, contains a x -> contains b y -> contains (ad
   let E := value64 (error a) + value64 (error b) in
   E <= value64 (error (add a b)) <= 21 / 10 * E + 21 / 10 * (share101 * Rabs (value64 (hi (add a b)))) + 10 * tiny.
 Proof.
-  intros a b x y z (h & l & e & H & L & E & _ & He & _) (c & k & f & H' & L' & E' & _ & Hf & _) (p & q & g & P & Q & G & _ & Hg & _ & Bp) Be Bf.
+  intros a b x y z (h & l & e & H & L & E & _ & He & _) (c & k & f & H' & L' & E' & _ & Hf & _)
+    (p & q & g & P & Q & G & _ & Hg & _ & Bp) Be Bf.
   rewrite (proj1 E) in Be. rewrite (proj1 E') in Bf. cbv zeta. rewrite (proj1 E), (proj1 E'), (proj1 P), (proj1 G).
   pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
   destruct (error_of_two (hi (add a b)) p (error a) (error b) e f P ltac:(lra) E E' ltac:(lra) ltac:(lra)) as (g1 & G1 & B1).

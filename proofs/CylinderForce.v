@@ -40,7 +40,8 @@ Proof.
 Qed.
 
 (* v is 17/5 units off V at most, and l 201/100 units off L: then F_x is 18 units off at most, and F_z 33/2. *)
-Theorem cylinder_force_is_near : forall is_fused R w K anchor anchored rest d_head d_tail axis xv X zv L, parameters R w K -> coordinate xv X ->
+Theorem cylinder_force_is_near : forall is_fused R w K anchor anchored rest d_head d_tail axis xv X zv L, parameters R w K ->
+  coordinate xv X ->
   let v := cylinder_v is_fused anchor anchored rest d_head d_tail xv zv in
   let first := cylinder is_fused (to64 K) (to64 R) anchor anchored rest d_head d_tail axis xv zv in
   let rho := sqrt (X * X + L * L) in
@@ -76,7 +77,8 @@ Proof.
   assert (Hsumsize : size (-120) 28 (X * X + L * L)).
   { apply size_of; [destruct Sll as [S _]; rewrite Rabs_pos_eq in S by lra; change (-60 + -60)%Z with (-120)%Z in S; lra|].
     apply Rle_trans with (Rad * Rad); [rewrite <- Hrho2; nra|]. apply Rle_trans with (10000 * 10000); [nra|simpl; lra]. }
-  assert (Csum : computes (multiply_add is_fused xv xv (times l l)) ((201 / 100 + 201 / 100 + one) * (101 / 100) + one) (X * X + L * L) (2 * -60) (2 * 14)).
+  assert (Csum : computes (multiply_add is_fused xv xv (times l l)) ((201 / 100 + 201 / 100 + one) * (101 / 100) + one) (X * X + L * L)
+    (2 * -60) (2 * 14)).
   { exists (nearest64 (X * X + ll)). assert (Ssum : size (-121) 29 (X * X + ll)) by (apply (size_near _ _ _ _ _ Hsumsize Nsum); lra).
     assert (big : forall e, (e <= 1000)%Z -> forall a, Rabs a <= bpow radix2 e -> Rabs a <= bpow radix2 1000).
     { intros e He a Ha. apply Rle_trans with (1 := Ha). now apply bpow_le. }
@@ -91,7 +93,8 @@ Proof.
   set (n := ((201 / 100 + 201 / 100 + one) * (101 / 100) + one) / 2 + one) in *.
   assert (Hn : 4 <= n <= 404 / 100) by (unfold n; lra).
   (* R + rho *)
-  assert (Csum2 : computes (plus (to64 R) (square_root (multiply_add is_fused xv xv (times l l)))) (n / 2 * (101 / 100) + one) (Rad + rho) (-4) 15).
+  assert (Csum2 : computes (plus (to64 R) (square_root (multiply_add is_fused xv xv (times l l)))) (n / 2 * (101 / 100) + one)
+    (Rad + rho) (-4) 15).
   { destruct Crho as (r & Ir & Nr & Sr). exists (nearest64 (Rad + r)).
     pose proof (near_sum_with_larger n Rad r rho Nr ltac:(lra) ltac:(lra)) as N.
     assert (S : size (-4) 15 (Rad + rho)) by (apply size_of; simpl; lra).
@@ -106,7 +109,8 @@ Proof.
   { destruct Hv as (v' & Iv & Nv & _). rewrite (less_is _ _ _ _ zero_is Iv). apply Rlt_bool_true. now apply (near_sign _ _ _ Nv). }
   assert (Cup : computes (larger (times (to64 K) v) zero64) (0 + 17 / 5 + one) (k * V) (-10 + -60) (10 + 28)).
   { destruct Cup0 as (u & Iu & Nu & Su). exists u. split; [|split; assumption].
-    rewrite <- (Rmax_left u 0); [now apply larger_is; [|apply zero_is]|]. apply Rlt_le, (near_sign _ _ _ Nu). apply Rmult_lt_0_compat; lra. }
+    rewrite <- (Rmax_left u 0); [now apply larger_is; [|apply zero_is]|]. apply Rlt_le, (near_sign _ _ _ Nu).
+      apply Rmult_lt_0_compat; lra. }
   pose proof (computes_over _ _ _ _ _ _ _ _ _ _ Cup Cdown ltac:(lra) ltac:(lra) ltac:(lia) ltac:(lia)) as Cscale.
   set (scale := over (larger (times (to64 K) v) zero64) _) in Cscale.
   assert (Hscale : k * V / ((Rad + rho) * rho) = k * (Rad - rho) / rho) by (unfold V; field; lra).

@@ -39,7 +39,8 @@ Proof.
         replace (2 * k - 24)%Z with ((k - 24) + k)%Z by ring. rewrite bpow_plus.
         replace (3 / 2 * (bpow radix2 (k - 24) * bpow radix2 k)) with (bpow radix2 (k - 24) * (3 / 2 * bpow radix2 k)) by ring.
         apply Rmult_le_compat; try lra; [apply bpow_ge_0|].
-        assert (bpow radix2 (k - 1) = / 2 * bpow radix2 k) by (unfold Z.sub; rewrite bpow_plus; change (bpow radix2 (- (1))) with (/ 2); ring).
+        assert (bpow radix2 (k - 1) = / 2 * bpow radix2 k) by (unfold Z.sub; rewrite bpow_plus;
+          change (bpow radix2 (- (1))) with (/ 2); ring).
         lra. }
       pose proof (size_by (A * A - Y * Y) (A * A - C * C - Y * Y)) as S.
       replace (A * A - Y * Y - (A * A - C * C - Y * Y)) with (C * C) in S by ring. rewrite (Rabs_pos_eq (C * C)) in S by lra.
@@ -64,7 +65,8 @@ Proof.
   clearbody k. assert (HAD : D <= A).
   { apply Rsqr_incr_0_var; [|exact HA]. unfold Rsqr. pose proof (Rle_0_sqr C) as P. unfold Rsqr in P. lra. }
   pose proof (bpow_gt_0 radix2 k) as Pk.
-  assert (E1 : bpow radix2 (k - 1) = / 2 * bpow radix2 k) by (unfold Z.sub; rewrite bpow_plus; change (bpow radix2 (- (1))) with (/ 2); ring).
+  assert (E1 : bpow radix2 (k - 1) = / 2 * bpow radix2 k) by (unfold Z.sub; rewrite bpow_plus;
+    change (bpow radix2 (- (1))) with (/ 2); ring).
   assert (EN : A * A - C * C - Y * Y = (D - Y) * (D + Y)) by (rewrite <- HD2; ring).
   assert (Hne2 : A * A - C * C - Y * Y <> 0) by (rewrite EN; apply Rmult_integral_contrapositive_currified; lra).
   pose proof (squares_are_apart A C Y k GA GC GY Hk HY ltac:(lra) HC Hne2) as N. rewrite EN, Rabs_mult, (Rabs_pos_eq (D + Y)) in N by lra.
@@ -73,7 +75,8 @@ Proof.
   apply Rmult_le_reg_r with (5 * bpow radix2 k); [lra|].
   apply Rle_trans with (bpow radix2 (2 * k - 70)).
   - replace (2 * k - 70)%Z with (-70 + (k + k))%Z by ring. rewrite !bpow_plus.
-    replace (bpow radix2 (-74)) with (bpow radix2 (-70) * / 16) by (change (/ 16) with (bpow radix2 (-4)); rewrite <- bpow_plus; reflexivity).
+    replace (bpow radix2 (-74)) with (bpow radix2 (-70) * / 16) by (change (/ 16) with (bpow radix2 (-4)); rewrite <- bpow_plus;
+      reflexivity).
     pose proof (bpow_gt_0 radix2 (-70)).
     replace (bpow radix2 (-70) * / 16 * D * (5 * bpow radix2 k)) with (bpow radix2 (-70) * (/ 16 * D * (5 * bpow radix2 k))) by ring.
     apply Rmult_le_compat_l; [lra|]. replace (/ 16 * D * (5 * bpow radix2 k)) with (5 / 16 * D * bpow radix2 k) by field.

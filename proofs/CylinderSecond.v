@@ -119,7 +119,8 @@ Proof.
     destruct (second_v_is R w K _ X _ Z Hp Cx Cz) as (Cv & _ & _). cbv zeta in Cv. pose proof (sign_is_right _ _ Cv) as S.
     pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [_ Hd2].
     set (rho := distance_from_axis (value32 R) (value32 w) X Z) in *. unfold touches.
-    assert (EV : (value32 w / 2 - X) * (value32 w / 2 + X) - Z * (Z + axis_depth (value32 R) (value32 w) + axis_depth (value32 R) (value32 w))
+    assert (EV : (value32 w / 2 - X) * (value32 w / 2 + X) - Z * (Z + axis_depth (value32 R) (value32 w) + axis_depth (value32 R)
+      (value32 w))
       = value32 R * value32 R - rho * rho).
     { rewrite Q. replace (value32 R * value32 R) with (axis_depth (value32 R) (value32 w) * axis_depth (value32 R) (value32 w) +
         value32 w / 2 * (value32 w / 2)) by lra. unfold L. ring. }
@@ -146,7 +147,8 @@ Proof.
   rewrite Rabs_R0. lra.
   - assert (BKR : / 1000 * / 10 <= value32 K * value32 R <= 1000 * 10000) by (split; apply Rmult_le_compat; lra).
     assert (EKR : encloses (3 * (0 + 0) + 3 * share101) (multiply (exactly64 (to64 K)) (exactly64 (to64 R))) (value32 K * value32 R)).
-    { apply encloses_multiply; try lra; [apply encloses_exact, exactly_is; now apply to64_is_exact|apply encloses_exact, exactly_is; now apply
+    { apply encloses_multiply; try lra; [apply encloses_exact, exactly_is;
+      now apply to64_is_exact|apply encloses_exact, exactly_is; now apply
         to64_is_exact|]. right. right. rewrite Rabs_pos_eq; lra. }
     pose proof (first_size _ _ _ EKR ltac:(lra)) as S. rewrite (Rabs_pos_eq (value32 K * value32 R)) in S by lra.
     apply (enclosed_component _ _ _ EKR); lra.

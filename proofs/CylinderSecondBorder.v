@@ -88,7 +88,8 @@ Proof.
   assert (P2 : 0 <= Rabs Z * (share101 * Rabs M)) by (apply Rmult_le_pos; lra).
   assert (P3 : 0 <= Rabs Z * tiny <= 10000 * tiny) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   set (g := 450 * (share101 * d + tiny) + 10 * (share101 * Rabs M)) in *.
-  assert (EZg : Rabs Z * g = 450 * (Rabs Z * (share101 * d)) + 450 * (Rabs Z * tiny) + 10 * (Rabs Z * (share101 * Rabs M))) by (unfold g; ring).
+  assert (EZg : Rabs Z * g = 450 * (Rabs Z * (share101 * d)) + 450 * (Rabs Z * tiny) + 10 * (Rabs Z * (share101 * Rabs M))) by
+    (unfold g; ring).
   destruct (Req_dec M 0) as [M0|M0].
   - assert (B0 : B = 0) by (unfold B; rewrite M0; ring). specialize (Nm M0).
     assert (Rabs M = 0) as RM0 by (rewrite M0; apply Rabs_R0).

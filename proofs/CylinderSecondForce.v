@@ -27,7 +27,8 @@ Proof.
   destruct (l_is_near R w K zv Z Hp Cz) as [[C E N A] BL]. set (d := axis_depth (value32 R) (value32 w)) in *. fold L in C, E, N, A, BL.
   destruct (depth_enclosed R w K Hp) as [_ Bd]. fold d in Bd. assert (Bd2 : 0 <= d <= 10000) by lra. clear Bd.
   split; [exact BL|]. fold l in C, E, N.
-  assert (Bsd : 0 <= share101 * d <= / 1000000000000000000000000000000 * 10000) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat; lra]).
+  assert (Bsd : 0 <= share101 * d <= / 1000000000000000000000000000000 * 10000) by (split;
+    [apply Rmult_le_pos; lra|apply Rmult_le_compat; lra]).
   pose proof (Rabs_pos L) as PL.
   destruct (Req_dec L 0) as [L0|L0].
   - left. split; [exact L0|]. split; [now apply N|]. rewrite L0, Rabs_R0, Rmult_0_r in E. lra.
@@ -51,10 +52,12 @@ Proof.
   destruct (l_is R w K zv Z Hp Cz) as [BL Hl]. fold L in BL, Hl. set (l := second_l R w zv) in *.
   pose proof (coordinate_range _ _ Cx) as BX. pose proof (coordinate_is _ _ Cx) as Ix.
   assert (LX : X = 0 \/ / 2000000000000000000 <= X * X).
-  { destruct (coordinate_not_tiny _ _ Cx) as [H|H]; [now left|right]. simpl in H. rewrite <- (Rabs_pos_eq (X * X)), Rabs_mult by apply Rle_0_sqr.
+  { destruct (coordinate_not_tiny _ _ Cx) as [H|H]; [now left|right]. simpl in H.
+    rewrite <- (Rabs_pos_eq (X * X)), Rabs_mult by apply Rle_0_sqr.
     apply Rle_trans with (/ 1073741824 * / 1073741824); [lra|apply Rmult_le_compat; lra]. }
   assert (BXX : 0 <= X * X <= 100000000).
-  { split; [apply Rle_0_sqr|]. rewrite <- (Rabs_pos_eq (X * X)), Rabs_mult by apply Rle_0_sqr. replace 100000000 with (10000 * 10000) by ring.
+  { split; [apply Rle_0_sqr|]. rewrite <- (Rabs_pos_eq (X * X)), Rabs_mult by apply Rle_0_sqr.
+    replace 100000000 with (10000 * 10000) by ring.
     apply Rmult_le_compat; try apply Rabs_pos; lra. }
   assert (Ex : encloses 0 (exactly64 xv) X) by now apply encloses_exact, exactly_is.
   assert (Exx : encloses (3 * share101) (multiply (exactly64 xv) (exactly64 xv)) (X * X)).
@@ -149,7 +152,8 @@ Proof.
   assert (EV : (c - X) * (c + X) - Z * (Z + d + d) = Rad * Rad - rho * rho).
   { rewrite Q. replace (Rad * Rad) with (d * d + c * c) by lra. ring. }
   rewrite EV in C. pose proof (positive_encloses _ _ C Pos) as [E1 _]. split; [exact E1|]. split; [exact Low|].
-  set (RR := Rad * Rad) in *. assert (BRR : / 100 <= RR) by (unfold RR; replace (/ 100) with (/ 10 * / 10) by field; apply Rmult_le_compat; lra).
+  set (RR := Rad * Rad) in *. assert (BRR : / 100 <= RR) by (unfold RR; replace (/ 100) with (/ 10 * / 10) by field;
+    apply Rmult_le_compat; lra).
   assert (Brr : 0 <= rho * rho <= RR) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat; lra]).
   assert (small : forall Y Y', Y * Y + Y' * Y' = rho * rho -> Rabs Y <= Rad).
   { intros Y Y' H. rewrite <- (Rabs_pos_eq Rad) by lra. apply Rsqr_le_abs_0. unfold Rsqr. fold RR.
@@ -192,7 +196,8 @@ Proof.
   assert (IK : encloses 0 (exactly64 (to64 K)) (value32 K)) by now apply encloses_exact, exactly_is.
   set (Rad := value32 R) in *. set (k := value32 K) in *. set (RR := Rad * Rad) in *.
   assert (BRR : / 100 <= RR <= 100000000).
-  { unfold RR. split; [replace (/ 100) with (/ 10 * / 10) by field|replace 100000000 with (10000 * 10000) by ring]; apply Rmult_le_compat; lra. }
+  { unfold RR. split; [replace (/ 100) with (/ 10 * / 10) by field|replace 100000000 with (10000 * 10000) by ring];
+    apply Rmult_le_compat; lra. }
   assert (E1 : encloses (229 / 1000000) (add (exactly64 (to64 R)) r) (Rad + rho)).
   { apply encloses_more with (3 * (0 + 76 / 1000000) + 3 * share101); [|lra]. apply encloses_add; trivial; try lra; right; lra. }
   pose proof (first_size _ _ _ E1 ltac:(lra)) as S1. pose proof (first_size _ _ _ Er ltac:(lra)) as S2.
@@ -209,14 +214,16 @@ Proof.
   assert (Ekv : Rabs (value64 (hi (exactly64 (to64 K)))) * Rabs (value64 (hi v)) = k * value64 (hi v)).
   { cbn [exactly64 hi]. rewrite (proj1 VK). fold k. rewrite !Rabs_pos_eq by lra. reflexivity. }
   assert (Bkv : / 1000 * / 100000000000000000000000000000000000000000000000000 <= k * value64 (hi v) <= 1003 / 1000 * (k * RR)).
-  { split; [apply Rmult_le_compat; lra|]. replace (1003 / 1000 * (k * RR)) with (k * (1003 / 1000 * RR)) by ring. apply Rmult_le_compat_l; lra. }
+  { split; [apply Rmult_le_compat; lra|]. replace (1003 / 1000 * (k * RR)) with (k * (1003 / 1000 * RR)) by ring.
+    apply Rmult_le_compat_l; lra. }
   assert (BkRR : 0 <= k * RR <= 1000 * 100000000) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat; lra]).
   destruct (multiply_encloses 0 1 _ _ _ _ IK Ev ltac:(lra) ltac:(lra) ltac:(lra)) as (E3 & _ & S4).
   { rewrite Ekv. right. lra. }
   rewrite Ekv in S4. set (N := multiply (exactly64 (to64 K)) v) in *. set (n := Rabs (value64 (hi N))) in *.
   assert (Bdd : 970 / 1000 * ((Rad + rho) * rho) <= dd <= 105 / 100 * ((Rad + rho) * rho)) by lra.
   assert (Idd : 0 < dd) by lra. assert (Bnd : n / dd * dd = n) by (field; lra).
-  assert (Bq : / 1000000000000000000000000000000000000000000000000000000000000 * / 50 <= n / dd <= 1000000000000000000000000000000000000000000).
+  assert (Bq : / 1000000000000000000000000000000000000000000000000000000000000 * / 50 <= n / dd <=
+    1000000000000000000000000000000000000000000).
   { split; apply Rmult_le_reg_r with dd; lra. }
   destruct (divide_encloses (3 * (0 + 1) + 3 * share101) (3 * (229 / 1000000 + 76 / 1000000) + 3 * share101) N D _ _ E3 E2) as [E4 S5];
     [lra|lra|fold n; lra|fold dd; lra|fold n dd; lra|].

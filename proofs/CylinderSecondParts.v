@@ -5,7 +5,8 @@ From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits Mult_error.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap Polygons Cylinder.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds DoubleDoubleTerms Separation Enclosures.
-From Forceshade Require Import EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondAlong TwoPolygonsGap Contained CylinderNearness.
+From Forceshade Require Import EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondAlong TwoPolygonsGap Contained
+  CylinderNearness.
 Open Scope R_scope.
 
 Lemma root_of_square : forall a a_lo d, is64 a (d * d) -> is64 a_lo 0 -> in_binary64 d -> 0 < d <= 100000 ->
@@ -94,10 +95,12 @@ Lemma depth_is_near : forall R w K, parameters R w K -> let d := axis_depth (val
   value64 (error (computed_depth R w)) <= 667 / 10 * (share101 * d) /\ 0 <= share101 * d <= 1.
 Proof.
   intros R w K Hp d. pose proof share_is_small as Hsh. destruct (depth_enclosed R w K Hp) as [Ed Bd]. fold d in Ed, Bd.
-  pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2]. fold d in Hd0, Hd2.
+  pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
+    fold d in Hd0, Hd2.
   assert (Bd2 : 0 <= d <= 10000) by lra. pose proof (first_size _ _ _ Ed ltac:(lra)) as Sd. rewrite (Rabs_pos_eq d) in Sd by lra.
   split; [apply (enclosed_is_contained _ _ _ Ed); [lra|rewrite Rabs_pos_eq; lra]|]. split; [lra|]. split.
-  - apply Rle_trans with (1 := enclosed_error _ _ _ Ed). replace (667 / 10 * (share101 * d)) with (66 * share101 * (667 / 660 * d)) by field.
+  - apply Rle_trans with (1 := enclosed_error _ _ _ Ed). replace (667 / 10 * (share101 * d)) with
+    (66 * share101 * (667 / 660 * d)) by field.
     apply Rmult_le_compat_l; lra.
   - split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (/ 10000 * 10000); [apply Rmult_le_compat; lra|lra].
 Qed.
@@ -107,7 +110,8 @@ Lemma l_is_near : forall R w K zv Z, parameters R w K -> coordinate zv Z -> let 
 Proof.
   intros R w K zv Z Hp Cz d. pose proof share_is_small as Hsh. pose proof tiny_is_tinier as Htiny.
   destruct (depth_enclosed R w K Hp) as [Ed Bd]. fold d in Ed, Bd. pose proof (half_width_coordinate _ _ _ Hp) as Cc.
-  pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2]. fold d in Hd0, Hd2.
+  pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
+    fold d in Hd0, Hd2.
   assert (Bd2 : 0 <= d <= 10000) by lra. pose proof (coordinate_range _ _ Cz) as BZ. pose proof (coordinate_is _ _ Cz) as Iz.
   assert (LZ : Z = 0 \/ / 1100000000 <= Rabs Z).
   { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }
@@ -118,7 +122,8 @@ Proof.
     destruct Bd as [Bd|Bd]; [now left|right; rewrite Rabs_pos_eq; lra]. }
   assert (Czz : contains (exactly64 zv) Z) by (apply (enclosed_is_contained 0); [now apply encloses_exact|lra|lra]).
   destruct (depth_is_near R w K Hp) as (Cd & Sd & Dd2 & Bsd). fold d in Cd, Sd, Dd2, Bsd.
-  pose proof (sum_error _ _ _ _ _ Czz Cd C ltac:(cbn [exactly64 error]; change (value64 zero64) with 0; lra) ltac:(lra)) as Er. cbv zeta in Er.
+  pose proof (sum_error _ _ _ _ _ Czz Cd C ltac:(cbn [exactly64 error]; change (value64 zero64) with 0; lra) ltac:(lra)) as Er.
+    cbv zeta in Er.
   change (add (exactly64 zv) (computed_depth R w)) with (second_l R w zv) in Er. cbn [exactly64 error] in Er.
   change (value64 zero64) with 0 in Er.
   destruct (contained_size _ _ C) as (_ & Sl & _ & _).
@@ -130,7 +135,8 @@ Proof.
       assert (share101 * e <= / 2000 * e) by (apply Rmult_le_compat_r; lra). lra. }
     pose proof (Rabs_pos (Z + d)). assert (0 <= share101 * Rabs (Z + d)) by (apply Rmult_le_pos; lra). lra.
   - intro L0. assert (Gd : in_binary32 d) by (replace d with (- Z) by lra; apply generic_format_opp; exact (coordinate_format _ _ Cz)).
-    destruct (exact_l R w K zv Z Hp Iz Gd) as [H L]; [fold d; rewrite L0; apply generic_format_0|exact BZ|fold d; rewrite Rabs_pos_eq; lra|].
+    destruct (exact_l R w K zv Z Hp Iz Gd) as [H L]; [fold d; rewrite L0; apply generic_format_0|exact BZ|fold d;
+      rewrite Rabs_pos_eq; lra|].
     fold d in H. rewrite L0 in H. split; [exact H|]. split; [exact L|]. destruct C as (_ & _ & f & _ & _ & F & _ & Hf & _). now exists f.
   - destruct (Req_dec (Z + d) 0) as [L0|L0]; [now left|right]. destruct Bd as [Bd|Bd].
     + rewrite Bd, Rplus_0_r, Rmult_0_r in *. destruct LZ as [LZ|LZ]; [contradiction|]. lra.
@@ -147,7 +153,8 @@ Proof.
   intros R w K zv Z Hp Cz d. pose proof share_is_small as Hsh. pose proof tiny_is_tinier as Htiny.
   destruct (l_is_near R w K zv Z Hp Cz) as [[Cl El _ _] BL]. fold d in Cl, El, BL.
   destruct (depth_enclosed R w K Hp) as [Ed Bd]. fold d in Ed, Bd.
-  pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2]. fold d in Hd0, Hd2.
+  pose proof Hp as (_ & HR & Hw & _). destruct (depth_squared (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as [Hd0 Hd2].
+    fold d in Hd0, Hd2.
   assert (Bd2 : 0 <= d <= 10000) by lra. pose proof (coordinate_range _ _ Cz) as BZ. pose proof (coordinate_is _ _ Cz) as Iz.
   assert (LZ : Z = 0 \/ / 1100000000 <= Rabs Z).
   { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [now left|right]. simpl in L. lra. }
@@ -184,7 +191,8 @@ Proof.
       assert (share101 * e <= / 2000 * e) by (apply Rmult_le_compat_r; lra). lra. }
     lra.
   - intro M0. assert (Gd : in_binary32 d).
-    { replace d with (- Z / 2) by (unfold M, L in M0; lra). apply half_format; [apply generic_format_opp; exact (coordinate_format _ _ Cz)|].
+    { replace d with (- Z / 2) by (unfold M, L in M0; lra). apply half_format;
+      [apply generic_format_opp; exact (coordinate_format _ _ Cz)|].
       rewrite Rabs_Ropp. destruct LZ as [LZ|LZ]; [left; rewrite LZ; ring|right; lra]. }
     assert (EL : L = - d) by (unfold M in M0; lra).
     assert (Gd64 : in_binary64 d) by (apply generic_inclusion_mag with fexp32; [intros _; unfold FLT_exp; lia|exact Gd]).

@@ -58,7 +58,8 @@ Proof.
   { assert (Rsqr (value32 R) = Rsqr (value32 w / 2)) by (unfold Rsqr; rewrite D0 in Hd2; lra). apply Rsqr_inj; lra. }
   assert (Ev : half_width w = to64 R).
   { apply B2R_inj; [| |rewrite (proj1 IR), (proj1 Ic); lra]; apply strictly_finite; [rewrite (proj1 Ic)|rewrite (proj1 IR)]; lra. }
-  pose proof (exact_third _ _ IR) as TR. destruct (tight_cases 2048 1074 (-2048) _ _ ltac:(lia) ltac:(numbers; lia) TR) as [[_ R0]|(_ & Z & _)];
+  pose proof (exact_third _ _ IR) as TR. destruct (tight_cases 2048 1074 (-2048) _ _ ltac:(lia) ltac:(numbers; lia) TR) as
+    [[_ R0]|(_ & Z & _)];
     [lra|].
   assert (X : is_exact_zero (subtract 2048 (number (to64 R)) (number (half_width w))) = true).
   { rewrite Ev. unfold subtract. apply less_itself; [exact Z|]. destruct (to64 R); reflexivity. }
@@ -90,7 +91,8 @@ Lemma v_bounded : forall R w K x X z Z, parameters R w K -> coordinate (to64 x) 
   let d := axis_depth (value32 R) (value32 w) in
   bounded 2048 1600000 (-1950) 37 (v_third R w x z) ((value32 w / 2 - X) * (value32 w / 2 + X) - Z * (Z + d + d)).
 Proof.
-  intros R w K x X z Z Hp Cx Cz d. pose proof (depth_bounded R w K Hp) as Bd. pose proof (l_bounded R w K z Z Hp Cz) as Bl. fold d in Bd, Bl.
+  intros R w K x X z Z Hp Cx Cz d. pose proof (depth_bounded R w K Hp) as Bd. pose proof (l_bounded R w K z Z Hp Cz) as Bl.
+    fold d in Bd, Bl.
   pose proof (half_width_coordinate _ _ _ Hp) as Cc.
   pose proof (input_bounded _ _ (half_width_is _ _ _ Hp) (coordinate_range _ _ Cc)) as Bc.
   pose proof (input_bounded _ _ (coordinate_is _ _ Cx) (coordinate_range _ _ Cx)) as Bx.
@@ -249,7 +251,8 @@ Proof.
   set (s := value32 K * (value32 R - rho) / rho) in *.
   assert (size : forall Y Y', rho * rho = Y * Y + Y' * Y' -> Rabs (s * Y) <= 10000000).
   { intros Y Y' H. assert (BY : Rabs Y <= rho).
-    { rewrite <- (Rabs_pos_eq rho) by lra. apply Rsqr_le_abs_0. unfold Rsqr. rewrite H. pose proof (Rle_0_sqr Y') as S. unfold Rsqr in S. lra. }
+    { rewrite <- (Rabs_pos_eq rho) by lra. apply Rsqr_le_abs_0. unfold Rsqr. rewrite H. pose proof (Rle_0_sqr Y') as S.
+      unfold Rsqr in S. lra. }
     assert (Hs : 0 <= s) by (unfold s; apply Rmult_le_pos; [apply Rmult_le_pos; lra|apply Rlt_le, Rinv_0_lt_compat; lra]).
     rewrite Rabs_mult, (Rabs_pos_eq s) by exact Hs. apply Rle_trans with (s * rho); [now apply Rmult_le_compat_l|].
     replace (s * rho) with (value32 K * (value32 R - rho)) by (unfold s; field; lra).

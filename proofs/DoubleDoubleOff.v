@@ -115,7 +115,8 @@ Proof.
   replace (- h + - l - - x) with (- (h + l - x)) by ring. now rewrite Rabs_Ropp.
 Qed.
 
-Lemma is_off_more : forall a x e b c g e' b' c' g', is_off a x e b c g -> e <= e' -> b <= b' -> c <= c' -> g <= g' -> is_off a x e' b' c' g'.
+Lemma is_off_more : forall a x e b c g e' b' c' g', is_off a x e b c g -> e <= e' -> b <= b' -> c <= c' -> g <= g' ->
+  is_off a x e' b' c' g'.
 Proof.
   intros a x e b c g e' b' c' g' (h & l & k & H & L & K & E & Bh & Bl & Bk) He Hb Hc Hg. exists h, l, k. repeat (split; [assumption|]).
   repeat split; lra.
@@ -160,7 +161,8 @@ Proof.
   { replace (h + h') with ((x + x') + (h + l - x) + (h' + l' - x') - (l + l')) by ring. apply Rle_trans with (1 := minus_size _ _).
     pose proof (Rabs_triang (x + x' + (h + l - x)) (h' + l' - x')). pose proof (Rabs_triang (x + x') (h + l - x)).
     pose proof (Rabs_triang l l'). lra. }
-  destruct (sum_of_is_off _ _ _ _ h l h' l' S L H L1 H' L' ltac:(lra) ltac:(lra) Hhh ltac:(lra) ltac:(lra)) as (p & q & P & Q & Epq & Bp & Bq & _ & T).
+  destruct (sum_of_is_off _ _ _ _ h l h' l' S L H L1 H' L' ltac:(lra) ltac:(lra) Hhh ltac:(lra) ltac:(lra)) as
+    (p & q & P & Q & Epq & Bp & Bq & _ & T).
   assert (I : is64 (plus (error a) (error b)) (nearest64 (k + k'))).
   { apply plus_is; try assumption. apply big_enough. rewrite Rabs_pos_eq; lra. }
   pose proof (rounded_sum_of_errors k k' (g + g') ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as R.
@@ -190,7 +192,8 @@ Proof.
   subst M. set (M := m * m') in *.
   assert (Low : / 1000 * M <= Rabs (h * h')).
   { rewrite Rabs_mult. unfold M in *. apply Rle_trans with (/ 15 * m * (/ 15 * m')); [lra|]. apply Rmult_le_compat; lra. }
-  destruct (product_of_is_off _ _ _ _ h l h' l' m m' H L1 H' L' Bh Bh' ltac:(lra) ltac:(lra) ltac:(fold M; lra) Low) as (p & q & P & Q & Epq & Bp & Bq).
+  destruct (product_of_is_off _ _ _ _ h l h' l' m m' H L1 H' L' Bh Bh' ltac:(lra) ltac:(lra) ltac:(fold M; lra) Low) as
+    (p & q & P & Q & Epq & Bp & Bq).
   fold M in Epq, Bp, Bq.
   assert (one : forall a A, 0 <= a <= A -> A <= 1000 -> 0 <= nearest64 a <= 100001 / 100000 * A + tiny /\ not_too_large a).
   { intros a0 A Ha HA. split; [pose proof (rounded_up a0 A Ha); pose proof (unit_times A ltac:(lra)); lra|].
@@ -223,9 +226,11 @@ Lemma is_off_divide : forall a b x e m c g x' e' m' c' g' d Q E, is_off a x e m 
   / 10000000000 <= d -> d <= Rabs x' - e' - c' -> m' <= 1000 -> c' <= 2 * (unit53 * d) -> g' <= / 2 * d ->
   m <= Q * d -> c <= Q * d -> / 1000000000000000000000000000000000000 <= Q * d -> Q <= 1000 ->
   Rabs (x / x') <= Q -> g + 3 * Q * g' <= E * d -> E <= 10 -> / 100000000000000000000 <= E -> d <= 1000 ->
-  is_off (divide a b) (x / x') (102 / 100 * (e + Q * e') / d + 20 * (unit53 * Q)) (3 * Q) (5 * (unit53 * Q)) (10 * E + 4 / 1000000000000 * Q).
+  is_off (divide a b) (x / x') (102 / 100 * (e + Q * e') / d + 20 * (unit53 * Q)) (3 * Q) (5 * (unit53 * Q))
+    (10 * E + 4 / 1000000000000 * Q).
 Proof.
-  intros a b x e m c g x' e' m' c' g' d Q E (h & l & k & H & L1 & K & Eh & Bh & Bl & Bk) (h' & l' & k' & H' & L' & K' & Eh' & Bh' & Bl' & Bk')
+  intros a b x e m c g x' e' m' c' g' d Q E (h & l & k & H & L1 & K & Eh & Bh & Bl & Bk)
+    (h' & l' & k' & H' & L' & K' & Eh' & Bh' & Bl' & Bk')
     Hd Hdx Hm' Hc' Hg' Hm Hc HQd HQ HxQ HE HE2 HE3 Hd2. pose proof tiny_is_tiny as Htiny. pose proof unit_is_small as Hu.
   pose proof (size_by x' (h' + l')) as S1. rewrite (Rabs_minus_sym x') in S1. pose proof (Rabs_triang h' l') as S2.
   assert (Hdh : d <= Rabs h') by lra. assert (HQ0 : 0 < Q) by (apply Rmult_lt_reg_r with d; lra).

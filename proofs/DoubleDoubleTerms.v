@@ -311,7 +311,8 @@ Lemma product_of_is_off : forall a a_lo b b_lo h l c k H K, let M := H * K in is
     Rabs (p + q - (h + l) * (c + k)) <= 7 * (unit53 * (unit53 * M)) /\ Rabs p <= 101 / 100 * M /\ Rabs q <= 101 / 100 * (unit53 * M).
 Proof.
   intros a a_lo b b_lo h l c k H K M Ha Hl Hb Hk Bh Bc Bl Bk HM Hlow.
-  destruct (product_of_parts a a_lo b b_lo h l c k H K Ha Hl Hb Hk Bh Bc Bl Bk) as (p & q & P & Q & E & Bp & Bq & _); [fold M; lra|exact Hlow|].
+  destruct (product_of_parts a a_lo b b_lo h l c k H K Ha Hl Hb Hk Bh Bc Bl Bk) as (p & q & P & Q & E & Bp & Bq & _);
+    [fold M; lra|exact Hlow|].
   exists p, q. split; [exact P|]. split; [exact Q|]. split; [exact E|]. split; [exact Bp|exact Bq].
 Qed.
 

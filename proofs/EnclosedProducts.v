@@ -82,7 +82,8 @@ Proof.
   intros s t a b x y M Ea Eb Hs Ht Hst HM. assert (Hshare : 0 < share101) by (unfold share101; lra).
   destruct (Req_dec M 0) as [H0|Hne].
   { assert (Hz : value64 (hi a) = 0 \/ value64 (hi b) = 0).
-    { unfold M in H0. rewrite <- Rabs_mult in H0. destruct (Req_dec (value64 (hi a) * value64 (hi b)) 0) as [E|E]; [now apply Rmult_integral|].
+    { unfold M in H0. rewrite <- Rabs_mult in H0. destruct (Req_dec (value64 (hi a) * value64 (hi b)) 0) as [E|E];
+      [now apply Rmult_integral|].
       pose proof (Rabs_pos_lt _ E). lra. }
     pose proof (multiply_with_zero s t a b x y Ea Eb Hz) as I.
     assert (Exy : x * y = 0).
@@ -186,7 +187,8 @@ Theorem encloses_multiply : forall s t a b x y, encloses s a x -> encloses t b y
 Proof.
   intros s t a b x y Ea Eb Hs Ht Hxy. pose proof (first_size _ _ _ Ea Hs) as Sa. pose proof (first_size _ _ _ Eb Ht) as Sb.
   pose proof (Rabs_pos x) as Px. pose proof (Rabs_pos y) as Py. rewrite Rabs_mult in Hxy.
-  apply multiply_encloses; trivial; [lra|lra|assert (s * t <= s * / 1000) by (apply Rmult_le_compat_l; lra); lra|]. set (h := Rabs (value64 (hi a))) in *. set (c := Rabs (value64 (hi b))) in *.
+  apply multiply_encloses; trivial; [lra|lra|assert (s * t <= s * / 1000) by (apply Rmult_le_compat_l; lra); lra|].
+    set (h := Rabs (value64 (hi a))) in *. set (c := Rabs (value64 (hi b))) in *.
   destruct Hxy as [->|[->|Hxy]]; [left; rewrite Rabs_R0 in Sa; replace h with 0 by lra; ring|
     left; rewrite Rabs_R0 in Sb; replace c with 0 by lra; ring|right]. split.
   - apply Rle_trans with ((99 / 100 * Rabs x) * (99 / 100 * Rabs y)); [lra|apply Rmult_le_compat; lra].

@@ -218,7 +218,8 @@ Proof.
   { unfold r0. split; [apply Rmult_le_pos; [unfold N; lra|apply Rlt_le, Rinv_0_lt_compat; lra]|].
     apply Rmult_le_reg_r with z; [exact Bz2|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
     apply Rle_trans with (102 / 100 * (s * Q + 101 / 100 * (t * Q)) * (99 / 100 * C)); [|apply Rmult_le_compat_l; lra].
-    replace (102 / 100 * (s * Q + 101 / 100 * (t * Q)) * (99 / 100 * C)) with (10098 / 10000 * (s * Q * C + 101 / 100 * (t * Q * C))) by field.
+    replace (102 / 100 * (s * Q + 101 / 100 * (t * Q)) * (99 / 100 * C)) with
+      (10098 / 10000 * (s * Q * C + 101 / 100 * (t * Q * C))) by field.
     unfold N. lra. }
   pose proof (unit_times r0 (proj1 Hr0)) as Ur0. pose proof (unit_times _ (proj1 Ur0)) as UUr0.
   assert (Low : r0 - 4 * (unit53 * r0) - 3 * (tiny / z) <= num / z <= 101 / 100 * r0 + 3 * (tiny / z)).
@@ -235,7 +236,8 @@ Proof.
       ltac:(lra)) as (g & G & Bg).
   assert (Hshare_p : 31 * (unit53 * uQ) <= 98 / 100 * (share101 * Rabs p)).
   { rewrite share_is. replace (98 / 100 * (32 * (unit53 * unit53) * Rabs p)) with (unit53 * (unit53 * (98 / 100 * 32 * Rabs p))) by ring.
-    replace (31 * (unit53 * uQ)) with (unit53 * (unit53 * (31 * Q))) by (unfold uQ; ring). apply unit_times_compat, unit_times_compat. lra. }
+    replace (31 * (unit53 * uQ)) with (unit53 * (unit53 * (31 * Q))) by (unfold uQ; ring).
+      apply unit_times_compat, unit_times_compat. lra. }
   assert (TQ : 100000000000000000000000000000000000 * tiny <= / 10000000 * (unit53 * uQ)).
   { apply Rle_trans with (/ 10000000 * (unit53 * (unit53 * / 10000000000000000000000000000000000000000000000000000000000000000000000)));
       [unfold unit53; lra|]. apply Rmult_le_compat_l; [lra|].
@@ -346,7 +348,8 @@ Proof.
     - replace 1000000 with (sqrt (1000000 * 1000000)) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
   absolute_values. assert (Hy : 0 < y) by lra.
   assert (Bq : Rabs q <= unit53 * y).
-  { pose proof (rounding_rest (y + q)) as T. rewrite <- Ey, (Rabs_pos_eq y) in T by lra. replace (y + q - y) with q in T by ring. apply T. lra. }
+  { pose proof (rounding_rest (y + q)) as T. rewrite <- Ey, (Rabs_pos_eq y) in T by lra. replace (y + q - y) with q in T by ring.
+    apply T. lra. }
   assert (Hey : 0 <= e / y <= 11 / 10 * (s * y)).
   { split; [apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]|]. apply Rmult_le_reg_r with y; [lra|].
     unfold Rdiv at 1. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply Rle_trans with (1 := proj2 Be). rewrite <- Hr2.

@@ -14,7 +14,8 @@ Lemma small_sums_are_exact : forall e f, in_binary64 e -> in_binary64 f -> Rabs 
 Proof.
   intros e f He Hf B. apply round_generic; auto with typeclass_instances. apply (format_of_multiple (-1074)); [lia| |exact B].
   change (- -1074)%Z with (Z.max 1074 1074).
-  apply multiple_plus; (eapply multiple_finer; [apply multiple_of_format; assumption|]); [pose proof (cexp_at_least e)|pose proof (cexp_at_least f)];
+  apply multiple_plus; (eapply multiple_finer; [apply multiple_of_format; assumption|]);
+    [pose proof (cexp_at_least e)|pose proof (cexp_at_least f)];
     lia.
 Qed.
 
@@ -94,8 +95,10 @@ Proof.
     destruct (error_covers _ p _ r 10000000000000000000000000000000000000000 P I ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg).
     assert (30 * (unit53 * (unit53 * Rabs p)) <= 98 / 100 * (share101 * Rabs p)).
     { rewrite share_is. replace (98 / 100 * (32 * (unit53 * unit53) * Rabs p)) with (unit53 * (unit53 * (98 / 100 * 32 * Rabs p))) by ring.
-      replace (30 * (unit53 * (unit53 * Rabs p))) with (unit53 * (unit53 * (30 * Rabs p))) by ring. apply unit_times_compat, unit_times_compat. lra. }
-    pose proof (close p q _ Off ltac:(lra)) as D. exists p, q, g. repeat (split; [assumption|]). split; [pose proof (Rabs_pos (p + q - (x + y))); lra|].
+      replace (30 * (unit53 * (unit53 * Rabs p))) with (unit53 * (unit53 * (30 * Rabs p))) by ring.
+        apply unit_times_compat, unit_times_compat. lra. }
+    pose proof (close p q _ Off ltac:(lra)) as D. exists p, q, g. repeat (split; [assumption|]).
+      split; [pose proof (Rabs_pos (p + q - (x + y))); lra|].
     split; lra. }
   assert (exactly : forall p q, is64 (fst (sum_of (hi a) (lo a) (hi b) (lo b))) p -> is64 (snd (sum_of (hi a) (lo a) (hi b) (lo b))) q ->
     Rabs q <= unit53 * Rabs p -> Rabs p <= 100000000000 -> p + q = h + l + (c + k) -> exists h l e0,
@@ -128,12 +131,14 @@ Proof.
       destruct Low as [[Zh Zc]|Low]; [|lra]. exfalso. apply H0. unfold S. rewrite Zh, Zc, Rplus_0_l. apply Rabs_R0.
   - assert (LL : / 10000000000000000000000000000000000000000 <= Rabs h /\
       / 10000000000000000000000000000000000000000 <= Rabs c) by (destruct Low as [[_ Z]|Low]; [rewrite Z, Rabs_R0 in F2|]; lra).
-    destruct (sum_of_cancelling _ _ _ _ h l c k H L H' L' Bl Bk ltac:(lra) ltac:(lra) ltac:(fold S; lra) ltac:(fold S; lra) ltac:(lra) ltac:(lra)
+    destruct (sum_of_cancelling _ _ _ _ h l c k H L H' L' Bl Bk ltac:(lra) ltac:(lra) ltac:(fold S; lra) ltac:(fold S; lra)
+      ltac:(lra) ltac:(lra)
       ltac:(lra) ltac:(lra)) as (p & q & P & Q & Bq & Bp & [Eq|[Lp Off]]); [now apply (exactly p q)|apply (inexact p q); trivial; [lra|]].
     apply Rle_trans with (1 := Off). pose proof (unit_times _ (Rabs_pos p)) as Up. pose proof (unit_times _ (proj1 Up)). lra.
   - assert (LL : / 10000000000000000000000000000000000000000 <= Rabs h /\
       / 10000000000000000000000000000000000000000 <= Rabs c) by (destruct Low as [[Z _]|Low]; [rewrite Z, Rabs_R0 in F1|]; lra).
-    destruct (sum_of_cancelling _ _ _ _ h l c k H L H' L' Bl Bk ltac:(lra) ltac:(lra) ltac:(fold S; lra) ltac:(fold S; lra) ltac:(lra) ltac:(lra)
+    destruct (sum_of_cancelling _ _ _ _ h l c k H L H' L' Bl Bk ltac:(lra) ltac:(lra) ltac:(fold S; lra) ltac:(fold S; lra)
+      ltac:(lra) ltac:(lra)
       ltac:(lra) ltac:(lra)) as (p & q & P & Q & Bq & Bp & [Eq|[Lp Off]]); [now apply (exactly p q)|apply (inexact p q); trivial; [lra|]].
     apply Rle_trans with (1 := Off). pose proof (unit_times _ (Rabs_pos p)) as Up. pose proof (unit_times _ (proj1 Up)). lra.
 Qed.
@@ -170,12 +175,14 @@ Qed.
 
 (* ---- Where nothing cancels, the bound remains a share of the sum ---- *)
 
-Lemma first_is_positive : forall s h l e x, Rabs l <= unit53 * Rabs h -> 0 <= e <= s * Rabs h -> Rabs (h + l - x) <= e -> 0 <= s <= / 1000 ->
+Lemma first_is_positive : forall s h l e x, Rabs l <= unit53 * Rabs h -> 0 <= e <= s * Rabs h -> Rabs (h + l - x) <= e ->
+  0 <= s <= / 1000 ->
   0 <= x -> 99 / 100 * x <= h <= 101 / 100 * x.
 Proof.
   intros s h l e x Bl Be B Hs Hx. pose proof (enclosed_size _ _ _ _ _ Bl Be B Hs) as S. rewrite (Rabs_pos_eq x) in S by exact Hx.
   pose proof (Rabs_pos h) as P. pose proof (unit_times _ P) as U. assert (s * Rabs h <= / 1000 * Rabs h) by (apply Rmult_le_compat_r; lra).
-  apply Rabs_le_inv in B. apply Rabs_le_inv in Bl. destruct (Rle_lt_dec 0 h) as [Hh|Hh]; [rewrite (Rabs_pos_eq h) in S by exact Hh; exact S|].
+  apply Rabs_le_inv in B. apply Rabs_le_inv in Bl. destruct (Rle_lt_dec 0 h) as [Hh|Hh];
+    [rewrite (Rabs_pos_eq h) in S by exact Hh; exact S|].
   rewrite (Rabs_left h) in * by exact Hh. lra.
 Qed.
 
@@ -186,7 +193,8 @@ Theorem encloses_add : forall s t a b x y, encloses s a x -> encloses t b y -> 0
 Proof.
   intros s t a b x y (h & l & e & H & L & E & Bl & Be & B) (c & k & f & H' & L' & E' & Bk & Bf & B') Hs Ht Hx Hy.
   pose proof unit_is_small as Hu. pose proof (first_is_positive _ _ _ _ _ Bl Be B Hs ltac:(lra)) as Rh.
-  pose proof (first_is_positive _ _ _ _ _ Bk Bf B' Ht ltac:(lra)) as Rc. rewrite (Rabs_pos_eq h) in * by lra. rewrite (Rabs_pos_eq c) in * by lra.
+  pose proof (first_is_positive _ _ _ _ _ Bk Bf B' Ht ltac:(lra)) as Rc. rewrite (Rabs_pos_eq h) in * by lra.
+    rewrite (Rabs_pos_eq c) in * by lra.
   assert (Es : s * h <= / 1000 * h) by (apply Rmult_le_compat_r; lra). assert (Et : t * c <= / 1000 * c) by (apply Rmult_le_compat_r; lra).
   set (S := h + c). assert (ES : Rabs (h + c) = S) by (apply Rabs_pos_eq; unfold S; lra).
   pose proof (unit_times S ltac:(unfold S; lra)) as US. pose proof (unit_times _ (proj1 US)) as UUS.
@@ -211,7 +219,8 @@ Proof.
     assert (Bp2 : 99 / 100 * S <= p).
     { pose proof T as Hq.
       pose proof (unit_times _ (Rabs_pos p)) as Up. apply Rabs_le_inv in Off2.
-      pose proof (Rabs_triang l k) as Tlk. pose proof (Rle_abs (l + k)) as A1. pose proof (Rle_abs (- (l + k))) as A2. rewrite Rabs_Ropp in A2.
+      pose proof (Rabs_triang l k) as Tlk. pose proof (Rle_abs (l + k)) as A1. pose proof (Rle_abs (- (l + k))) as A2.
+        rewrite Rabs_Ropp in A2.
       pose proof (Rle_abs q) as A3. unfold S in *. lra. }
     rewrite (Rabs_pos_eq p) in Bp, T by lra.
     assert (Ur : unit53 * (99 / 100 * (e + f)) <= unit53 * r) by (apply unit_times_compat; lra).
@@ -221,7 +230,9 @@ Proof.
     { rewrite share_is. replace (98 / 100 * (32 * (unit53 * unit53) * p)) with (unit53 * (unit53 * (98 / 100 * 32 * p))) by ring.
       replace (6 * (unit53 * (unit53 * S))) with (unit53 * (unit53 * (6 * S))) by ring. apply unit_times_compat, unit_times_compat. lra. }
     exists p, q, g. cbn [hi lo error]. rewrite (Rabs_pos_eq p) by lra. repeat (split; [assumption|]). split; [|lra]. split; [lra|].
-    assert (s * h <= s * S) by (apply Rmult_le_compat_l; unfold S; lra). assert (t * c <= t * S) by (apply Rmult_le_compat_l; unfold S; lra).
-    assert (s * (99 / 100 * S) <= s * p) by (apply Rmult_le_compat_l; lra). assert (t * (99 / 100 * S) <= t * p) by (apply Rmult_le_compat_l; lra).
+    assert (s * h <= s * S) by (apply Rmult_le_compat_l; unfold S; lra).
+      assert (t * c <= t * S) by (apply Rmult_le_compat_l; unfold S; lra).
+    assert (s * (99 / 100 * S) <= s * p) by (apply Rmult_le_compat_l; lra).
+      assert (t * (99 / 100 * S) <= t * p) by (apply Rmult_le_compat_l; lra).
     assert (0 <= share101 * p) by (unfold share101; lra). lra.
 Qed.

@@ -117,7 +117,8 @@ Proof.
   - apply Rle_trans with (nearest64 ((1 + 8192 * unit53) * s)); [|apply round_le; auto with typeclass_instances; lra].
     pose proof (product_is_close ((1 + 8192 * unit53) * s)) as C. rewrite (Rabs_pos_eq ((1 + 8192 * unit53) * s)) in C by lra.
     apply Rabs_le_inv in C. replace (unit53 * ((1 + 8192 * unit53) * s)) with (unit53 * s + 8192 * (unit53 * (unit53 * s))) in C by ring.
-    pose proof (unit_times (unit53 * s) ltac:(lra)) as UUs. replace ((1 + 8192 * unit53) * s) with (s + 8192 * (unit53 * s)) in * by ring. lra.
+    pose proof (unit_times (unit53 * s) ltac:(lra)) as UUs. replace ((1 + 8192 * unit53) * s) with (s + 8192 * (unit53 * s)) in *
+      by ring. lra.
 Qed.
 
 Lemma error_of_nothing : forall v propagated, is64 v 0 -> is64 propagated 0 -> is64 (error_of v propagated) 0.

@@ -114,7 +114,8 @@ Qed.
 Lemma twice_power : forall k, bpow radix2 (k + 1) = 2 * bpow radix2 k.
 Proof. intro k. rewrite bpow_plus. change (bpow radix2 1) with 2. ring. Qed.
 
-Lemma two_below : forall k x y, Rabs x <= bpow radix2 k -> Rabs y <= bpow radix2 k -> Rabs (x + y) <= bpow radix2 (k + 1) /\ Rabs (x - y) <= bpow radix2 (k + 1).
+Lemma two_below : forall k x y, Rabs x <= bpow radix2 k -> Rabs y <= bpow radix2 k -> Rabs (x + y) <= bpow radix2 (k + 1) /\
+  Rabs (x - y) <= bpow radix2 (k + 1).
 Proof.
   intros k x y Hx Hy. rewrite twice_power. apply Rabs_le_inv in Hx. apply Rabs_le_inv in Hy. split; apply Rabs_le; lra.
 Qed.
@@ -123,11 +124,13 @@ Lemma below_more : forall k m x, Rabs x <= bpow radix2 k -> (k <= m)%Z -> Rabs x
 Proof. intros k m x H Hk. apply Rle_trans with (1 := H). now apply bpow_le. Qed.
 
 (* two_sum gives both terms, without overflow. *)
-Lemma two_sum_gives : forall a b x y k, is64 a x -> is64 b y -> (-900 <= k <= 900)%Z -> Rabs x <= bpow radix2 k -> Rabs y <= bpow radix2 k ->
+Lemma two_sum_gives : forall a b x y k, is64 a x -> is64 b y -> (-900 <= k <= 900)%Z -> Rabs x <= bpow radix2 k ->
+  Rabs y <= bpow radix2 k ->
   is64 (plus a b) (nearest64 (x + y)) /\ is64 (sum_low a b) (x + y - nearest64 (x + y)).
 Proof.
   intros a b x y k Ha Hb Hk Bx By. pose proof (two_sum_is_exact x y (format_of _ _ Ha) (format_of _ _ Hb)) as E. cbv zeta in E.
-  assert (large : forall m z, (m <= 1000)%Z -> Rabs z <= bpow radix2 m -> Rabs z <= bpow radix2 1000) by (intros m z Hm Hz; now apply below_more with m).
+  assert (large : forall m z, (m <= 1000)%Z -> Rabs z <= bpow radix2 m -> Rabs z <= bpow radix2 1000) by (intros m z Hm Hz;
+    now apply below_more with m).
   destruct (two_below k x y Bx By) as [B1 _]. pose proof (plus_is _ _ _ _ Ha Hb (large (k + 1)%Z _ ltac:(lia) B1)) as I1.
   apply bounded_rounding in B1; [|lia]. set (s := nearest64 (x + y)) in *. split; [exact I1|]. unfold sum_low. cbv zeta.
   destruct (two_below (k + 1) s x B1 (below_more k (k + 1) _ Bx ltac:(lia))) as [_ B2].
@@ -142,7 +145,8 @@ Proof.
   pose proof (minus_is _ _ _ _ Hb I2 (large (k + 1 + 1 + 1)%Z _ ltac:(lia) B5)) as I5. apply bounded_rounding in B5; [|lia].
   set (q := nearest64 (x - p)) in *. set (r := nearest64 (y - t)) in *.
   destruct (two_below (k + 1 + 1 + 1 + 1) q r B4 (below_more (k + 1 + 1 + 1) (k + 1 + 1 + 1 + 1) _ B5 ltac:(lia))) as [B6 _].
-  replace (x + y - s) with (nearest64 (q + r)) by lra. apply plus_is; try assumption. apply (large (k + 1 + 1 + 1 + 1 + 1)%Z); [lia|exact B6].
+  replace (x + y - s) with (nearest64 (q + r)) by lra. apply plus_is; try assumption.
+    apply (large (k + 1 + 1 + 1 + 1 + 1)%Z); [lia|exact B6].
 Qed.
 
 (* The low term is no larger than either, and lies below the last bit of the high one. *)
@@ -226,7 +230,8 @@ Qed.
 
 Lemma first_sign_is : forall e l, Forall2 is64 e l -> first_sign e = real_sign l.
 Proof.
-  induction 1 as [|a x e l Ha _ IH]; [reflexivity|]. simpl. rewrite (equal_is _ _ _ _ Ha zero_is), (less_is _ _ _ _ zero_is Ha), IH. reflexivity.
+  induction 1 as [|a x e l Ha _ IH]; [reflexivity|]. simpl. rewrite (equal_is _ _ _ _ Ha zero_is), (less_is _ _ _ _ zero_is Ha), IH.
+    reflexivity.
 Qed.
 
 (* Eight numbers are not the most. *)
@@ -242,5 +247,6 @@ Proof.
       { induction a as [|y a IHa]; intro b; simpl; [ring|]. rewrite IHa. ring. }
       rewrite S, IH. simpl. ring.
     + pose proof (apart_reversed r [] R3 I) as A. now rewrite app_nil_r in A.
-  - clear -R1. induction R1 as [|a x e l Ha _ IH]; [constructor|]. simpl. apply Forall2_app; [exact IH|]. constructor; [exact Ha|constructor].
+  - clear -R1. induction R1 as [|a x e l Ha _ IH]; [constructor|]. simpl. apply Forall2_app; [exact IH|].
+    constructor; [exact Ha|constructor].
 Qed.

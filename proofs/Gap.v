@@ -123,7 +123,8 @@ Proof.
   { apply multiply_subtract_is; try assumption; apply big; [fold p; rewrite Rabs_pos_eq by assumption; lra|fold p; lra]. }
   assert (Ga : in_binary64 a) by now apply format_of in Ia.
   assert (Hha : Rabs (h - a) <= 36003) by (apply Rabs_le; pose proof Ra as A; absolute_values; lra).
-  assert (Ib : is64 (minus height (multiply_subtract is_fused slope axv height)) (nearest64 (h - a))) by (apply minus_is; try assumption; apply big; lra).
+  assert (Ib : is64 (minus height (multiply_subtract is_fused slope axv height)) (nearest64 (h - a))) by (apply minus_is; try assumption;
+    apply big; lra).
   assert (Rb : Rabs (nearest64 (h - a)) <= 36004).
   { pose proof (difference_is_close h a Gh Ga) as A. pose proof (Rabs_triang_inv (nearest64 (h - a)) (h - a)) as T.
     unfold unit53 in *. lra. }

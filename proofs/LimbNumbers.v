@@ -45,7 +45,8 @@ Theorem limbs_added : forall a b, a <> [] -> length a = length b -> Forall is_li
   whole r = (if sum <? 2 ^ width then sum else sum / 2) /\ dropped = carried && negb (sum mod 2 =? 0).
 Proof.
   intros a b Hne L Ha Hb sum width. unfold added_limbs. pose proof (limbs_add a b 0 L Ha Hb ltac:(lia)) as S.
-  destruct (add_with a b 0) as [s carry]. destruct S as (F & Len & Hc & S). rewrite size_is_power in S. fold width in S. rewrite Z.add_0_r in S.
+  destruct (add_with a b 0) as [s carry]. destruct S as (F & Len & Hc & S). rewrite size_is_power in S. fold width in S.
+    rewrite Z.add_0_r in S.
   fold sum in S. pose proof (whole_bounds s F) as B. rewrite size_is_power in B.
   assert (W : bits_of s = width) by (unfold bits_of, width; now rewrite Len). rewrite W in B.
   pose proof (power_pos width ltac:(unfold width, bits_of; lia)) as P. destruct (Z.eqb_spec carry 0) as [C|C].
@@ -62,7 +63,8 @@ Proof.
     { rewrite Bh, Wh. apply Z.div_lt_upper_bound; lia. }
     split; [exact Ft|]. split; [lia|]. split; [reflexivity|]. rewrite Wt, Bh, Wh. split.
     + rewrite S, E. replace (whole s + 2 * 2 ^ (width - 1) * 1) with (whole s + 2 ^ (width - 1) * 2) by ring. rewrite Z.div_add by lia. lia.
-    + rewrite D, S, E. replace (whole s + 2 * 2 ^ (width - 1) * 1) with (whole s + 2 ^ (width - 1) * 2) by ring. now rewrite Z.mod_add by lia.
+    + rewrite D, S, E. replace (whole s + 2 * 2 ^ (width - 1) * 1) with (whole s + 2 ^ (width - 1) * 2) by ring.
+      now rewrite Z.mod_add by lia.
 Qed.
 
 (* ---- normalise ---- *)
@@ -115,7 +117,8 @@ Proof.
   - inversion_clear H as [|? ? Ha Hl]. destruct (IH a P Ha Hl) as (F & Len & S). destruct (limb_moved_up_is part lower a P L Ha) as [M E].
     cbn [move_up]. split; [now constructor|]. split; [cbn [length]; now rewrite Len|]. rewrite last_cons, size_cons. cbn [whole]. rewrite E.
     pose proof (base_split part ltac:(lia)) as B. pose proof (power_pos (64 - part) ltac:(lia)) as P2.
-    pose proof (Z.div_mod a (2 ^ (64 - part)) ltac:(lia)) as D. rewrite B in *. set (k := 2 ^ (64 - part)) in *. set (p := 2 ^ part) in *. nia.
+    pose proof (Z.div_mod a (2 ^ (64 - part)) ltac:(lia)) as D. rewrite B in *. set (k := 2 ^ (64 - part)) in *.
+      set (p := 2 ^ part) in *. nia.
 Qed.
 
 (* The number with `below` behind its lowest limb, moved up until its leading one is the top bit, and by how much; of 0, nothing. *)
@@ -130,7 +133,8 @@ Definition normalised_limbs (below : Z) (l : list Z) : list Z * Z :=
 Lemma log2_of_limb : forall t, is_limb t -> t <> 0 -> 0 <= 63 - Z.log2 t < 64 /\ t / 2 ^ (64 - (63 - Z.log2 t)) = 0.
 Proof.
   intros t T N. unfold is_limb in T. assert (L : Z.log2 t < 64) by (apply Z.log2_lt_pow2; [lia|exact (proj2 T)]).
-  pose proof (Z.log2_nonneg t). split; [lia|]. apply Z.div_small. split; [lia|]. replace (64 - (63 - Z.log2 t)) with (Z.succ (Z.log2 t)) by lia.
+  pose proof (Z.log2_nonneg t). split; [lia|]. apply Z.div_small. split; [lia|].
+    replace (64 - (63 - Z.log2 t)) with (Z.succ (Z.log2 t)) by lia.
   apply Z.log2_spec. lia.
 Qed.
 
@@ -174,7 +178,8 @@ Proof.
     { rewrite Ef. replace (0 :: repeat 0 m ++ below :: low ++ [t]) with ((0 :: repeat 0 m ++ below :: low) ++ [t])
         by (cbn [app]; now rewrite <- app_assoc). apply last_last. }
     rewrite Lt, D, Z.mul_0_r, Z.add_0_r, Z.div_0_l, Z.add_0_r in S by lia. split; [exact F|].
-    split; [rewrite Len, app_length, repeat_length; cbn [length]; lia|]. split; [lia|]. split; [exact U|]. rewrite S, whole_app, whole_zeros.
+    split; [rewrite Len, app_length, repeat_length; cbn [length]; lia|]. split; [lia|]. split; [exact U|].
+      rewrite S, whole_app, whole_zeros.
     cbn [whole]. rewrite Wf, Z.add_0_l, Z.pow_add_r by lia. rewrite <- base_power by lia. rewrite Nat2Z.inj_succ, Z.pow_succ_r by lia.
     rewrite (size_of_length _ m) by apply repeat_length. set (e := below + base * whole l).
     replace (e * (base * base ^ Z.of_nat m * 2 ^ part)) with (base ^ Z.of_nat m * e * 2 ^ part * base) by ring.
@@ -213,7 +218,8 @@ Qed.
 Theorem one_limb : forall n m bits, (0 < n)%nat -> 0 <= bits <= 64 ->
   whole (repeat 0 (n - 1) ++ [m * 2 ^ (64 - bits)]) = m * 2 ^ (64 * Z.of_nat n - bits).
 Proof.
-  intros n m bits N B. rewrite whole_app, whole_zeros, (size_of_length _ (n - 1)) by apply repeat_length. rewrite base_power by lia. cbn [whole].
+  intros n m bits N B. rewrite whole_app, whole_zeros, (size_of_length _ (n - 1)) by apply repeat_length. rewrite base_power by lia.
+    cbn [whole].
   replace (64 * Z.of_nat n - bits) with (64 * Z.of_nat (n - 1) + (64 - bits)) by lia. rewrite Z.pow_add_r by lia. ring.
 Qed.
 

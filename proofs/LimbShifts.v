@@ -88,7 +88,8 @@ Lemma shift_part_is : forall part l, 0 <= part < 64 -> Forall is_limb l ->
 Proof.
   intros part l P. induction l as [|a rest IH]; intro H; [cbn [shift_part whole]; repeat split; constructor|].
   inversion_clear H as [|? ? Ha Hr]. destruct (IH Hr) as (F & Len & S). destruct (limb_between_is part a (hd 0 rest) P Ha) as [L E].
-  cbn [shift_part]. split; [now constructor|]. split; [cbn [length]; now rewrite Len|]. cbn [whole]. rewrite E, S, (low_limb rest Hr) by lia.
+  cbn [shift_part]. split; [now constructor|]. split; [cbn [length]; now rewrite Len|]. cbn [whole].
+    rewrite E, S, (low_limb rest Hr) by lia.
   pose proof (power_pos part ltac:(lia)) as P2. pose proof (Z.div_mod (whole rest) (2 ^ part) ltac:(lia)) as D.
   pose proof (base_split part ltac:(lia)) as B. set (k := 2 ^ (64 - part)) in *. set (W := whole rest) in *.
   assert (X : (a + base * W) / 2 ^ part = a / 2 ^ part + k * W).

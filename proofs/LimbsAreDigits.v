@@ -40,7 +40,8 @@ Theorem shift_in_limbs : forall width a l count, has_limbs width a l -> 0 <= cou
 Proof.
   intros width a l count (Hne & F & W & D) C N. rewrite D in *. pose proof (limbs_shift_right count l F C ltac:(now left)) as S.
   destruct (shift_right_limbs count l) as [r lost]. destruct S as (Fr & Lr & Wr & Lost). split; [|exact Lost].
-  split; [|split; [exact Fr|split; [unfold bits_of in *; lia|now rewrite Wr]]]. destruct r; [|congruence]. destruct l; [congruence|discriminate].
+  split; [|split; [exact Fr|split; [unfold bits_of in *; lia|now rewrite Wr]]]. destruct r; [|congruence].
+    destruct l; [congruence|discriminate].
 Qed.
 
 Theorem add_in_limbs : forall width a l m, has_limbs width a l -> length l = length m -> Forall is_limb m ->
@@ -58,9 +59,11 @@ Theorem subtract_in_limbs : forall width a l m, has_limbs width a l -> length l 
     if whole difference =? 0 then Big false 0 0 (error a)
     else let (r, up) := normalised_limbs 0 difference in Big (negative a) (whole r) (exponent a - up) (error a).
 Proof.
-  intros width a l m (Hne & F & W & D) L Fm B difference. destruct (limbs_subtract_smaller l m L F Fm B) as [Fd Wd]. fold difference in Fd, Wd.
+  intros width a l m (Hne & F & W & D) L Fm B difference. destruct (limbs_subtract_smaller l m L F Fm B) as [Fd Wd].
+    fold difference in Fd, Wd.
   assert (Ld : length difference = length l).
-  { pose proof (limbs_subtract l m 0 L F Fm ltac:(lia)) as S. unfold difference. destruct (subtract_with l m 0). now destruct S as (_ & S & _). }
+  { pose proof (limbs_subtract l m 0 L F Fm ltac:(lia)) as S. unfold difference. destruct (subtract_with l m 0).
+    now destruct S as (_ & S & _). }
   unfold subtract_limbs, normalised, is_zero. cbn [digits negative exponent error]. rewrite D, Wd.
   destruct (Z.eqb_spec (whole l - whole m) 0) as [Z|N]; [reflexivity|].
   pose proof (limbs_normalised 0 difference ltac:(unfold is_limb; rewrite base_is; lia) Fd ltac:(lia)) as S.
@@ -94,7 +97,8 @@ Proof.
   assert (Lost : product_lost n product up = negb (whole l * whole m mod 2 ^ (width - up) =? 0)).
   { assert (Hu : 0 <= up <= 1) by (rewrite Eu; destruct (_ <? _); lia). unfold product_lost.
     rewrite (all_zero _ (Forall_firstn _ _ F)). pose proof (whole_split (n - 1) product ltac:(lia)) as V.
-    rewrite S, base_power, whole_skipn in V by lia. set (below := nth (n - 1) product 0) in *. set (f := whole (firstn (n - 1) product)) in *.
+    rewrite S, base_power, whole_skipn in V by lia. set (below := nth (n - 1) product 0) in *.
+      set (f := whole (firstn (n - 1) product)) in *.
     pose proof (whole_bounds _ (Forall_firstn (n - 1) product F)) as Bf. fold f in Bf.
     rewrite (size_of_length _ (n - 1)) in Bf by (apply firstn_length_le; lia). rewrite base_power in Bf by lia.
     set (U := whole (skipn (Datatypes.S (n - 1)) product)) in *. set (D := 2 ^ (64 * Z.of_nat (n - 1))) in *.
@@ -107,6 +111,7 @@ Proof.
     { rewrite Z.rem_mul_r by lia. rewrite V, (Z.mul_comm D), Z.mod_add, (Z.mod_small f), Z.div_add, (Z.div_small f), Z.add_0_l by lia.
       rewrite Bb'. replace (below + 2 ^ up * q * U) with (below + 2 ^ up * U * q) by ring. rewrite Z.mod_add by lia. reflexivity. }
     rewrite E, M. pose proof (Z.mod_pos_bound below q Pq).
-    destruct (Z.eqb_spec (below mod q * 2 ^ up) 0), (Z.eqb_spec f 0), (Z.eqb_spec (f + D * (below mod q)) 0); try reflexivity; exfalso; nia. }
+    destruct (Z.eqb_spec (below mod q * 2 ^ up) 0), (Z.eqb_spec f 0), (Z.eqb_spec (f + D * (below mod q)) 0); try reflexivity;
+      exfalso; nia. }
   unfold multiply. rewrite Za, Zb. cbn [orb]. rewrite Da, Db, <- Eu, Wr, Lost. reflexivity.
 Qed.

@@ -85,7 +85,8 @@ Definition over_landing (a b c p : vector) := dot (cross (minus b a) (minus p a)
 Definition landing (a b c g p : vector) :=  (* d x *)
   minus (scaled (under_landing a b c g p) p) (scaled (over_landing a b c p) (minus p g)).
 
-Lemma under_landing_unit : forall a b c g p, given a -> given b -> given c -> gridded g -> given p -> multiple 236 (under_landing a b c g p).
+Lemma under_landing_unit : forall a b c g p, given a -> given b -> given c -> gridded g -> given p ->
+  multiple 236 (under_landing a b c g p).
 Proof. intros. apply (multiple_dot 130 106); units. apply (multiples_cross 53 77); units. Qed.
 
 Lemma over_landing_unit : forall a b c p, given a -> given b -> given c -> given p -> multiple 212 (over_landing a b c p).
@@ -344,7 +345,8 @@ Theorem share_or_border_fits : forall a b c s t p (i G : Z), given a -> given b 
 Proof.
   intros a b c s t p i G A B C S T P I K. of size (2 ^ 48 * (3 * S4))%Z.
   - apply multiple_plus.
-    + apply (multiple_mult 212 0); [lia|lia|apply (multiple_dot 106 106); units|]. apply (multiple_mult 0 0); try lia; apply multiple_of_integer.
+    + apply (multiple_mult 212 0); [lia|lia|apply (multiple_dot 106 106); units|].
+      apply (multiple_mult 0 0); try lia; apply multiple_of_integer.
     + apply (multiple_mult 212 0); [lia|lia| |apply multiple_of_integer].
       apply (multiple_mult 212 0); [lia|lia|now apply height_unit|apply multiple_of_integer].
   - pose proof (height_size a b c s t p A B C S T P) as H. pose proof (square_size _ _ (normal_size a b c A B C)) as N.

@@ -68,7 +68,8 @@ Qed.
 
 Lemma normals_size : forall u corners, have_weights u corners ->
   no_larger (all_weights corners * 2) (weighted_sum normal_of corners).
-Proof. intros u corners H. apply weighted_size. intros weight corner N. destruct (H weight corner N) as (_ & W & (_ & A) & _). now split. Qed.
+Proof. intros u corners H. apply weighted_size. intros weight corner N. destruct (H weight corner N) as (_ & W & (_ & A) & _).
+  now split. Qed.
 
 Lemma length_size : forall u corners, have_weights u corners -> Rabs (length_of corners) <= IZR 4.
 Proof.
@@ -155,7 +156,8 @@ Qed.
 
 (* ---- At a rest at p's foot on a crease, whose triangles have other textures at its ends: α q₁ N₁′ + β q₂ N₂′
    (SharedCorners::outward()). e is the edge from a to b, n₁ and n₂ are the normals of its triangles, e² D = e × (e × (p - a)), and the
-   weights are times e². Where the god-object went for a sub-goal, D is at a right angle to e here, so that p's foot is the sub-goal's. ---- *)
+   weights are times e². Where the god-object went for a sub-goal, D is at a right angle to e here,
+     so that p's foot is the sub-goal's. ---- *)
 
 Definition way_to_edge (a b p : vector) := cross (minus b a) (cross (minus b a) (minus p a)).  (* e² D *)
 Definition weights_on_edge (a b p : vector) := (square (minus b a) - dot (minus p a) (minus b a), dot (minus p a) (minus b a)).

@@ -47,12 +47,14 @@ Proof.
   assert (BtB : 0 <= t * Rabs B <= / 1000 * Rabs B) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   exists g. split; [exists h, l; now repeat (split; [assumption|])|].
   destruct (error_of_two (hi (add a b)) h (error a) (error b) e f H ltac:(lra) E1 E2 ltac:(lra) ltac:(lra)) as (g1 & G1 & Lg).
-  change (error_of (hi (add a b)) (plus (error a) (error b))) with (error (add a b)) in G1. rewrite (is64_same _ _ _ G1 G) in Lg. clear g1 G1.
+  change (error_of (hi (add a b)) (plus (error a) (error b))) with (error (add a b)) in G1. rewrite (is64_same _ _ _ G1 G) in Lg.
+    clear g1 G1.
   destruct (plus_close _ _ _ _ E1 E2 ltac:(rewrite !Rabs_pos_eq; lra)) as [I C]. rewrite (Rabs_pos_eq (e + f)) in C by lra.
   pose proof (unit_times (e + f) ltac:(lra)) as Uef. pose proof (proj1 (rounded_up (e + f) (e + f) ltac:(lra))) as N1.
   set (r := nearest64 (e + f)) in *. apply Rabs_le_inv in C.
   destruct (error_of_is (hi (add a b)) h _ r (1001 / 1000 * (e + f)) H I ltac:(lra) ltac:(lra) ltac:(lra)) as (g1 & G1 & Ug & _).
-  change (error_of (hi (add a b)) (plus (error a) (error b))) with (error (add a b)) in G1. rewrite (is64_same _ _ _ G1 G) in Ug. clear g1 G1.
+  change (error_of (hi (add a b)) (plus (error a) (error b))) with (error (add a b)) in G1. rewrite (is64_same _ _ _ G1 G) in Ug.
+    clear g1 G1.
   assert (PA : 0 <= share101 * Rabs A) by (apply Rmult_le_pos; lra).
   assert (Low : 99 / 100 * (share101 * Rabs A) <= share101 * Rabs h1).
   { replace (99 / 100 * (share101 * Rabs A)) with (share101 * (99 / 100 * Rabs A)) by ring. apply Rmult_le_compat_l; lra. }
@@ -100,7 +102,8 @@ Proof.
   { unfold M. split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (3 * Q * (/ 1900 * C)); [apply Rmult_le_compat; lra|].
     replace (3 * Q * (/ 1900 * C)) with (3 / 1900 * (Q * C)) by field. rewrite QC. lra. }
   pose proof (times_is _ _ _ _ (absolute_is _ _ P) E' ltac:(apply big_enough; fold M; rewrite Rabs_pos_eq; lra)) as J1. fold M in J1.
-  pose proof (rounded_near M (proj1 BM)) as R1. pose proof (proj1 (rounded_up M M ltac:(lra))) as N1. pose proof (unit_times M (proj1 BM)) as U1.
+  pose proof (rounded_near M (proj1 BM)) as R1. pose proof (proj1 (rounded_up M M ltac:(lra))) as N1.
+    pose proof (unit_times M (proj1 BM)) as U1.
   set (v1 := nearest64 M) in *. pose proof (unit_times e ltac:(lra)) as Ue.
   assert (Te : tiny <= / 1000 * (unit53 * e)) by (unfold unit53; lra).
   pose proof (plus_is _ _ _ _ E J1 ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as J2.
@@ -168,8 +171,10 @@ Proof.
   pose proof share_is_small as Hsh. apply Rabs_le_inv in Bp as Bp'. pose proof (unit_times t ltac:(lra)) as Ut.
   assert (Uh : unit53 * h <= unit53 * (101 / 100 * t)) by (apply unit_times_compat; lra).
   assert (st : s * t <= / 1000 * t) by (apply Rmult_le_compat_r; lra).
-  destruct (sum_of_is_off (hi a) (lo a) (opp (hi b)) (opp (lo b)) h l (- p) (- q) (102 / 100 * t) (102 / 100 * (unit53 * t)) H L (opp_is _ _ P)
-    (opp_is _ _ Q) ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_Ropp; lra) ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_Ropp; lra)
+  destruct (sum_of_is_off (hi a) (lo a) (opp (hi b)) (opp (lo b)) h l (- p) (- q) (102 / 100 * t) (102 / 100 * (unit53 * t)) H L
+    (opp_is _ _ P)
+    (opp_is _ _ Q) ltac:(rewrite Rabs_pos_eq; lra) ltac:(rewrite Rabs_Ropp; lra) ltac:(rewrite Rabs_pos_eq; lra)
+      ltac:(rewrite Rabs_Ropp; lra)
     ltac:(lra)) as (x & y & X & Y & Off & Bx & _ & _ & Two).
   specialize (Two ltac:(lra) ltac:(lra)). pose proof (unit_times _ (proj1 Ut)) as UUt.
   replace (21 / 10 * unit53 * (unit53 * (102 / 100 * t) + 102 / 100 * (unit53 * t)))
@@ -222,7 +227,8 @@ Qed.
 Lemma newton_root_encloses : forall value slope start q y0 t n kappa f f' E, is64 start y0 -> / 100000000 <= t <= 33 / 100 ->
   Rabs (y0 - t) <= 8 * (unit53 * t) -> 0 <= n <= 40 -> 0 <= kappa <= 40 -> step_is_good value slope q t n kappa ->
   (forall c, derivable_pt_lim f c (f' c)) -> f t = 0 ->
-  (forall a m, encloses 0 a m -> Rabs (m - t) <= 400 * (unit53 * (unit53 * t)) -> exists e, within e (value a) (f m) /\ Rabs (f m) <= 38 * e /\
+  (forall a m, encloses 0 a m -> Rabs (m - t) <= 400 * (unit53 * (unit53 * t)) -> exists e, within e (value a) (f m) /\
+    Rabs (f m) <= 38 * e /\
     / 1000000000000000000000000000000000000000000000000000000000 <= e <= E) ->
   (forall a y, encloses (/ 1000000000000) a y -> Rabs (y - t) <= 800 * (unit53 * (unit53 * t)) -> exists g, within g (slope a) (f' y) /\
     g <= / 2000 * Rabs (f' y) /\ / 1000000000 <= Rabs (f' y) <= 900 /\ E <= 1000 * (share101 * t) * Rabs (f' y)) ->
@@ -240,7 +246,8 @@ Proof.
   destruct (Hd (widened (midpoint x)) c ltac:(apply (widened_enclosed x h l); trivial; fold m; lra) Bct) as (g & Wg & Bg & BD & BE).
   assert (Bet : e <= 1000 * (share101 * t) * Rabs (f' c)) by lra. set (D := f' c) in *. set (d := Rabs D) in *.
   assert (Hd0 : D <> 0) by (intro Z; unfold d in BD; rewrite Z, Rabs_R0 in BD; lra).
-  assert (St : 0 <= share101 * t <= / 1000000000000000000000000000000 * t) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
+  assert (St : 0 <= share101 * t <= / 1000000000000000000000000000000 * t) by (split;
+    [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (Std : 1000 * (share101 * t) * d <= / 1000000 * d) by (apply Rmult_le_compat_r; lra).
   destruct (divide_within _ _ (f m) D e g We Wg Bf ltac:(fold d; lra) ltac:(fold d; lra) ltac:(fold d; lra))
     as (p & r & k & P & R & K & Off & Bp & Br & Bk). fold d in Bp, Br, Bk.
@@ -251,5 +258,6 @@ Proof.
   apply encloses_more with (3 * (3000 * share101) + 3 * share101); [|lra].
   apply (step_encloses (3000 * share101) _ _ t h l p r k); trivial; try lra.
   - apply zero_is.
-  - apply Rle_trans with (1 := Br). replace (210 * (unit53 * (e / d))) with (unit53 * (210 * (e / d))) by ring. apply unit_times_compat. lra.
+  - apply Rle_trans with (1 := Br). replace (210 * (unit53 * (e / d))) with (unit53 * (210 * (e / d))) by ring.
+    apply unit_times_compat. lra.
 Qed.

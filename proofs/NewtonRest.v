@@ -8,7 +8,8 @@ From Forceshade Require Import NewtonStart NewtonRounded.
 From Forceshade Require Import NewtonThird.
 Open Scope R_scope.
 
-Lemma rest_value_is : forall s a y t sigma phi, argument a y t -> 999 / 1000 * t <= y <= 10001 / 10000 * t -> / 100000000 <= t <= 3265 / 10000 ->
+Lemma rest_value_is : forall s a y t sigma phi, argument a y t -> 999 / 1000 * t <= y <= 10001 / 10000 * t ->
+  / 100000000 <= t <= 3265 / 10000 ->
   is_off s sigma (13 * (unit53 * (unit53 * sigma))) (101 / 100 * sigma) (101 / 100 * (unit53 * sigma)) (/ 10000000000 * sigma) ->
   0 < sigma <= 6 * (t * t) -> Rabs ((6 - 4 * y) * y * y - sigma) <= phi * t -> 0 <= phi <= 113 * (unit53 * t) ->
   is_off (rest_value s a) ((6 - 4 * y) * y * y - sigma) (225 * (unit53 * (unit53 * t) * t)) (phi * t + 450 * (unit53 * (unit53 * t) * t))
@@ -81,7 +82,8 @@ Proof.
   (* less the rest *)
   assert (Hf2 : Rabs ((6 - 4 * y) * y * y + - sigma) <= phi * t) by exact Hf.
   destruct (is_off_add _ _ _ _ _ _ _ _ _ _ _ _ (127 * X) (1283 / 100 * X) (160 * X) A4 (is_off_negated _ _ _ _ _ _ Hs) ltac:(lra)
-    ltac:(lra) ltac:(lra) ltac:(fold u; lra) ltac:(fold u; lra) ltac:(lra) ltac:(lra) ltac:(split; [unfold X, u, unit53; lra|lra])) as [A5 _].
+    ltac:(lra) ltac:(lra) ltac:(fold u; lra) ltac:(fold u; lra) ltac:(lra) ltac:(lra) ltac:(split;
+      [unfold X, u, unit53; lra|lra])) as [A5 _].
   apply (is_off_smaller _ _ _ _ _ _ (phi * t)) in A5; [|exact Hf].
   apply (is_off_more _ _ _ _ _ _ (225 * V) (phi * t + 450 * V) (220 * V) (/ 60000000 * T)) in A5;
     [|fold u; lra|fold u; lra|fold u; lra|lra].
@@ -125,7 +127,8 @@ Qed.
 
 Lemma rest_quotient_is : forall v s F D t phi, is_off v F (225 * (unit53 * (unit53 * t) * t)) (phi * t + 450 * (unit53 * (unit53 * t) * t))
     (220 * (unit53 * (unit53 * t) * t)) (/ 60000000 * (t * t)) ->
-  is_off s D (230 * (unit53 * (unit53 * t))) (135 / 10 * t) (135 / 10 * (unit53 * t)) (/ 400000000 * t) -> / 100000000 <= t <= 3265 / 10000 ->
+  is_off s D (230 * (unit53 * (unit53 * t))) (135 / 10 * t) (135 / 10 * (unit53 * t)) (/ 400000000 * t) ->
+    / 100000000 <= t <= 3265 / 10000 ->
   Rabs F <= phi * t -> 0 <= phi <= 113 * (unit53 * t) -> 805 / 100 * t <= Rabs D ->
   is_off (divide v s) (F / D) (287 / 10 * (unit53 * (unit53 * t)) + 25 / 10 * (unit53 * phi)) (50 * (unit53 * t))
     (80 * (unit53 * (unit53 * t))) (/ 10000000 * t).
@@ -186,7 +189,8 @@ Proof.
   assert (Hst : sigma <= 6 * (t * t)).
   { assert (0 <= t * t * t) by (apply Rmult_le_pos; lra). lra. }
   assert (Hyt : 0 <= y * t <= 10001 / 10000 * (t * t)).
-  { split; [apply Rmult_le_pos; lra|]. replace (10001 / 10000 * (t * t)) with (10001 / 10000 * t * t) by ring. apply Rmult_le_compat_r; lra. }
+  { split; [apply Rmult_le_pos; lra|]. replace (10001 / 10000 * (t * t)) with (10001 / 10000 * t * t) by ring.
+    apply Rmult_le_compat_r; lra. }
   assert (Hyy : 0 <= y * y <= 10003 / 10000 * (t * t)).
   { split; [apply Rle_0_sqr|]. apply Rle_trans with (10001 / 10000 * t * (10001 / 10000 * t)); [apply Rmult_le_compat; lra|lra]. }
   assert (Htt2 : t * t <= 3265 / 10000 * t) by (apply Rmult_le_compat_r; lra).

@@ -270,7 +270,8 @@ Definition rest_start (R w : binary32) : binary64 :=
   let r := rest_over_radius R w in
   rest_step r (rest_step r (rest_step r (rest_step r (rest_step r (square_root (over r (whole 5))))))).
 
-Lemma third_sine_of_half : forall R w K, parameters R w K -> let s := value32 w / 2 / value32 R in let t := third_sine (value32 R) (value32 w) in
+Lemma third_sine_of_half : forall R w K, parameters R w K -> let s := value32 w / 2 / value32 R in let t :=
+  third_sine (value32 R) (value32 w) in
   / 60000000 <= t <= / 2 /\ 4 * (t * t * t) - 3 * t + s = 0 /\ / 20000000 <= s <= 1.
 Proof.
   intros R w K (_ & HR & Hw & _) s t. destruct (third_sine_is (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as ((H1 & H2) & E & _).

@@ -9,7 +9,8 @@ Lemma third_is_small : forall s t, s <= 5001 / 10000 -> 0 < t <= / 2 -> 4 * (t *
 Proof.
   intros s t Hs Ht E. destruct (Rle_or_lt t (1737 / 10000)) as [H|H]; [exact H|exfalso].
   assert (t * t <= / 2 * / 2) by (apply Rmult_le_compat; lra).
-  assert (0 < (t - 1737 / 10000) * (3 - 4 * (t * t + t * (1737 / 10000) + 1737 / 10000 * (1737 / 10000)))) by (apply Rmult_lt_0_compat; lra).
+  assert (0 < (t - 1737 / 10000) * (3 - 4 * (t * t + t * (1737 / 10000) + 1737 / 10000 * (1737 / 10000)))) by
+    (apply Rmult_lt_0_compat; lra).
   lra.
 Qed.
 
@@ -42,7 +43,8 @@ Proof.
   rewrite Rabs_Ropp, Rabs_pos_eq by exact Hpos. apply Rmult_le_reg_r with D; [lra|].
   replace (4 * ((y - t) * (y - t)) * (2 * y + t) / D * D) with (4 * ((y - t) * (y - t)) * (2 * y + t)) by (field; lra).
   assert (Hrr : 0 <= rho * rho * t) by (apply Rmult_le_pos; [apply Rle_0_sqr|lra]).
-  apply Rle_trans with (4 * (rho * rho * (t * t)) * (3084 / 1000 * t)); [apply Rmult_le_compat; try lra; pose proof (Rle_0_sqr (y - t)) as P;
+  apply Rle_trans with (4 * (rho * rho * (t * t)) * (3084 / 1000 * t));
+    [apply Rmult_le_compat; try lra; pose proof (Rle_0_sqr (y - t)) as P;
     unfold Rsqr in P; lra|].
   apply Rle_trans with (15 / 100 * (rho * rho) * t * (2606 / 1000)); [|apply Rmult_le_compat_l; lra].
   replace (4 * (rho * rho * (t * t)) * (3084 / 1000 * t)) with (rho * rho * t * (12336 / 1000 * (t * t))) by field.

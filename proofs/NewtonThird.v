@@ -55,7 +55,8 @@ Proof.
   assert (Hyj : 999 / 1000 * y <= y * j <= y).
   { split; [rewrite (Rmult_comm y j); apply Rmult_le_compat_r; lra|]. rewrite <- (Rmult_1_r y) at 2. apply Rmult_le_compat_l; lra. }
   destruct (times_close _ _ _ _ Ah Ik ltac:(rewrite Rabs_pos_eq; lra)) as [I1 C1]. rewrite (Rabs_pos_eq (y * j)) in C1 by lra.
-  pose proof (unit_times (y * j) ltac:(lra)) as U1. pose proof (size_by (nearest64 (y * j)) (y * j)) as S1. set (z := nearest64 (y * j)) in *.
+  pose proof (unit_times (y * j) ltac:(lra)) as U1. pose proof (size_by (nearest64 (y * j)) (y * j)) as S1.
+    set (z := nearest64 (y * j)) in *.
   assert (Bz : 99 / 100 * y <= z <= 2 * y) by (absolute_values; lra).
   assert (I2 : is64 (minus (times (absolute b) almost_one) zero64) z).
   { apply (minus_exact _ _ _ _ _ I1 zero_is); [ring|now apply format_of in I1|]. apply big_enough. rewrite Rabs_pos_eq; lra. }
@@ -81,7 +82,8 @@ Definition argument (a : double_double) (y t : R) : Prop :=
 Lemma is_off_whole : forall n, (Z.abs n < 1000)%Z -> is_off (whole_dd n) (IZR n) 0 (Rabs (IZR n)) 0 0.
 Proof. intros n H. apply is_off_exactly; [apply whole_is; lia|lra]. Qed.
 
-Lemma third_value_is : forall s a y t sigma phi, argument a y t -> 999 / 1000 * t <= y <= 10001 / 10000 * t -> / 60000000 <= t <= 1737 / 10000 ->
+Lemma third_value_is : forall s a y t sigma phi, argument a y t -> 999 / 1000 * t <= y <= 10001 / 10000 * t ->
+  / 60000000 <= t <= 1737 / 10000 ->
   is_off s sigma (13 * (unit53 * (unit53 * sigma))) (101 / 100 * sigma) (101 / 100 * (unit53 * sigma)) (/ 10000000000 * sigma) ->
   0 < sigma <= 3 * t -> Rabs ((4 * y * y - 3) * y + sigma) <= phi -> phi <= 28 * (unit53 * t) ->
   is_off (third_value s a) ((4 * y * y - 3) * y + sigma) (84 * (unit53 * (unit53 * t))) (phi + 160 * (unit53 * (unit53 * t)))

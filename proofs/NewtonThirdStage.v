@@ -34,7 +34,8 @@ Record newton_is_fine (width : Z) (value_of slope_of : big -> big) (f slope : R 
 }.
 
 (* A quotient of which the dividend may be anything, 0 too. *)
-Lemma correction_is : forall width k e g t l q a b x y, (128 <= width)%Z -> (60 * (k + width + 1110) <= range)%Z -> normal width a -> fits k a ->
+Lemma correction_is : forall width k e g t l q a b x y, (128 <= width)%Z -> (60 * (k + width + 1110) <= range)%Z ->
+  normal width a -> fits k a ->
   contains width a x -> error a = none \/ (error a <= e)%Z -> (e <= g)%Z -> (- range <= e <= range)%Z -> Rabs x <= bpow radix2 g ->
   tight width k t b y -> (t <= -10)%Z -> bpow radix2 l <= Rabs y ->
   (e - l + 8 <= q)%Z -> (g - l + 10 + t <= q)%Z -> (g - l + 18 - width <= q)%Z -> let r := divide_newton width a b in
@@ -65,7 +66,8 @@ Proof.
     { assert (D : Rabs (x - value width a) <= bpow radix2 g).
       { destruct Ca as [Ca|Ca].
         - exfalso. destruct Ea as [Ea|Ea]; numbers; lia.
-        - apply Rle_trans with (1 := Ca). destruct (Z.lt_ge_cases (error a) least) as [H|H]; [rewrite size_none by exact H; apply bpow_ge_0|].
+        - apply Rle_trans with (1 := Ca). destruct (Z.lt_ge_cases (error a) least) as [H|H];
+          [rewrite size_none by exact H; apply bpow_ge_0|].
           rewrite size_some by exact H. apply bpow_le. destruct Ea as [Ea|Ea]; [numbers; lia|lia]. }
       pose proof (value_above width a ltac:(lia) Na Za) as V. pose proof (Rabs_triang_inv (value width a) x) as T.
       rewrite Rabs_minus_sym in T. pose proof (bpow_double g) as B2.
@@ -76,7 +78,8 @@ Qed.
 
 (* ---- The numbers that Newton's method goes through ---- *)
 
-Lemma near_root_is : forall width t e r x, (128 <= width)%Z -> (-40 <= e <= 0)%Z -> bpow radix2 (e - 1) <= t < bpow radix2 e -> (r <= -20)%Z ->
+Lemma near_root_is : forall width t e r x, (128 <= width)%Z -> (-40 <= e <= 0)%Z -> bpow radix2 (e - 1) <= t < bpow radix2 e ->
+  (r <= -20)%Z ->
   normal width x -> error x = none -> Rabs (value width x - t) <= bpow radix2 r * t ->
   is_zero x = false /\ (e - 1 <= exponent x <= e + 1)%Z /\ 0 < value width x.
 Proof.
@@ -148,7 +151,8 @@ Qed.
 Definition good_root (width : Z) (t : R) (bits : Z) (x : big) : Prop :=
   normal width x /\ error x = none /\ Rabs (value width x - t) <= bpow radix2 (- Z.min bits (width - 50)) * t.
 
-Lemma step_in_reals : forall rho M a b t q z w, 0 <= rho -> rho * rho <= M -> M <= / 1000 -> 0 <= a <= M / 16 -> 0 <= b <= M / 16 -> 0 < t ->
+Lemma step_in_reals : forall rho M a b t q z w, 0 <= rho -> rho * rho <= M -> M <= / 1000 -> 0 <= a <= M / 16 ->
+  0 <= b <= M / 16 -> 0 < t ->
   Rabs (q - t) <= 56 / 100 * (rho * rho) * t -> Rabs (q - z) <= a * t -> Rabs (w - z) <= b * Rabs z -> Rabs (w - t) <= M * t.
 Proof.
   intros rho M a b t q z w Hr HM HM2 Ha Hb Ht Hq Hz Hw. assert (A : a * t <= M / 16 * t) by (apply Rmult_le_compat_r; lra).
@@ -224,7 +228,8 @@ Proof.
   set (r := (- (width - 50))%Z) in *. assert (Hr : (r <= -49)%Z) by (unfold r; lia).
   destruct (near_root_is width t e r x ltac:(lia) He Bt ltac:(lia) N E H) as (Z & X & Px). set (m := value width x) in *.
   destruct (mean_value f slope m t Df) as (c & Ec & Bc). rewrite Root, Rminus_0_r in Ec.
-  assert (R50 : bpow radix2 r <= bpow radix2 (-49)) by (apply bpow_le; lia). assert (P50 : bpow radix2 (-49) = / 562949953421312) by reflexivity.
+  assert (R50 : bpow radix2 r <= bpow radix2 (-49)) by (apply bpow_le; lia).
+    assert (P50 : bpow radix2 (-49) = / 562949953421312) by reflexivity.
   assert (Rt : bpow radix2 r * t <= / 562949953421312 * t) by (apply Rmult_le_compat_r; lra).
   assert (P20 : bpow radix2 (-20) = / 1048576) by reflexivity. assert (P40 : bpow radix2 (-40) = / 1099511627776) by reflexivity.
   pose proof (Rabs_le_inv _ _ H) as H2.
@@ -233,7 +238,8 @@ Proof.
   assert (Tw : tight width 1074 (-40) (widened x (-40)) c).
   { apply widened_is_tight; try assumption; [lia|]. fold m. rewrite Rabs_minus_sym. apply Rle_trans with (1 := Bc).
     rewrite P40, (Rabs_pos_eq m) by lra. lra. }
-  destruct (corrected_is width value_of slope_of f slope t e p d r (-40) x _ c W Fine N E H ltac:(lia) Tw ltac:(lia) ltac:(unfold r; lia) Hc)
+  destruct (corrected_is width value_of slope_of f slope t e p d r (-40) x _ c W Fine N E H ltac:(lia) Tw ltac:(lia)
+    ltac:(unfold r; lia) Hc)
     as (Nz & Fz & Cz & Ez).
   set (z := corrected width value_of slope_of x (widened x (-40))) in *. clearbody z. fold m in Cz.
   assert (S0 : slope c <> 0).

@@ -29,7 +29,8 @@ Proof.
       assert (Ih : is64 height (value64 height)) by now split.
       pose proof (two_to_is (-27) ltac:(lia)) as I2. change (bpow radix2 (-27)) with (/ 134217728) in I2.
       assert (It : is64 (times (two_to (-27)) height) (nearest64 (/ 134217728 * value64 height))).
-      { apply times_is; try assumption. rewrite Rabs_pos_eq by lra. apply Rle_trans with (bpow radix2 14); [simpl; lra|apply bpow_le; lia]. }
+      { apply times_is; try assumption. rewrite Rabs_pos_eq by lra. apply Rle_trans with (bpow radix2 14);
+        [simpl; lra|apply bpow_le; lia]. }
       unfold unclear in Hclear. rewrite (less_is _ _ _ _ (absolute_is _ _ Hv) It) in Hclear.
       assert (Hlarge : nearest64 (/ 134217728 * value64 height) <= Rabs v).
       { revert Hclear. case Rlt_bool_spec; [discriminate|trivial]. }
@@ -50,7 +51,8 @@ Proof.
   destruct (near_sign _ _ _ Hnear) as (S1 & S2 & S3). split.
   - unfold value, penetration_value. rewrite (less_is _ _ _ _ zero_is Hl). unfold Rmax. destruct (Rle_dec v 0).
     + rewrite Rlt_bool_false by lra. split; [discriminate|]. intro HM. specialize (S1 HM). lra.
-    + rewrite Rlt_bool_true by lra. split; [intros _|reflexivity]. destruct (Rtotal_order M 0) as [C|[C|C]]; [specialize (S2 C)|specialize (S3 C)|]; lra.
+    + rewrite Rlt_bool_true by lra. split; [intros _|reflexivity]. destruct (Rtotal_order M 0) as [C|[C|C]];
+      [specialize (S2 C)|specialize (S3 C)|]; lra.
   - intro HM. exists v. split; [|split; [assumption|now apply Hsize]]. rewrite Rmax_left in Hl; [assumption|]. specialize (S1 HM). lra.
 Qed.
 

@@ -55,7 +55,8 @@ Qed.
 Lemma is_beside_is : forall w x, is_finite 24 128 w = true -> is_finite 24 128 x = true -> Rabs (value32 x) <= 10000 ->
   is_beside w x = negb (Rle_bool (Rabs (value32 x)) (value32 w / 2)).
 Proof.
-  intros w x Fw Fx Bx. destruct (twice_is x Bx Fx) as [P1 P2]. unfold is_beside, is_less32. rewrite Bcompare_correct by assumption. rewrite P1.
+  intros w x Fw Fx Bx. destruct (twice_is x Bx Fx) as [P1 P2]. unfold is_beside, is_less32.
+    rewrite Bcompare_correct by assumption. rewrite P1.
   case Rcompare_spec; case Rle_bool_spec; intros; try reflexivity; exfalso; lra.
 Qed.
 
@@ -71,7 +72,8 @@ Proof. unfold share101. lra. Qed.
 
 (* ---- A gap that is found positive ---- *)
 
-Lemma positive_is : forall a x, contains a x -> sign_of a = is_positive -> exists h l e, is64 (hi a) h /\ is64 (lo a) l /\ is64 (error a) e /\
+Lemma positive_is : forall a x, contains a x -> sign_of a = is_positive -> exists h l e, is64 (hi a) h /\ is64 (lo a) l /\
+  is64 (error a) e /\
   Rabs l <= unit53 * Rabs h /\ 0 <= e /\ e + Rabs l < h /\ Rabs (h + l - x) <= e.
 Proof.
   intros a x (h & l & e & H & L & E & Bl & He & B & Bh) Hs. unfold sign_of in Hs.
@@ -108,10 +110,12 @@ Proof.
     [exact Cgap|exact Htouch|lra| |exact H]. clear H.
   intros S T. destruct (Hsize S T) as [Dx Dz]. clear Hsize. destruct (positive_encloses gap G Cgap S) as [Egap _].
   assert (one : forall n N v, encloses v n N -> 0 <= v <= / 1000 -> directed gap n ->
-    encloses 100 (multiply (multiply (exactly64 (to64 K)) gap) n) (value32 K * G * N) /\ fits (multiply (multiply (exactly64 (to64 K)) gap) n)).
+    encloses 100 (multiply (multiply (exactly64 (to64 K)) gap) n) (value32 K * G * N) /\
+      fits (multiply (multiply (exactly64 (to64 K)) gap) n)).
   { intros n N v En Hv D. unfold directed in D. cbv zeta in D. set (h := value64 (hi gap)) in *. set (c := Rabs (value64 (hi n))) in *.
     destruct D as [Hh Hc].
-    assert (BKh : / 1000 * / 1000000000000000000000000000000000000000000000000 <= value32 K * h <= 1000 * 1000000) by (split; apply Rmult_le_compat; lra).
+    assert (BKh : / 1000 * / 1000000000000000000000000000000000000000000000000 <= value32 K * h <= 1000 * 1000000) by (split;
+      apply Rmult_le_compat; lra).
     assert (EM : Rabs (value64 (hi (exactly64 (to64 K)))) * Rabs (value64 (hi gap)) = value32 K * h).
     { cbn [exactly64 hi]. rewrite (proj1 VK). fold h. rewrite !Rabs_pos_eq by lra. reflexivity. }
     destruct (multiply_encloses 0 1 _ _ _ _ IK Egap ltac:(lra) ltac:(lra) ltac:(lra) ltac:(right; rewrite EM; lra)) as (Em & _ & Sm).
@@ -121,10 +125,12 @@ Proof.
       - apply Rle_trans with ((99 / 100 * (value32 K * h)) * / 1000000000000); [lra|apply Rmult_le_compat; lra].
       - apply Rle_trans with ((101 / 100 * (value32 K * h)) * c); [apply Rmult_le_compat_r; lra|].
         replace (101 / 100 * (value32 K * h) * c) with (101 / 100 * (value32 K * (h * c))) by ring.
-        assert (0 <= h * c) by (apply Rmult_le_pos; lra). assert (value32 K * (h * c) <= 1000 * 25000) by (apply Rmult_le_compat; lra). lra. }
+        assert (0 <= h * c) by (apply Rmult_le_pos; lra). assert (value32 K * (h * c) <= 1000 * 25000) by (apply Rmult_le_compat;
+          lra). lra. }
     assert (Hv2 : (3 * (0 + 1) + 3 * share101) * v <= / 1000 * (3 * (0 + 1) + 3 * share101 + v)).
     { apply Rle_trans with ((3 * (0 + 1) + 3 * share101) * / 1000); [apply Rmult_le_compat_l; lra|lra]. }
-    destruct (multiply_encloses _ _ _ _ _ _ Em En ltac:(lra) ltac:(lra) Hv2 ltac:(fold g c; destruct Bgc; [now left|right; lra])) as (Ef & _ & Sf).
+    destruct (multiply_encloses _ _ _ _ _ _ Em En ltac:(lra) ltac:(lra) Hv2 ltac:(fold g c; destruct Bgc; [now left|right; lra])) as
+      (Ef & _ & Sf).
     fold g c in Sf. split; [apply encloses_more with (1 := Ef); lra|]. unfold fits. destruct Bgc; lra. }
   split; [now apply (one nx NX t)|now apply (one nz NZ u)].
 Qed.
@@ -151,12 +157,14 @@ Theorem on_plane_is_right : forall R w K zv Z answer, parameters R w K -> coordi
   is_answer answer (Z < 0) 0 (value32 K * - Z).
 Proof.
   intros R w K zv Z answer Hp Cz H. pose proof (encloses_exact _ _ (exactly_is _ _ (opp_is _ _ (coordinate_is _ _ Cz)))) as Eg.
-  pose proof (encloses_exact _ _ (exactly_is _ _ zero_is)) as E0. pose proof (encloses_exact _ _ (exactly_is _ _ (two_to_is 0 ltac:(lia)))) as E1.
+  pose proof (encloses_exact _ _ (exactly_is _ _ zero_is)) as E0. pose proof
+    (encloses_exact _ _ (exactly_is _ _ (two_to_is 0 ltac:(lia)))) as E1.
   change (bpow radix2 0) with 1 in E1. pose proof (coordinate_range _ _ Cz) as BZ. apply Rabs_le_inv in BZ.
   enough (A : is_answer answer (Z < 0) (value32 K * - Z * 0) (value32 K * - Z * 1)) by (rewrite Rmult_0_r, Rmult_1_r in A; exact A).
   refine (along_is_right R w K _ (- Z) _ 0 0 _ 1 0 (Z < 0) answer Hp _ _ E0 _ E1 _ _ H); try lra.
   - apply (enclosed_is_contained 0); [exact Eg|lra|apply Rabs_le; lra].
   - intros _ T. assert (LZ : / 2000000000 <= - Z).
     { destruct (coordinate_not_tiny _ _ Cz) as [L|L]; [lra|]. rewrite Rabs_left in L by exact T. simpl in L. lra. }
-    split; [apply (enclosed_is_directed 0 _ (- Z) 0 _ 0)|apply (enclosed_is_directed 0 _ (- Z) 0 _ 1)]; trivial; rewrite ?Rabs_R0, ?Rabs_R1; lra.
+    split; [apply (enclosed_is_directed 0 _ (- Z) 0 _ 0)|apply (enclosed_is_directed 0 _ (- Z) 0 _ 1)]; trivial;
+      rewrite ?Rabs_R0, ?Rabs_R1; lra.
 Qed.

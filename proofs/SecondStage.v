@@ -17,7 +17,8 @@ Definition tie_of (c d : binary32) : binary64 := times (two_to (-1)) (plus (to64
 Lemma middle_above : forall c, in_binary32 c -> exists N k, c + succ radix2 fexp32 c = IZR N * bpow radix2 k /\ (0 < Z.abs N < 2 ^ 26)%Z /\
   (-149 <= k)%Z.
 Proof.
-  assert (up : forall c, in_binary32 c -> 0 <= c -> exists N k, c + succ radix2 fexp32 c = IZR N * bpow radix2 k /\ (0 < Z.abs N < 2 ^ 26)%Z /\
+  assert (up : forall c, in_binary32 c -> 0 <= c -> exists N k, c + succ radix2 fexp32 c = IZR N * bpow radix2 k /\
+    (0 < Z.abs N < 2 ^ 26)%Z /\
     (-149 <= k)%Z).
   { intros c Gc Hc. rewrite succ_eq_pos by exact Hc. destruct (Req_dec c 0) as [->|Hne].
     { exists 1%Z, (-149)%Z. rewrite ulp_FLT_0 by (auto with typeclass_instances). split; [ring|lia]. }

@@ -14,7 +14,8 @@ Lemma shading_root : forall R w K xv X, parameters R w K -> coordinate xv X -> R
   let exact := (value32 R - X) * (value32 R + X) in
   0 <= exact /\ (exact = 0 -> is64 root 0) /\ (exact <> 0 -> computes root (5 / 2 * one) (sqrt exact) (-29) 15).
 Proof.
-  intros R w K xv X ((FR & _) & HR & _) Hx HX root exact. destruct (to64_is_exact R FR) as [RV RF]. pose proof (conj RV RF : is64 _ _) as HRv.
+  intros R w K xv X ((FR & _) & HR & _) Hx HX root exact. destruct (to64_is_exact R FR) as [RV RF].
+    pose proof (conj RV RF : is64 _ _) as HRv.
   destruct Hx as [Hx Fx Rx Sx]. apply Rabs_le_inv in HX. assert (Hpos : 0 <= exact) by (unfold exact; apply Rmult_le_pos; lra).
   split; [assumption|]. pose proof (format_of _ _ Hx) as Gx. pose proof (format_of _ _ HRv) as GR.
   assert (Hbig : Rabs (bpow radix2 15) <= bpow radix2 1000) by (rewrite Rabs_pos_eq by apply bpow_ge_0; apply bpow_le; lia).
@@ -79,7 +80,8 @@ Proof.
   pose proof (computes_over _ _ _ _ _ _ _ _ _ _ CK CR ltac:(lra) ltac:(lra) ltac:(lia) ltac:(lia)) as CKR. fold (K_over_R K R) in CKR.
   pose proof (computes_times _ _ _ _ _ _ _ _ _ _ Hgap CKR ltac:(lra) ltac:(lra) ltac:(lia) ltac:(lia)) as CS. fold scale in CS.
   assert (Hnull : forall v, is64 v 0 -> is64 (times scale v) 0).
-  { intros v Hv. destruct CS as (s & Hs & _). replace 0 with (nearest64 (s * 0)) by (rewrite Rmult_0_r; apply round_0; auto with typeclass_instances).
+  { intros v Hv. destruct CS as (s & Hs & _). replace 0 with (nearest64 (s * 0)) by (rewrite Rmult_0_r; apply round_0;
+    auto with typeclass_instances).
     apply times_is; try assumption. rewrite Rmult_0_r, Rabs_R0. apply bpow_ge_0. }
   split.
   - destruct Sx as [->|Sx].

@@ -36,7 +36,8 @@ Proof.
     exists y, is64 (over v b) y /\ Rabs y <= bpow radix2 j).
   { intros v x k j Ej Hk Hj Hv Hx. assert (B : Rabs (x / c) <= bpow radix2 j).
     { apply quotient_size; rewrite (Rabs_pos_eq c) by lra; [lra|]. apply Rle_trans with (1 := Hx). subst j. rewrite bpow_plus.
-      pose proof (bpow_gt_0 radix2 k). apply Rle_trans with (bpow radix2 k * 1); [lra|]. rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|].
+      pose proof (bpow_gt_0 radix2 k). apply Rle_trans with (bpow radix2 k * 1); [lra|]. rewrite Rmult_assoc.
+        apply Rmult_le_compat_l; [lra|].
       change (bpow radix2 4) with 16. lra. }
     exists (nearest64 (x / c)). split; [|apply rounded_below; [exact B|lia]].
     apply over_is; trivial; [apply Rgt_not_eq; lra|apply (fits_power j); [lia|exact B]]. }
@@ -71,9 +72,11 @@ Qed.
 (* A number whose bound is larger than it is has no sign. *)
 Lemma sign_unknown : forall a h e, is64 (hi a) h -> is64 (error a) e -> 0 < e -> Rabs h <= e -> e <= 1000000 -> sign_of a = is_unknown.
 Proof.
-  intros a h e H E He Bh Be. pose proof unit_is_small as Hu. unfold sign_of. rewrite (equal_is _ _ _ _ H zero_is), (equal_is _ _ _ _ E zero_is).
+  intros a h e H E He Bh Be. pose proof unit_is_small as Hu. unfold sign_of.
+    rewrite (equal_is _ _ _ _ H zero_is), (equal_is _ _ _ _ E zero_is).
   rewrite (Req_bool_false e 0) by lra. rewrite andb_false_r.
-  pose proof (Rabs_pos h) as Ph. pose proof (unit_times _ Ph) as Uh. assert (Ea : Rabs h * (1 - 8 * unit53) = Rabs h - 8 * (unit53 * Rabs h)) by ring.
+  pose proof (Rabs_pos h) as Ph. pose proof (unit_times _ Ph) as Uh. assert
+    (Ea : Rabs h * (1 - 8 * unit53) = Rabs h - 8 * (unit53 * Rabs h)) by ring.
   pose proof (times_is _ _ _ _ (absolute_is _ _ H) almost_one_is ltac:(apply big_enough; rewrite Ea, Rabs_pos_eq; lra)) as I.
   rewrite (less_is _ _ _ _ E I), Rlt_bool_false; [reflexivity|]. apply Rle_trans with (2 := Bh).
   rewrite <- (round_generic radix2 fexp64 ZnearestE (Rabs h)) at 2 by (apply generic_format_abs; exact (format_of _ _ H)).
@@ -107,7 +110,8 @@ Proof.
   pose proof (over_is _ _ _ _ I2 Z ltac:(apply Rgt_not_eq; lra) ltac:(apply big_enough; rewrite Rabs_pos_eq; lra)) as I3.
   pose proof (rounded_near (e / z) ltac:(lra)) as R3. pose proof (proj1 (rounded_up (e / z) (e / z) ltac:(lra))) as N3.
   pose proof (unit_times (e / z) ltac:(lra)) as U3. pose proof (unit_times (e / z - e / c) ltac:(lra)) as U4.
-  exists (over (plus (error a) (times (absolute (fst q)) (error b))) (minus (times (absolute (hi b)) almost_one) (error b))), (nearest64 (e / z)).
+  exists (over (plus (error a) (times (absolute (fst q)) (error b))) (minus (times (absolute (hi b)) almost_one) (error b))),
+    (nearest64 (e / z)).
   split; [reflexivity|]. split; [exact I3|]. split; [split; lra|exact N3].
 Qed.
 
@@ -128,20 +132,23 @@ Proof.
     ltac:(rewrite Rabs_R0, Ec; apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]) ltac:(rewrite Ec; lra) ltac:(rewrite EQ; lra) ltac:(lra))
     as (p & q & P & Qt & Off & Bp & Bq).
   rewrite Rplus_0_r, EQ in *.
-  destruct (divide_by_exact gap b c e p Ib Bc E ltac:(lra) P ltac:(lra)) as (w & v & D & W & Bv & Nv). rewrite D. unfold rounded. cbn [hi lo error].
+  destruct (divide_by_exact gap b c e p Ib Bc E ltac:(lra) P ltac:(lra)) as (w & v & D & W & Bv & Nv). rewrite D. unfold rounded.
+    cbn [hi lo error].
   assert (Bec : 0 <= e / c <= 10000).
   { unfold Rdiv. split; [apply Rmult_le_pos; [lra|apply Rlt_le, Rinv_0_lt_compat; lra]|]. apply Rmult_le_reg_r with c; [lra|].
     rewrite Rmult_assoc, Rinv_l, Rmult_1_r by exact Hc0. lra. }
   pose proof (unit_times _ (proj1 Bec)) as Uec. pose proof (unit_times v Nv) as Uv.
   destruct (error_covers _ p _ v 20000 P W ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg).
-  exists p, g. split; [exact P|]. split; [exact G|]. pose proof (unit_times Q ltac:(lra)) as UQ. pose proof (unit_times _ (proj1 UQ)) as UUQ.
+  exists p, g. split; [exact P|]. split; [exact G|]. pose proof (unit_times Q ltac:(lra)) as UQ.
+    pose proof (unit_times _ (proj1 UQ)) as UUQ.
   assert (Hsp : 31 * (unit53 * (unit53 * Q)) <= 98 / 100 * (share101 * Rabs p)).
   { rewrite share_is. replace (98 / 100 * (32 * (unit53 * unit53) * Rabs p)) with (unit53 * (unit53 * (98 / 100 * 32 * Rabs p))) by ring.
     replace (31 * (unit53 * (unit53 * Q))) with (unit53 * (unit53 * (31 * Q))) by ring. apply unit_times_compat, unit_times_compat. lra. }
   assert (Htq : tiny <= unit53 * (unit53 * Q)).
   { assert (unit53 * (unit53 * / 1000000000000000000000000000000000000000000000000000000000000) <= unit53 * (unit53 * Q))
       by (apply unit_times_compat, unit_times_compat; lra). unfold unit53 in *. lra. }
-  split; [|split; [lra|lra]]. exists p, q, g. cbn [hi lo error]. split; [exact P|]. split; [exact Qt|]. split; [exact G|]. split; [exact Bq|].
+  split; [|split; [lra|lra]]. exists p, q, g. cbn [hi lo error]. split; [exact P|]. split; [exact Qt|]. split; [exact G|].
+    split; [exact Bq|].
   split; [lra|]. split; [|lra].
   replace (p + q - M / c) with ((p + q - (h + l) / c) + (h + l - M) / c) by (field; lra). apply Rle_trans with (1 := Rabs_triang _ _).
   assert (Be2 : Rabs ((h + l - M) / c) <= e / c).
@@ -166,7 +173,8 @@ Proof.
   pose proof (unit_times (e / c) ltac:(lra)) as Uec.
   destruct (error_of_is _ p _ v v P W ltac:(lra) ltac:(lra) ltac:(lra)) as (g & G & Bg & _).
   destruct (error_is_at_least _ p _ v P W ltac:(lra) ltac:(lra)) as (g' & G' & Bg' & _). rewrite (is64_same _ _ _ G' G) in Bg'.
-  pose proof share_is_small as Hsh. pose proof (Rabs_pos p) as Pp. assert (share101 * Rabs p <= 1 * Rabs p) by (apply Rmult_le_compat_r; lra).
+  pose proof share_is_small as Hsh. pose proof (Rabs_pos p) as Pp. assert (share101 * Rabs p <= 1 * Rabs p) by
+    (apply Rmult_le_compat_r; lra).
   apply (sign_unknown _ p g); unfold rounded; cbn [hi error]; trivial; lra.
 Qed.
 

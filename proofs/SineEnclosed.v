@@ -28,7 +28,8 @@ Lemma third_value_within : forall s a m sigma t, encloses (3 * share101) s sigma
   exists e, within e (third_value s a) ((4 * m * m - 3) * m + sigma) /\ Rabs ((4 * m * m - 3) * m + sigma) <= 38 * e /\
     / 1000000000000000000000000000000000000000000000000000000000 <= e <= 2500 * (share101 * t).
 Proof.
-  intros s a m sigma t Es Ea Bt Et Bs Bm. pose proof unit_is_small as Hu. pose proof share_is_small as Hsh. pose proof tiny_is_tinier as Htiny.
+  intros s a m sigma t Es Ea Bt Et Bs Bm. pose proof unit_is_small as Hu. pose proof share_is_small as Hsh.
+    pose proof tiny_is_tinier as Htiny.
   pose proof (unit_times t ltac:(lra)) as Ut. pose proof (unit_times _ (proj1 Ut)) as UUt. pose proof (Rabs_le_inv _ _ Bm) as Bm2.
   assert (EW : share101 * t = 32 * (unit53 * (unit53 * t))) by (rewrite share_is; ring). set (W := unit53 * (unit53 * t)) in *.
   assert (By : 9999 / 10000 * t <= m <= 10001 / 10000 * t) by lra.
@@ -76,7 +77,8 @@ Proof.
   assert (L4 : share101 * (1200 * W) <= / 1000 * W).
   { replace (share101 * (1200 * W)) with (1200 * share101 * W) by ring. apply Rmult_le_compat_r; lra. }
   assert (LW : / 10000000000000000000000000000000000000000 <= W).
-  { unfold W. apply Rle_trans with (unit53 * (unit53 * / 60000000)); [unfold unit53; lra|]. apply unit_times_compat, unit_times_compat. lra. }
+  { unfold W. apply Rle_trans with (unit53 * (unit53 * / 60000000)); [unfold unit53; lra|].
+    apply unit_times_compat, unit_times_compat. lra. }
   exists e. split; [exact We|]. split; [|split]; lra.
 Qed.
 
@@ -132,7 +134,8 @@ Proof.
   intros sigma c.
   change (fun y => (6 - 4 * y) * y * y - sigma) with
     (minus_fct (mult_fct (mult_fct (minus_fct (fct_cte 6) (mult_fct (fct_cte 4) id)) id) id) (fct_cte sigma)).
-  replace (12 * c * (1 - c)) with ((((0 - (0 * id c + fct_cte 4 c * 1)) * id c + minus_fct (fct_cte 6) (mult_fct (fct_cte 4) id) c * 1) * id c +
+  replace (12 * c * (1 - c)) with ((((0 - (0 * id c + fct_cte 4 c * 1)) * id c + minus_fct (fct_cte 6) (mult_fct (fct_cte 4) id) c
+    * 1) * id c +
     mult_fct (minus_fct (fct_cte 6) (mult_fct (fct_cte 4) id)) id c * 1) - 0) by (unfold minus_fct, mult_fct, fct_cte, id; ring).
   apply derivable_pt_lim_minus; [|apply derivable_pt_lim_const]. apply derivable_pt_lim_mult; [|apply derivable_pt_lim_id].
   apply derivable_pt_lim_mult; [|apply derivable_pt_lim_id]. apply derivable_pt_lim_minus; [apply derivable_pt_lim_const|].
@@ -195,7 +198,8 @@ Proof.
     replace (4810 * V) with (400 * W * (12025 / 1000 * t)) by (rewrite <- EWt; field). apply product_size; [exact Bm|].
     apply Rabs_le. lra. }
   assert (RS : Rabs (- sigma) = sigma) by (rewrite Rabs_Ropp, Rabs_pos_eq; lra).
-  destruct (sum_within _ _ _ _ A (- sigma) (4810 * V) A4 (encloses_negated _ _ _ Er) ltac:(lra) ltac:(lra) Ca ltac:(rewrite Rabs_pos_eq; lra)
+  destruct (sum_within _ _ _ _ A (- sigma) (4810 * V) A4 (encloses_negated _ _ _ Er) ltac:(lra) ltac:(lra) Ca
+    ltac:(rewrite Rabs_pos_eq; lra)
     ltac:(rewrite RS; lra) Bphi ltac:(lra)) as (e & We & Low & Up).
   rewrite RS in Up. rewrite (Rabs_pos_eq A) in Low, Up by lra.
   assert (L1 : 468 / 100 * (share101 * T) <= share101 * A).
@@ -256,7 +260,8 @@ Qed.
 Theorem sine_of_third_encloses : forall R w K, parameters R w K ->
   encloses (80000 * share101) (sine_of_third R w) (third_sine (value32 R) (value32 w)).
 Proof.
-  intros R w K Hp. pose proof unit_is_small as Hu. pose proof share_is_small as Hsh. destruct (third_sine_of_half R w K Hp) as (Ht & E & Bs).
+  intros R w K Hp. pose proof unit_is_small as Hu. pose proof share_is_small as Hsh.
+    destruct (third_sine_of_half R w K Hp) as (Ht & E & Bs).
   pose proof (half_width_is R w K Hp) as Ih. pose proof Hp as ((FR & _) & HR & Hw & _).
   pose proof (to64_is_exact R FR) as IR. pose proof (two_to_is (-1) ltac:(lia)) as I2. change (bpow radix2 (-1)) with (/ 2) in I2.
   set (t := third_sine _ _) in *. set (s := value32 w / 2 / value32 R) in *. pose proof (unit_times t ltac:(lra)) as Ut.
@@ -275,7 +280,8 @@ Proof.
   - set (v := / 2 - t). set (r := (value32 R - value32 w / 2) / value32 R). intros Hv Ev [Br Hr] Bm Im (y & Iy & Cy).
     pose proof (rest_is_small r v Hr ltac:(lra) Ev) as Hsmall.
     pose proof (unit_times v ltac:(lra)) as Uv.
-    pose proof (rest_root_encloses _ r v _ y Iy ltac:(lra) Hv Ev Hr ltac:(lra) (exact_quotient _ _ _ _ Im IR ltac:(lra) ltac:(lra) ltac:(lra))
+    pose proof (rest_root_encloses _ r v _ y Iy ltac:(lra) Hv Ev Hr ltac:(lra)
+      (exact_quotient _ _ _ _ Im IR ltac:(lra) ltac:(lra) ltac:(lra))
       (quotient _ _ Im ltac:(lra))) as Ev2.
     replace t with (/ 2 - v) by (unfold v; ring).
     apply encloses_more with (7 * (0 + 10000 * share101) + 3 * share101); [|lra].

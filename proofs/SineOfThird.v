@@ -61,7 +61,8 @@ Proof.
   { replace (h + l - t) with ((h + l - (y0 + - q y0)) + (y0 - q y0 - t)) by ring. apply Rle_trans with (1 := Rabs_triang _ _). lra. }
   pose proof (Rabs_le_inv _ _ E1) as E1'. pose proof (Rabs_le_inv _ _ Br) as Br'. fold u in Br, Br'.
   assert (Ph : 0 <= h).
-  { destruct (Rle_or_lt 0 h) as [G|G]; [exact G|exfalso]. assert (u * h < 0) by (replace 0 with (u * 0) by ring; now apply Rmult_lt_compat_l).
+  { destruct (Rle_or_lt 0 h) as [G|G]; [exact G|exfalso]. assert (u * h < 0) by (replace 0 with (u * 0) by ring;
+    now apply Rmult_lt_compat_l).
     lra. }
   assert (Uh : 0 <= u * h <= / 1000000000000 * h) by (split; [apply Rmult_le_pos; lra|apply Rmult_le_compat_r; lra]).
   assert (Bh2 : 9999 / 10000 * t <= h <= 1001 / 1000 * t) by lra.
@@ -112,7 +113,8 @@ Proof.
     split; [exact Hh|]. split; [exact Hl|]. split; [apply zero_is|].
     rewrite Rminus_diag_eq, Rabs_R0 by reflexivity.
     split; [lra|]. split; [rewrite Rabs_pos_eq; lra|]. split; [fold u; lra|lra]. }
-  destruct (is_off_add _ _ _ _ _ _ _ _ _ _ _ _ (10001 / 10000 * t) (102 / 100 * U) (12 / 10 * t) A3 (is_off_negated _ _ _ _ _ _ Q1) ltac:(lra)
+  destruct (is_off_add _ _ _ _ _ _ _ _ _ _ _ _ (10001 / 10000 * t) (102 / 100 * U) (12 / 10 * t) A3
+    (is_off_negated _ _ _ _ _ _ Q1) ltac:(lra)
     ltac:(lra) ltac:(lra) S1 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as [(h' & l' & k' & Hh' & Hl' & Hk' & E' & _ & _ & Bk') Two].
   destruct (Two ltac:(lra) ltac:(lra)) as (p & r & P2 & R2 & Br2). clear Two.
   assert (Ep2 : p = h') by exact (eq_trans (eq_sym (proj1 P2)) (proj1 Hh')).
@@ -160,7 +162,8 @@ Proof.
   pose proof (rest_of_third R w K Hp) as Rt. destruct (half_chord_is_binary64 R w K Hp) as (Gm & _ & Hm).
   destruct Hp as ((FR & _) & HR & Hw & _).
   pose proof (to64_is_exact R FR) as IR. pose proof (two_to_is (-1) ltac:(lia)) as I2. change (bpow radix2 (-1)) with (/ 2) in I2.
-  cbv zeta in T0, R0, Rt. fold t in Ht, E, T0, R0, Rt. fold s in E, Bs, Is, Cs, T0, R0, Rt. fold v in R0, Rt. fold m in Gm, Hm, Rt. fold r in Rt.
+  cbv zeta in T0, R0, Rt. fold t in Ht, E, T0, R0, Rt. fold s in E, Bs, Is, Cs, T0, R0, Rt. fold v in R0, Rt. fold m in Gm, Hm, Rt.
+    fold r in Rt.
   pose proof (unit_times s ltac:(lra)) as Us. apply Rabs_le_inv in Cs. rewrite (at_most_is _ _ _ _ Is I2).
   case Rle_bool_spec; intro Hs; [assert (Hs2 : s <= 5001 / 10000) by lra; exact (Third Hs2 (T0 Hs2))|].
   rewrite (equal_is _ _ _ _ Ih IR). case Req_bool_spec; intro Heq.

@@ -4,7 +4,8 @@ From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Nearness Inputs ErrorFree TwoPolygonsConstants DoubleDoubleNear.
 From Forceshade Require Import DoubleDouble Depth DoubleDoubleTerms ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
-From Forceshade Require Import SineOfThird SineEnclosed BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatRight.
+From Forceshade Require Import SineOfThird SineEnclosed BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients
+  BigFloatRight.
 From Forceshade Require Import BigFloatTight BigFloatDecide ThirdAlong NewtonThirdStage.
 Open Scope R_scope.
 
@@ -24,7 +25,8 @@ Definition sine_of_third_big (width : Z) (R w : binary32) : big :=
       (third_slope_big width) (third_start R w)
   else if is_equal (half_width w) (to64 R) then exactly width (two_to (-1))
   else subtract width (exactly width (two_to (-1)))
-    (newton_root_big width (rest_value_big width (divide_newton width (exactly width (minus (to64 R) (half_width w))) (exactly width (to64 R))))
+    (newton_root_big width (rest_value_big width (divide_newton width (exactly width (minus (to64 R) (half_width w)))
+      (exactly width (to64 R))))
       (rest_slope_big width) (rest_start R w)).
 
 Lemma whole_tight : forall width n u, (128 <= width <= 4096)%Z -> (Z.abs n < 1000)%Z -> (- range <= u <= -3)%Z ->
@@ -32,7 +34,8 @@ Lemma whole_tight : forall width n u, (128 <= width <= 4096)%Z -> (Z.abs n < 100
 Proof. intros width n u W N U. apply tight_exactly; [lia|exact U|]. apply whole_is. lia. Qed.
 
 (* A sum that may cancel wholly. *)
-Lemma sum_error : forall width k t u g a b x y, (128 <= width)%Z -> (k + width + 3 <= range)%Z -> tight width k t a x -> tight width k u b y ->
+Lemma sum_error : forall width k t u g a b x y, (128 <= width)%Z -> (k + width + 3 <= range)%Z -> tight width k t a x ->
+  tight width k u b y ->
   (t <= 20 - width)%Z -> (u <= 20 - width)%Z -> Rabs x <= bpow radix2 g -> Rabs y <= bpow radix2 g -> (-10000 <= g)%Z ->
   (width <= 4096)%Z -> let r := add width a b in
   normal width r /\ fits (k + width + 3) r /\ contains width r (x + y) /\ (error r = none \/ (error r <= g + 24 - width)%Z).
@@ -73,9 +76,11 @@ Proof.
   assert (Btt : 0 <= t * t <= 302 / 10000).
   { split; [apply Rmult_le_pos; lra|]. apply Rle_trans with (1737 / 10000 * (1737 / 10000)); [apply Rmult_le_compat; lra|lra]. }
   assert (Bst : sigma <= 3 * t) by (assert (0 <= t * t * t) by (apply Rmult_le_pos; lra); lra).
-  assert (arg : forall y, Rabs (y - t) <= bpow radix2 (-20) * t -> 99999 / 100000 * t <= y <= 100001 / 100000 * t /\ 0 <= y * y <= 303 / 10000 /\
+  assert (arg : forall y, Rabs (y - t) <= bpow radix2 (-20) * t -> 99999 / 100000 * t <= y <= 100001 / 100000 * t /\
+    0 <= y * y <= 303 / 10000 /\
     0 <= y * t <= 303 / 10000).
-  { intros y H. rewrite P20 in H. apply Rabs_le_inv in H. assert (B : 99999 / 100000 * t <= y <= 100001 / 100000 * t) by lra. split; [exact B|].
+  { intros y H. rewrite P20 in H. apply Rabs_le_inv in H. assert (B : 99999 / 100000 * t <= y <= 100001 / 100000 * t) by lra.
+    split; [exact B|].
     split; (split; [apply Rmult_le_pos; lra|]).
     - apply Rle_trans with (17372 / 100000 * (17372 / 100000)); [apply Rmult_le_compat; lra|lra].
     - apply Rle_trans with (17372 / 100000 * (1737 / 10000)); [apply Rmult_le_compat; lra|lra]. }
@@ -102,7 +107,8 @@ Proof.
     assert (A1' : tight width 10000 (4 - width) (multiply width (whole_big width 4) x) (4 * y))
       by (apply tight_more with (1 := A1); [numbers; lia|lia]).
     assert (Tx1 : tight width 10000 (1 - width) x y) by (apply tight_more with (1 := Tx); [numbers; lia|lia]).
-    pose proof (tight_multiply width 10000 (4 - width) (1 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) A1' Tx1) as A2.
+    pose proof (tight_multiply width 10000 (4 - width) (1 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia)
+      A1' Tx1) as A2.
     set (b := multiply width (multiply width (whole_big width 4) x) x) in *.
     assert (A2' : tight width 30000 (7 - width) b (4 * y * y)) by (apply tight_more with (1 := A2); [numbers; lia|lia]).
     assert (T3' : tight width 30000 (1 - width) (negated (whole_big width 3)) (- (3)))
@@ -114,7 +120,8 @@ Proof.
     assert (A3' : tight width 50000 (13 - width) (add width b (negated (whole_big width 3))) (4 * y * y + - (3)))
       by (apply tight_more with (1 := A3); [numbers; lia|lia]).
     assert (Tx2 : tight width 50000 (1 - width) x y) by (apply tight_more with (1 := Tx); [numbers; lia|lia]).
-    pose proof (tight_multiply width 50000 (13 - width) (1 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) A3' Tx2) as A4.
+    pose proof (tight_multiply width 50000 (13 - width) (1 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia)
+      A3' Tx2) as A4.
     assert (A4' : tight width 400000 (16 - width) (multiply width (add width b (negated (whole_big width 3))) x) ((4 * y * y + - (3)) * y))
       by (apply tight_more with (1 := A4); [numbers; lia|lia]).
     assert (E4 : bpow radix2 (e + 2) = bpow radix2 e * 4) by (rewrite bpow_plus; reflexivity).
@@ -159,7 +166,8 @@ Proof.
   { split; [apply Rmult_le_pos; lra|]. rewrite (Rmult_comm (3265 / 10000)). apply Rmult_le_compat_l; lra. }
   assert (arg : forall y, Rabs (y - t) <= bpow radix2 (-20) * t -> 99999 / 100000 * t <= y <= 100001 / 100000 * t /\
     0 <= y * y <= 10003 / 10000 * (t * t) /\ 0 <= y * t <= 10003 / 10000 * (t * t)).
-  { intros y H. rewrite P20 in H. apply Rabs_le_inv in H. assert (B : 99999 / 100000 * t <= y <= 100001 / 100000 * t) by lra. split; [exact B|].
+  { intros y H. rewrite P20 in H. apply Rabs_le_inv in H. assert (B : 99999 / 100000 * t <= y <= 100001 / 100000 * t) by lra.
+    split; [exact B|].
     split; (split; [apply Rmult_le_pos; lra|]).
     - apply Rle_trans with (100001 / 100000 * t * (100001 / 100000 * t)); [apply Rmult_le_compat; lra|lra].
     - apply Rle_trans with (100001 / 100000 * t * t); [apply Rmult_le_compat_r; lra|lra]. }
@@ -196,11 +204,13 @@ Proof.
     specialize (A2 ltac:(lra)). set (b := add width (whole_big width 6) (negated (multiply width (whole_big width 4) x))) in *.
     assert (A2' : tight width 30000 (10 - width) b (6 + - (4 * y))) by (apply tight_more with (1 := A2); [numbers; lia|lia]).
     assert (Tx1 : tight width 30000 (1 - width) x y) by (apply tight_more with (1 := Tx); [numbers; lia|lia]).
-    pose proof (tight_multiply width 30000 (10 - width) (1 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) A2' Tx1) as A3.
+    pose proof (tight_multiply width 30000 (10 - width) (1 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia)
+      A2' Tx1) as A3.
     assert (A3' : tight width 80000 (13 - width) (multiply width b x) ((6 + - (4 * y)) * y))
       by (apply tight_more with (1 := A3); [numbers; lia|lia]).
     assert (Tx2 : tight width 80000 (1 - width) x y) by (apply tight_more with (1 := Tx); [numbers; lia|lia]).
-    pose proof (tight_multiply width 80000 (13 - width) (1 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) A3' Tx2) as A4.
+    pose proof (tight_multiply width 80000 (13 - width) (1 - width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia)
+      A3' Tx2) as A4.
     assert (A4' : tight width 400000 (16 - width) (multiply width (multiply width b x) x) ((6 + - (4 * y)) * y * y))
       by (apply tight_more with (1 := A4); [numbers; lia|lia]).
     assert (E3 : bpow radix2 (2 * e + 3) = bpow radix2 (2 * e) * 8) by (rewrite bpow_plus; reflexivity).
@@ -222,7 +232,8 @@ Proof.
       by (apply tight_more with (1 := A1); [numbers; lia|lia]).
     assert (A2' : tight width 10000 (u + 6) (add width (whole_big width 1) (negated x)) (1 + - y))
       by (apply tight_more with (1 := A2); [numbers; lia|lia]).
-    pose proof (tight_multiply width 10000 (u + 6) (u + 6) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) A1' A2') as A3. split.
+    pose proof (tight_multiply width 10000 (u + 6) (u + 6) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) A1' A2')
+      as A3. split.
     + apply tight_more with (1 := A3); [numbers; lia|lia].
     + assert (E8 : bpow radix2 (e + 2) = bpow radix2 (e - 1) * 8).
       { replace (e + 2)%Z with (e - 1 + 3)%Z by ring. rewrite bpow_plus. reflexivity. }
@@ -245,7 +256,8 @@ Proof.
     tight width 400000 (14 - width) (divide_newton width (exactly width v) (exactly width (to64 R))) (x / value32 R)).
   { intros v x I. pose proof (tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) I) as Tv.
     pose proof (tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) IR) as TR.
-    pose proof (tight_divide width 1074 (- width) (- width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Tv TR ltac:(lra)) as T.
+    pose proof (tight_divide width 1074 (- width) (- width) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Tv TR
+      ltac:(lra)) as T.
     apply tight_more with (1 := T); [numbers; lia|lia]. }
   apply (sine_of_third_cases _ (fun a => tight width 50000000 (60 - width) a t) _ _ _ R w K Hp); fold t; fold s.
   - intros Hs2 (y & Iy & Cy).

@@ -115,7 +115,8 @@ Proof.
   { apply (multiple_finer (- cexp radix2 fexp64 h)); [apply multiple_of_format; now apply format_of in Ha|unfold E; lia]. }
   assert (Mc : multiple (- E) c).
   { apply (multiple_finer (- cexp radix2 fexp64 c)); [apply multiple_of_format; now apply format_of in Hb|unfold E; lia]. }
-  clearbody E. set (s := h + c) in *. assert (Ms : multiple (- E) s) by (pose proof (multiple_plus _ _ _ _ Mh Mc) as M; now rewrite Z.max_id in M).
+  clearbody E. set (s := h + c) in *. assert (Ms : multiple (- E) s) by (pose proof (multiple_plus _ _ _ _ Mh Mc) as M;
+    now rewrite Z.max_id in M).
   assert (Fs : in_binary64 s) by (apply (format_of_multiple E); trivial; lra).
   assert (Blk : Rabs (l + k) <= bpow radix2 (2 + E)).
   { apply Rle_trans with (1 := Rabs_triang _ _). rewrite bpow_plus. change (bpow radix2 2) with 4.
@@ -135,7 +136,8 @@ Proof.
   set (tl := l + k - t) in *. pose proof (unit_times _ (Rabs_pos (l + k))) as Ulk.
   assert (Bt : Rabs t <= 1000).
   { replace t with (l + k - tl) by (unfold tl; ring). apply Rle_trans with (1 := minus_size _ _). lra. }
-  assert (HG : exists G, (-1074 <= G)%Z /\ multiple (- G) s /\ multiple (- G) t /\ Rabs t < bpow radix2 (53 + G) /\ 2 * Rabs tl <= bpow radix2 G).
+  assert (HG : exists G, (-1074 <= G)%Z /\ multiple (- G) s /\ multiple (- G) t /\ Rabs t < bpow radix2 (53 + G) /\
+    2 * Rabs tl <= bpow radix2 G).
   { destruct (Req_dec t 0) as [H0|H0].
     - exists E. split; [exact HE|]. split; [exact Ms|]. rewrite H0. split; [exists 0%Z; ring|]. rewrite Rabs_R0.
       split; [apply bpow_gt_0|]. unfold tl in *. rewrite H0, Rminus_0_r in *. lra.

@@ -68,11 +68,13 @@ Proof.
       [destruct Fb; numbers; lia|now left|right; lia]. }
   destruct (tight_cases width k u b y ltac:(lia) ltac:(lia) Tb) as [[Xb Y0]|(Xb & Zb & _ & _ & Eb & Pb & _)].
   { destruct (exact_zero_parts k b ltac:(lia) Fb Xb) as [Z E].
-    split; [exact N|]. split; [exact F|]. split; [exact C|]. split; [numbers; lia|]. right. unfold add. rewrite Za, Z, E. split; [exact Za|].
+    split; [exact N|]. split; [exact F|]. split; [exact C|]. split; [numbers; lia|]. right. unfold add. rewrite Za, Z, E.
+      split; [exact Za|].
     cbn [error exponent with_error]. destruct (clamp_at_most (Z.max (error a) none + 1) (exponent a + t + 1)) as [B|B];
       [destruct Fa; numbers; lia|now left|right; lia]. }
   apply tight_sum; try assumption. apply Rle_trans with (2 := S). apply bpow_le.
-  assert (exponent a - 2 <= e - 2)%Z by (apply (le_bpow radix2); lra). assert (exponent b - 2 <= e - 2)%Z by (apply (le_bpow radix2); lra). lia.
+  assert (exponent a - 2 <= e - 2)%Z by (apply (le_bpow radix2); lra).
+    assert (exponent b - 2 <= e - 2)%Z by (apply (le_bpow radix2); lra). lia.
 Qed.
 
 (* A component of a force is not too small to be approximated. *)
@@ -154,7 +156,8 @@ Proof.
   destruct (tight_cases width 1074 (- width) b Y ltac:(lia) ltac:(numbers; lia) Tb) as [[Xb Y0]|(Xb & Zb & _ & Y0 & _)].
   { destruct (exact_zero_parts 1074 b ltac:(numbers; lia) Fb Xb) as [Z Eb].
     assert (S : add width radius b = with_error radius (none + 1)) by (unfold add; now rewrite ZR, Z, ER, Eb).
-    split; [exact N|]. split; [exact F|]. split; [exact C|]. split; [numbers; lia|]. right. rewrite S. split; [exact ZR|]. left. reflexivity. }
+    split; [exact N|]. split; [exact F|]. split; [exact C|]. split; [numbers; lia|]. right. rewrite S. split; [exact ZR|]. left.
+      reflexivity. }
   destruct Hb as [[Hb _]|Hb]; [congruence|]. destruct L as [L|L].
   - split; [exact N|]. split; [exact F|]. split; [exact C|]. split; [numbers; lia|]. left.
     assert (Eb : b = negated radius); [|rewrite Eb; now apply less_itself]. rewrite Hb. destruct Hv as [[Vv Fv] _ _ _].
@@ -168,7 +171,8 @@ Proof.
     assert (EXb : (exponent b <= 15)%Z).
     { rewrite Hb in Zb |- *. apply (exactly_exponent width v Y 14); [lia|exact (coordinate_is _ _ Hv)| |exact Zb].
       apply Rle_trans with (1 := HY). simpl. lra. }
-    assert (T : tight width (1074 + width + 3) (Z.max (Z.max (- width) (- width)) (1 - width) + 45 + 3) (add width radius b) (value32 R + Y)).
+    assert (T : tight width (1074 + width + 3) (Z.max (Z.max (- width) (- width)) (1 - width) + 45 + 3) (add width radius b)
+      (value32 R + Y)).
     { apply tight_sum; try assumption; try lia.
       apply Rle_trans with (bpow radix2 (-30)); [apply bpow_le; lia|]. rewrite Rabs_pos_eq by lra. simpl. lra. }
     replace (1077 + width)%Z with (1074 + width + 3)%Z by ring. apply tight_more with (1 := T); lia.
@@ -190,7 +194,8 @@ Proof.
     - unfold x. destruct Hv as [[Vv Fv] _ _ _]. destruct v as [s|s|s p q|s m e H]; try discriminate Fv; [left|right; reflexivity].
       split; [reflexivity|]. rewrite <- Vv. simpl. ring. }
   fold radius in T2. unfold subtract.
-  pose proof (tight_multiply width (1077 + width) (49 - width) (49 - width) _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia) T1 T2) as T3.
+  pose proof (tight_multiply width (1077 + width) (49 - width) (49 - width) _ _ _ _ ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lia)
+    T1 T2) as T3.
   pose proof (Rabs_le_inv _ _ HX) as HX2. replace (value32 R + - X) with (value32 R - X) in T3 by ring.
   assert (T4 : tight width (2158 + 3 * width) (52 - width) (multiply width (add width radius (negated x)) (add width radius x))
     ((value32 R - X) * (value32 R + X))) by (apply tight_more with (1 := T3); lia).

@@ -21,7 +21,8 @@ Definition slope_at (Rad w X : R) : R := if Rle_bool (Rabs X) (top_width Rad w /
 (* The linear pieces of top and sides, and half_top, which lies where the comparisons of binary32 numbers need it. *)
 Record shape_3p (R w : binary32) (top_h top_ht side_h side_ht side_s side_st half_top : binary64) : Prop := {
   linear_top : linear top_h top_ht zero64 zero64 (top_height (value32 R) (value32 w)) 0;
-  linear_side : linear side_h side_ht side_s side_st (slope_3p (value32 R) (value32 w) * (value32 w / 2)) (slope_3p (value32 R) (value32 w));
+  linear_side : linear side_h side_ht side_s side_st (slope_3p (value32 R) (value32 w) * (value32 w / 2))
+    (slope_3p (value32 R) (value32 w));
   half_top_finite : is_finite 53 1024 half_top = true;
   half_top_decides : forall a, in_binary32 a -> (a <= value64 half_top <-> a <= top_width (value32 R) (value32 w) / 2)
 }.
@@ -47,8 +48,10 @@ Lemma penetration_of_three : forall is_fused R w K top_h top_ht side_h side_ht s
   inside && unclear = false ->
   (is_less zero64 value = true <-> 0 < M) /\ (0 < M -> computes value (7 / 2) M (-66) 15).
 Proof.
-  intros is_fused R w K top_h top_ht side_h side_ht side_s side_st half_top xv X zv Z Hp [Lt Ls _ _] Hx Hz inside on_top h ht s st value unclear M Hclear.
-  destruct (absolute_coordinate _ _ Hx) as (Ia & Fa & Ra). unfold M, penetration_3p. fold inside on_top. unfold value, unclear, h, ht, s, st in *.
+  intros is_fused R w K top_h top_ht side_h side_ht side_s side_st half_top xv X zv Z Hp [Lt Ls _ _] Hx Hz inside on_top h ht s st value
+    unclear M Hclear.
+  destruct (absolute_coordinate _ _ Hx) as (Ia & Fa & Ra). unfold M, penetration_3p. fold inside on_top.
+    unfold value, unclear, h, ht, s, st in *.
   destruct on_top.
   - pose proof (linear_is_positive _ _ _ _ _ _ Lt) as HH.
     pose proof (penetration is_fused inside _ _ _ _ _ _ _ _ zv Z Lt Ia Fa Ra ltac:(intros _; lra) Hz Hclear) as P. cbv zeta in P.
@@ -95,8 +98,10 @@ Proof.
   pose proof (penetration_of_three is_fused R w K _ _ _ _ _ _ _ _ X _ Z Hp Hg Hx Hz) as P. cbv zeta in P.
   destruct (P Hclear) as [P1 P2]. clear P. split; [exact P1|]. intro HM. specialize (P2 HM). fold M in P2.
   unfold side_x, side_z. rewrite (less_is _ _ _ _ (coordinate_is _ _ Hx) zero_is). unfold S, slope_at.
-  destruct (Rle_bool (Rabs X) (value32 w / 2)); destruct (Rle_bool (Rabs X) (top_width (value32 R) (value32 w) / 2)); cbn [andb negb]; split.
-  - destruct flat as [E _]. rewrite E. replace (value32 K * M * (if Rlt_bool X 0 then - 0 else 0)) with (M * 0) by (destruct (Rlt_bool X 0); ring).
+  destruct (Rle_bool (Rabs X) (value32 w / 2)); destruct (Rle_bool (Rabs X) (top_width (value32 R) (value32 w) / 2));
+    cbn [andb negb]; split.
+  - destruct flat as [E _]. rewrite E. replace (value32 K * M * (if Rlt_bool X 0 then - 0 else 0)) with (M * 0) by
+    (destruct (Rlt_bool X 0); ring).
     apply no_force_aside; [exact P2|apply zero_is].
   - destruct flat as [_ E]. rewrite E. replace (value32 K * M * 1) with (M * value32 K) by ring.
     apply unshaded_force with 0; [exact P2|now apply stiffness_computes with R w|lra].
@@ -106,7 +111,8 @@ Proof.
     apply unshaded_force with (101 / 100); [exact P2| |lra]. apply factor_computes in Hs. destruct (Rlt_bool X 0); [|assumption].
     destruct Hs as (v & H1 & H2 & H3). exists (- v). split; [now apply opp_is|]. split; [now apply near_opp|].
     unfold size in *. now rewrite Rabs_Ropp.
-  - replace (value32 K * M * cosine_of (slope_3p (value32 R) (value32 w))) with (M * (value32 K * cosine_of (slope_3p (value32 R) (value32 w)))) by ring.
+  - replace (value32 K * M * cosine_of (slope_3p (value32 R) (value32 w))) with
+    (M * (value32 K * cosine_of (slope_3p (value32 R) (value32 w)))) by ring.
     apply unshaded_force with (101 / 100); [exact P2|now apply factor_computes|lra].
   - replace 0 with (M * 0) by ring. apply no_force_aside; [exact P2|apply zero_is].
   - replace (value32 K * M * 1) with (M * value32 K) by ring.

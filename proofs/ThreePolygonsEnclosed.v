@@ -4,7 +4,8 @@
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs ErrorFree Gap.
-From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds DoubleDoubleTerms ThreePolygonsFace ThreePolygonsConstants.
+From Forceshade Require Import DoubleDouble Depth DoubleDoubleNear DoubleDoubleHolds DoubleDoubleTerms ThreePolygonsFace
+  ThreePolygonsConstants.
 From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie EnclosedSums SecondAlong.
 Open Scope R_scope.
 
@@ -15,10 +16,12 @@ Theorem encloses_subtract : forall s t a b x y, encloses s a x -> encloses t b y
 Proof.
   intros s t a b x y Ea Eb Hs Ht Hx Hy Low Bx By. pose proof unit_is_small as Hu. pose proof tiny_is_tinier as Htiny.
   pose proof share_is_small as Hsh.
-  pose proof (difference_of_two_contains s t a b x y Ea Eb Hs Ht ltac:(right; rewrite Rabs_pos_eq; lra) ltac:(right; rewrite Rabs_pos_eq; lra))
+  pose proof (difference_of_two_contains s t a b x y Ea Eb Hs Ht ltac:(right; rewrite Rabs_pos_eq; lra) ltac:(right;
+    rewrite Rabs_pos_eq; lra))
     as (h & l & g & H & L & G & Bl & Hg & B & Bh).
   destruct Ea as (h1 & l1 & e & H1 & L1 & E1 & Bl1 & Be & B1), Eb as (c & k & f & H2 & L2 & E2 & Bk & Bf & B2).
-  pose proof (first_is_positive _ _ _ _ _ Bl1 Be B1 Hs ltac:(lra)) as S1. pose proof (first_is_positive _ _ _ _ _ Bk Bf B2 Ht ltac:(lra)) as S2.
+  pose proof (first_is_positive _ _ _ _ _ Bl1 Be B1 Hs ltac:(lra)) as S1.
+    pose proof (first_is_positive _ _ _ _ _ Bk Bf B2 Ht ltac:(lra)) as S2.
   rewrite (Rabs_pos_eq h1) in Be by lra. rewrite (Rabs_pos_eq c) in Bf by lra.
   pose proof (size_by (x - y) (h + l)) as SD. rewrite (Rabs_minus_sym (x - y)) in SD.
   pose proof (minus_size x y) as BD. rewrite (Rabs_pos_eq x), (Rabs_pos_eq y) in BD by lra. set (D := Rabs (x - y)) in *.

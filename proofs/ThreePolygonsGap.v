@@ -49,7 +49,8 @@ Lemma shape_enclosed : forall R w K, parameters R w K -> let slope := slope_3p (
 Proof.
   intros R w K Hp slope t. pose proof share_is_small as Hsh. pose proof (sine_of_third_encloses R w K Hp) as Et. fold t in Et.
   pose proof (third_sine_range R w K Hp) as Bx. destruct Hp as ((FR & _) & HR & Hw & _).
-  destruct (third_sine_is (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as ((Hlow & _) & _ & _ & EH & ET & ES & EC). fold slope in ET, ES, EC.
+  destruct (third_sine_is (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as ((Hlow & _) & _ & _ & EH & ET & ES & EC).
+    fold slope in ET, ES, EC.
   set (x := third_sine (value32 R) (value32 w)) in *. destruct (side_sine_range x Bx) as [Bs Bc].
   assert (BRx : / 10000 <= value32 R * x).
   { apply Rle_trans with (value32 R * (value32 w / (6 * value32 R))); [|apply Rmult_le_compat_l; lra].
@@ -78,14 +79,16 @@ Definition is_on_flat (R w x : binary32) : bool := is_at_most32 (b32_abs x) (lar
 Lemma to64_of_finite : forall c, is_finite 53 1024 (to64 c) = true -> is_finite 24 128 c = true.
 Proof. intros [s|s|s pl H|s m e H] F; trivial; discriminate F. Qed.
 
-Lemma at_most_is_decided : forall c x T, is_finite 53 1024 (to64 c) = true -> (forall a, in_binary32 a -> (a <= value64 (to64 c) <-> a <= T)) ->
+Lemma at_most_is_decided : forall c x T, is_finite 53 1024 (to64 c) = true ->
+  (forall a, in_binary32 a -> (a <= value64 (to64 c) <-> a <= T)) ->
   is_finite 24 128 x = true -> is_at_most32 (b32_abs x) c = Rle_bool (Rabs (value32 x)) T.
 Proof.
   intros c x T F64 Dec Fx. pose proof (to64_of_finite c F64) as Fc. destruct (to64_is_exact c Fc) as [Vc _].
   assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs).
   assert (Va : value32 (b32_abs x) = Rabs (value32 x)) by apply B2R_Babs. rewrite (is_at_most32_is_right _ _ Fa Fc), Va.
   assert (Ga : in_binary32 (Rabs (value32 x))) by (apply generic_format_abs, (generic_format_B2R 24 128)).
-  specialize (Dec _ Ga). rewrite Vc in Dec. destruct Dec as [D1 D2]. clear - D1 D2. set (a := Rabs (value32 x)) in *. set (b := value32 c) in *.
+  specialize (Dec _ Ga). rewrite Vc in Dec. destruct Dec as [D1 D2]. clear - D1 D2. set (a := Rabs (value32 x)) in *.
+    set (b := value32 c) in *.
   clearbody a b. destruct (Rle_bool_spec a b) as [H|H]; destruct (Rle_bool_spec a T) as [H'|H']; trivial; exfalso.
   - specialize (D1 H). lra.
   - specialize (D2 H'). lra.

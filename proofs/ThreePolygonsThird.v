@@ -12,7 +12,8 @@ Open Scope R_scope.
 Definition twice_big (width : Z) (a : big) : big := multiply width (exactly width (two_to 1)) a.
 Definition half_top_big (width : Z) (R : binary32) (t : big) : big := multiply width (exactly width (to64 R)) t.
 Definition sine_big (width : Z) (t : big) : big :=
-  multiply width (twice_big width t) (square_root_newton width (multiply width (subtract width (one_of width) t) (add width (one_of width) t))).
+  multiply width (twice_big width t) (square_root_newton width (multiply width (subtract width (one_of width) t)
+    (add width (one_of width) t))).
 Definition cosine_big (width : Z) (t : big) : big := subtract width (one_of width) (multiply width (twice_big width t) t).
 Definition tangent_big (width : Z) (t : big) : big := divide_newton width (sine_big width t) (cosine_big width t).
 Definition top_height_big (width : Z) (R : binary32) (t : big) : big :=
@@ -75,11 +76,13 @@ Proof.
   assert (As : tight 4096 15000000000 (-4015) (sine_big 4096 t) (side_sine x)) by (apply tight_more with (1 := Es); [numbers; lia|lia]).
   assert (Ac : tight 4096 15000000000 (-4015) (cosine_big 4096 t) (side_cosine x)) by (apply tight_more with (1 := Ec); [numbers; lia|lia]).
   split; [exact As|]. split; [exact Ac|]. destruct (side_sine_range x Hx) as [_ Bc].
-  pose proof (tight_divide 4096 15000000000 (-4015) (-4015) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) As Ac ltac:(lra)) as Et.
+  pose proof (tight_divide 4096 15000000000 (-4015) (-4015) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) As Ac
+    ltac:(lra)) as Et.
   apply tight_more with (1 := Et); [numbers; lia|lia].
 Qed.
 
-Lemma shape_third : forall R w K, parameters R w K -> let t := sine_of_third_big 4096 R w in let slope := slope_3p (value32 R) (value32 w) in
+Lemma shape_third : forall R w K, parameters R w K -> let t := sine_of_third_big 4096 R w in let slope :=
+  slope_3p (value32 R) (value32 w) in
   tight 4096 910000000000 (-4009) (tangent_big 4096 t) slope /\ tight 4096 15000000000 (-4015) (sine_big 4096 t) (sine_of slope) /\
   tight 4096 15000000000 (-4015) (cosine_big 4096 t) (cosine_of slope) /\
   tight 4096 910000000000 (-4009) (top_height_big 4096 R t) (top_height (value32 R) (value32 w)).
@@ -93,7 +96,8 @@ Proof.
   pose proof (tight_exactly 4096 (-4036) _ _ ltac:(lia) ltac:(numbers; lia) (to64_is_exact R FR)) as TR.
   assert (TR' : tight 4096 50000000 (-4036) (exactly 4096 (to64 R)) (value32 R)) by (apply tight_more with (1 := TR); [numbers; lia|lia]).
   pose proof (tight_multiply 4096 50000000 (-4036) (-4036) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) TR' T) as Th.
-  assert (Th' : tight 4096 110000000 (-4033) (half_top_big 4096 R t) (value32 R * x)) by (apply tight_more with (1 := Th); [numbers; lia|lia]).
+  assert (Th' : tight 4096 110000000 (-4033) (half_top_big 4096 R t) (value32 R * x)) by (apply tight_more with (1 := Th);
+    [numbers; lia|lia]).
   pose proof (twice_tight 110000000 (-4033) _ _ ltac:(lia) ltac:(lia) Th') as T2.
   assert (T2' : tight 4096 15000000000 (-4030) (twice_big 4096 (half_top_big 4096 R t)) (2 * (value32 R * x)))
     by (apply tight_more with (1 := T2); [numbers; lia|lia]).
@@ -130,7 +134,8 @@ Proof.
   pose proof (Rabs_pos X) as PX. unfold gap_3p_third. rewrite (is_on_flat_is R w K x Hp Fx), Vx.
   unfold M, penetration_3p in *. clear M. rewrite (Rle_bool_true (Rabs X) (value32 w / 2)) in * by exact Hin.
   set (h := top_height (value32 R) (value32 w)) in *. revert Sep. case Rle_bool_spec; intros Htop Sep.
-  - destruct (cancelled_bits (h - Z)) as (m & Bm & BM & SepM); [apply Rabs_le; lra|exact Sep|]. exists m. split; [exact Bm|]. split; [exact BM|].
+  - destruct (cancelled_bits (h - Z)) as (m & Bm & BM & SepM); [apply Rabs_le; lra|exact Sep|]. exists m. split; [exact Bm|].
+    split; [exact BM|].
     pose proof (tight_exactly 4096 (-4009) _ _ ltac:(lia) ltac:(numbers; lia) (coordinate_is _ _ Cz)) as Tz.
     assert (Tz' : tight 4096 910000000000 (-4009) (negated (exactly 4096 (to64 z))) (- Z))
       by (apply tight_negated; apply tight_more with (1 := Tz); [numbers; lia|lia]).

@@ -54,7 +54,8 @@ Proof.
   - apply (below_more _ _ _ Bl). lia.
 Qed.
 
-Lemma times_power_is : forall n k a x, (0 <= k <= 2)%Z -> IZR n = bpow radix2 k \/ IZR n = - bpow radix2 k -> (Z.abs n < 100)%Z -> is64 a x ->
+Lemma times_power_is : forall n k a x, (0 <= k <= 2)%Z -> IZR n = bpow radix2 k \/ IZR n = - bpow radix2 k ->
+  (Z.abs n < 100)%Z -> is64 a x ->
   Rabs x <= bpow radix2 102 -> is64 (times (whole n) a) (IZR n * x) /\ Rabs (IZR n * x) <= bpow radix2 104.
 Proof.
   intros n k a x Hk Hn Hn2 Ha Bx.
@@ -79,14 +80,16 @@ Proof.
   set (h := value32 w / 2) in *. assert (Bh : / 2000 <= h <= 10000) by (unfold h; lra).
   assert (P100 : bpow radix2 100 = 1267650600228229401496703205376) by reflexivity.
   assert (Plow : forall a, / 1000000000000000000000 <= a -> bpow radix2 (-900) <= Rabs a).
-  { intros a Ha. rewrite Rabs_pos_eq by lra. apply Rle_trans with (2 := Ha). apply Rle_trans with (bpow radix2 (-100)); [apply bpow_le; lia|].
+  { intros a Ha. rewrite Rabs_pos_eq by lra. apply Rle_trans with (2 := Ha).
+    apply Rle_trans with (bpow radix2 (-100)); [apply bpow_le; lia|].
     simpl. lra. }
   assert (Bxx : / 10000000000 <= x * x <= 400000000).
   { split; [apply Rle_trans with (/ 100000 * / 100000)|apply Rle_trans with (20000 * 20000)]; try lra; apply Rmult_le_compat; lra. }
   assert (Brr : / 100 <= r * r <= 100000000).
   { split; [apply Rle_trans with (/ 10 * / 10)|apply Rle_trans with (10000 * 10000)]; try lra; apply Rmult_le_compat; lra. }
   assert (B1 : / 1000000000000000 <= x * x * x <= 10000000000000).
-  { split; [apply Rle_trans with (/ 10000000000 * / 100000)|apply Rle_trans with (400000000 * 20000)]; try lra; apply Rmult_le_compat; lra. }
+  { split; [apply Rle_trans with (/ 10000000000 * / 100000)|apply Rle_trans with (400000000 * 20000)]; try lra;
+    apply Rmult_le_compat; lra. }
   assert (B2 : / 10000000 <= r * r * x <= 2000000000000).
   { split; [apply Rle_trans with (/ 100 * / 100000)|apply Rle_trans with (100000000 * 20000)]; try lra; apply Rmult_le_compat; lra. }
   assert (B3 : / 200000 <= r * r * h <= 1000000000000).
@@ -100,7 +103,8 @@ Proof.
   destruct (two_product_gives _ _ _ _ Irr Ih ltac:(apply Plow; lra) ltac:(rewrite P100, Rabs_pos_eq; lra)) as (E1 & E2 & E3 & E4).
   set (p := nearest64 (x * x * x)) in *. set (q := nearest64 (r * r * x)) in *. set (s := nearest64 (r * r * h)) in *.
   assert (F4 : IZR 4 = bpow radix2 2) by reflexivity. assert (F2 : IZR (-2) = - bpow radix2 1) by reflexivity.
-  assert (M : forall m y, (m <= 104)%Z -> Rabs y <= bpow radix2 m -> Rabs y <= bpow radix2 400) by (intros m y Hm Hy; apply (below_more _ _ _ Hy); lia).
+  assert (M : forall m y, (m <= 104)%Z -> Rabs y <= bpow radix2 m -> Rabs y <= bpow radix2 400) by (intros m y Hm Hy;
+    apply (below_more _ _ _ Hy); lia).
   destruct (times_power_is 4 2 _ _ ltac:(lia) (or_introl F4) ltac:(lia) C2 C4) as [T1 M1].
   destruct (times_power_is 4 2 _ _ ltac:(lia) (or_introl F4) ltac:(lia) C1 (below_more 101 102 _ C3 ltac:(lia))) as [T2 M2].
   destruct (times_power_is (-2) 1 _ _ ltac:(lia) (or_intror F2) ltac:(lia) D2 D4) as [T3 M3].
@@ -114,7 +118,8 @@ Proof.
   { unfold l. simpl. ring. }
   rewrite (exact_sign_is _ _ L ltac:(simpl; lia) Bl), Es.
   assert (I2 : is64 (times (whole 2) (to64 c)) (2 * x)).
-  { apply (times_power_is 2 1); [lia|now left|lia|exact Ic|]. apply Rle_trans with (bpow radix2 100); [rewrite P100, Rabs_pos_eq; lra|apply bpow_le;
+  { apply (times_power_is 2 1); [lia|now left|lia|exact Ic|]. apply Rle_trans with (bpow radix2 100);
+    [rewrite P100, Rabs_pos_eq; lra|apply bpow_le;
     lia]. }
   rewrite (at_most_is _ _ _ _ I2 IR). set (f := 4 * (x * x * x) - 3 * (r * r * x) + r * r * h).
   rewrite andb_true_iff. unfold sign_of. case Rle_bool_spec; intro H1.
@@ -179,7 +184,8 @@ Proof.
   assert (High : nearest32 x <= S).
   { apply round_N_le_midp; auto with typeclass_instances. pose proof (succ_is_larger S ltac:(lra)). lra. }
   destruct (Rle_or_lt (nearest32 x) G) as [H|H]; [left; lra|right].
-  assert (S <= nearest32 x); [|lra]. apply succ_le_lt; auto with typeclass_instances. apply generic_format_round; auto with typeclass_instances.
+  assert (S <= nearest32 x); [|lra]. apply succ_le_lt; auto with typeclass_instances.
+    apply generic_format_round; auto with typeclass_instances.
 Qed.
 
 Theorem largest_on_top_is_right : forall R w K half_top x, parameters R w K -> is64 (hi half_top) x ->
@@ -193,7 +199,8 @@ Proof.
     - apply Rle_trans with (value32 R * (value32 w / (6 * value32 R))); [|apply Rmult_le_compat_l; lra].
       replace (value32 R * (value32 w / (6 * value32 R))) with (value32 w / 6) by (field; lra). lra.
     - apply Rle_trans with (value32 R * / 2); [apply Rmult_le_compat_l; lra|lra]. }
-  destruct (nearest_of_almost T x BT Hx) as (GF & BG & BS & Near). set (G := round radix2 fexp32 Zfloor T) in *. set (S := succ radix2 fexp32 G) in *.
+  destruct (nearest_of_almost T x BT Hx) as (GF & BG & BS & Near). set (G := round radix2 fexp32 Zfloor T) in *.
+    set (S := succ radix2 fexp32 G) in *.
   assert (decide : forall c, is_finite 24 128 c = true -> / 100000 <= value32 c <= 20000 -> is_on_top32 c R w = Rle_bool (value32 c) T).
   { intros c Fc Bc. pose proof (is_on_top32_is R w K c Hp Fc Bc) as D. fold T in D. case Rle_bool_spec; intro H.
     - now apply D.

@@ -62,9 +62,11 @@ Proof.
     replace (7 / 10) with (sqrt (7 / 10 * (7 / 10))) by (apply sqrt_square; lra). apply sqrt_le_1_alt. lra. }
   rewrite <- EC in Ecos, BC. rewrite <- EC in ES. set (cosine := cosine_of slope) in *.
   assert (BD : 7 / 10 * (2 * Rad) <= 2 * Rad * cosine <= 2 * Rad).
-  { split; [rewrite (Rmult_comm (2 * Rad)); apply Rmult_le_compat_r; lra|]. rewrite <- (Rmult_1_r (2 * Rad)) at 2. apply Rmult_le_compat_l; lra. }
+  { split; [rewrite (Rmult_comm (2 * Rad)); apply Rmult_le_compat_r; lra|]. rewrite <- (Rmult_1_r (2 * Rad)) at 2.
+    apply Rmult_le_compat_l; lra. }
   assert (BS : / 40000000 <= c / (2 * Rad * cosine) <= 1).
-  { split; apply Rmult_le_reg_r with (2 * Rad * cosine); try lra; replace (c / (2 * Rad * cosine) * (2 * Rad * cosine)) with c by (field; lra); lra. }
+  { split; apply Rmult_le_reg_r with (2 * Rad * cosine); try lra; replace (c / (2 * Rad * cosine) * (2 * Rad * cosine)) with c by (field;
+    lra); lra. }
   assert (Esin : encloses (17000 * share101) (face_sine_2p R w) (c / (2 * Rad * cosine))).
   { apply encloses_more with (3 * (0 + (3 * (3 * share101 + 1850 * share101) + 3 * share101)) + 3 * share101); [|lra].
     apply encloses_divide; trivial; try lra; try (rewrite Rabs_pos_eq; lra).
@@ -84,7 +86,8 @@ Definition settled (gap : double_double) (M : R) : Prop :=
 Lemma settled_positive : forall gap M, settled gap M -> sign_of gap = is_positive ->
   / 1000000000000000000000000000000000000000000000000 <= value64 (hi gap).
 Proof.
-  intros gap M (C & _ & _ & D) Pos. destruct (positive_is _ _ C Pos) as (g & m & f & G & M' & F & Bm & Hf & Dm & _). pose proof (Rabs_pos m).
+  intros gap M (C & _ & _ & D) Pos. destruct (positive_is _ _ C Pos) as (g & m & f & G & M' & F & Bm & Hf & Dm & _).
+    pose proof (Rabs_pos m).
   rewrite (proj1 G), (proj1 F) in D. rewrite (proj1 G). destruct D as [([Z _] & _)|D].
   - rewrite (proj1 G) in Z. lra.
   - rewrite (Rabs_pos_eq g) in D by lra. lra.
@@ -163,19 +166,23 @@ Proof.
   intros R w K s T tangent x X z Z Hp Et Hs BT Fx Vx Cx Cz Hin High. pose proof share_is_small as Hsh.
   pose proof (half_width_coordinate _ _ _ Hp) as Cc. destruct Hp as (_ & HR & Hw & _).
   assert (Ix : is64 (to64 (b32_abs x)) (Rabs X)).
-  { assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs). destruct (to64_is_exact _ Fa) as [V F].
+  { assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs).
+    destruct (to64_is_exact _ Fa) as [V F].
     split; [|exact F]. rewrite V, <- Vx. apply B2R_Babs. }
   pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *. assert (Hc : / 2000 <= c <= 10000) by (unfold c; lra).
   change (c - Rabs X) with (c + - Rabs X) in *. set (u := c + - Rabs X) in *.
   assert (Bu : u = 0 \/ / 10000000000000000 <= u <= 10000).
   { destruct (Req_dec u 0) as [|Hne]; [now left|right]. split; [|unfold u; lra].
     apply Rle_trans with (bpow radix2 (-53)); [simpl; lra|]. rewrite <- (Rabs_pos_eq u) by (unfold u; lra).
-    apply difference_is_not_tiny; [exact (coordinate_format _ _ Cc)|apply generic_format_abs; exact (coordinate_format _ _ Cx)| | |exact Hne].
+    apply difference_is_not_tiny; [exact (coordinate_format _ _ Cc)|apply generic_format_abs;
+      exact (coordinate_format _ _ Cx)| | |exact Hne].
     - right. rewrite Rabs_pos_eq by lra. simpl. lra.
     - rewrite Rabs_Rabsolu. destruct (coordinate_not_tiny _ _ Cx) as [->|L]; [left; apply Rabs_R0|now right]. }
-  pose proof (encloses_sum _ _ _ _ (exactly_is _ _ (coordinate_is _ _ Cc)) (negated_is _ _ (exactly_is _ _ Ix)) ltac:(rewrite Rabs_pos_eq; lra)
+  pose proof (encloses_sum _ _ _ _ (exactly_is _ _ (coordinate_is _ _ Cc)) (negated_is _ _ (exactly_is _ _ Ix))
+    ltac:(rewrite Rabs_pos_eq; lra)
     ltac:(rewrite Rabs_Ropp, Rabs_pos_eq; lra) ltac:(fold u; destruct Bu; [now left|right; lra])) as Eu. fold u in Eu.
-  pose proof (first_size _ _ _ Et ltac:(lra)) as St. rewrite (Rabs_pos_eq T) in St by lra. pose proof (first_size _ _ _ Eu ltac:(lra)) as Su.
+  pose proof (first_size _ _ _ Et ltac:(lra)) as St. rewrite (Rabs_pos_eq T) in St by lra.
+    pose proof (first_size _ _ _ Eu ltac:(lra)) as Su.
   rewrite (Rabs_pos_eq u) in Su by (destruct Bu; lra).
   assert (H2 : s * (3 * share101) <= / 1000 * (s + 3 * share101)).
   { apply Rle_trans with (s * / 1000); [apply Rmult_le_compat_l; lra|lra]. }

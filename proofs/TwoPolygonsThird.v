@@ -37,7 +37,8 @@ Proof.
   set (d := axis_depth (value32 R) (value32 w)) in *. assert (d0 : 0 <= d) by (unfold d, axis_depth; apply sqrt_pos).
   assert (TR : tight 2048 (60 * (3268 + 4 * 2048)) (-2048) (number (to64 R)) (value32 R)).
   { apply tight_more with (1 := exact_third _ _ (to64_is_exact R FR)); [numbers; lia|lia]. }
-  destruct (seen_sum 2048 (60 * (3268 + 4 * 2048)) (-2048) (56 - 2048) 16 20 _ _ _ _ ltac:(lia) ltac:(numbers; lia) TR T) as (_ & _ & _ & Ts);
+  destruct (seen_sum 2048 (60 * (3268 + 4 * 2048)) (-2048) (56 - 2048) 16 20 _ _ _ _ ltac:(lia) ltac:(numbers; lia) TR T) as
+    (_ & _ & _ & Ts);
     try lia; try intros _; try (rewrite Rabs_pos_eq by lra; simpl; lra).
   apply tight_more with (1 := Ts ltac:(lra)); [numbers; lia|lia].
 Qed.
@@ -58,11 +59,14 @@ Proof.
   intros R w K Hp slope. pose proof (sum_third_is R w K Hp) as Ts. pose proof (diameter_third_is R w K Hp) as Td.
   pose proof (exact_third _ _ (half_width_is _ _ _ Hp)) as Th0. destruct Hp as ((FR & _) & HR & Hw & _).
   destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (HS & HcS & ET & _ & EC & ES). fold slope in ET, EC, ES.
-  rewrite EC, ES, ET. set (S := value32 R + axis_depth (value32 R) (value32 w)) in *. set (c := value32 w / 2) in *. set (Rad := value32 R) in *.
+  rewrite EC, ES, ET. set (S := value32 R + axis_depth (value32 R) (value32 w)) in *. set (c := value32 w / 2) in *.
+    set (Rad := value32 R) in *.
   assert (Th : tight 2048 1000000 (-2048) (number (half_width w)) c) by (apply tight_more with (1 := Th0); [numbers; lia|lia]).
   assert (HQ : 0 < S / (2 * Rad)) by (apply Rdiv_lt_0_compat; lra). assert (Hq : 0 < sqrt (S / (2 * Rad))) by now apply sqrt_lt_R0.
-  pose proof (tight_divide 2048 1000000 (-2048) (-1969) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Th Ts ltac:(lra)) as T1.
-  pose proof (tight_divide 2048 1000000 (-1969) (-2024) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Ts Td ltac:(lra)) as T2.
+  pose proof (tight_divide 2048 1000000 (-2048) (-1969) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Th Ts
+    ltac:(lra)) as T1.
+  pose proof (tight_divide 2048 1000000 (-1969) (-2024) _ _ _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) ltac:(lia) Ts Td
+    ltac:(lra)) as T2.
   assert (T2' : tight 2048 100000000 (-1963) (divide_newton 2048 (sum_third R w) (diameter_third R)) (S / (2 * Rad)))
     by (apply tight_more with (1 := T2); [numbers; lia|lia]).
   pose proof (tight_root 2048 100000000 (-1963) _ _ ltac:(lia) ltac:(numbers; lia) ltac:(lia) T2' ltac:(lra)) as T3.
@@ -84,13 +88,16 @@ Qed.
 (* ---- The gap ---- *)
 
 (* The distance from the edge, which may be 0 and is 0 exactly then. *)
-Lemma from_edge_tight : forall width R w K x X, (2048 <= width <= 4096)%Z -> parameters R w K -> is_finite 24 128 x = true -> value32 x = X ->
+Lemma from_edge_tight : forall width R w K x X, (2048 <= width <= 4096)%Z -> parameters R w K -> is_finite 24 128 x = true ->
+  value32 x = X ->
   coordinate (to64 x) X -> Rabs X <= value32 w / 2 ->
-  tight width 100000000 (73 - width) (subtract width (exactly width (half_width w)) (exactly width (to64 (b32_abs x)))) (value32 w / 2 - Rabs X).
+  tight width 100000000 (73 - width) (subtract width (exactly width (half_width w)) (exactly width (to64 (b32_abs x))))
+    (value32 w / 2 - Rabs X).
 Proof.
   intros width R w K x X W Hp Fx Vx Cx Hin. pose proof (half_width_coordinate _ _ _ Hp) as Cc. pose proof (half_width_is _ _ _ Hp) as Ic.
   destruct Hp as (_ & HR & Hw & _). assert (Ix : is64 (to64 (b32_abs x)) (Rabs X)).
-  { assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs). destruct (to64_is_exact _ Fa) as [V F].
+  { assert (Fa : is_finite 24 128 (b32_abs x) = true) by (unfold b32_abs; now rewrite is_finite_Babs).
+    destruct (to64_is_exact _ Fa) as [V F].
     split; [|exact F]. rewrite V, <- Vx. apply B2R_Babs. }
   pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *. assert (Hc : / 2000 <= c <= 10000) by (unfold c; lra).
   pose proof (tight_exactly width (- width) _ _ ltac:(lia) ltac:(numbers; lia) Ic) as Tc.
@@ -117,7 +124,8 @@ Qed.
 (* Beside a face of slope T the gap is 0, or it is not m bits below 2^e. *)
 Lemma side_gap_seen : forall width k t e m R w K tangent T x X z Z, (2048 <= width <= 4096)%Z -> (100000000 <= k <= 1000000000000)%Z ->
   parameters R w K -> is_finite 24 128 x = true -> value32 x = X -> coordinate (to64 x) X -> coordinate (to64 z) Z ->
-  Rabs X <= value32 w / 2 -> tight width k t tangent T -> (73 - width <= t)%Z -> (0 <= m)%Z -> (t + m + 6 <= -3)%Z -> (16 <= e)%Z -> 0 <= T ->
+  Rabs X <= value32 w / 2 -> tight width k t tangent T -> (73 - width <= t)%Z -> (0 <= m)%Z -> (t + m + 6 <= -3)%Z ->
+    (16 <= e)%Z -> 0 <= T ->
   T * (value32 w / 2 - Rabs X) <= bpow radix2 (e - 2) ->
   (T * (value32 w / 2 - Rabs X) + - Z <> 0 -> bpow radix2 (e - m) <= Rabs (T * (value32 w / 2 - Rabs X) + - Z)) ->
   seen width (3 * k) (t + m + 6) (side_gap_big width tangent w x z) (T * (value32 w / 2 - Rabs X) + - Z).
@@ -144,7 +152,8 @@ Lemma side_gap_third_is : forall R w K x X z Z, parameters R w K -> is_finite 24
   coordinate (to64 z) Z -> Rabs X <= value32 w / 2 -> let M := penetration_2p (value32 R) (value32 w) X Z in
   (M <> 0 -> bpow radix2 (-218) <= Rabs M) -> seen 2048 400000000 (-1723) (side_gap_third R w x z) M /\ M <= 20000.
 Proof.
-  intros R w K x X z Z Hp Fx Vx Cx Cz Hin M Sep. destruct (face_third R w K Hp) as (Tt & _). destruct (face_enclosed _ _ _ Hp) as ([_ BT] & _).
+  intros R w K x X z Z Hp Fx Vx Cx Cz Hin M Sep. destruct (face_third R w K Hp) as (Tt & _).
+    destruct (face_enclosed _ _ _ Hp) as ([_ BT] & _).
   pose proof (coordinate_range _ _ Cz) as BZ. pose proof Hp as (_ & HR & Hw & _).
   destruct (face_2p (value32 R) (value32 w) ltac:(lra) ltac:(lra)) as (_ & _ & ET & EH & _).
   set (T := slope_2p (value32 R) (value32 w)) in *. pose proof (Rabs_pos X) as PX. set (c := value32 w / 2) in *.

@@ -1,6 +1,7 @@
 /* Two processes: that of the servo loop, and that which holds a PHANToM, with the driver's own thread and a watch. A frame is the unit of
    time; whoever can do something may wait for any time, but not for ever. The watch goes by next() of device/phantom/ending.h, whose table
-   ending_table prints as next_state(). tests/proofs/phantom_test.sh runs this, also with what is wrong: docs/phantom.md says what is shown. */
+   ending_table prints as next_state(). tests/proofs/phantom_test.sh runs this, also with what is wrong: docs/phantom.md says
+   what is shown. */
 #include "ending.pml"
 #define T 3              /* frames for which an order is obeyed */
 /* What is wrong is a number in the environment of the checker, which so is compiled once; 0 or none: nothing is. */
@@ -34,12 +35,16 @@ active proctype driver() {
   :: !ended && !closed ->
      if
      :: skip
-     :: skip -> atomic { interrupts || ended -> if :: !ended -> closed = true; force = false :: else fi }; break  /* a call returns never, */
-     :: skip -> ended -> break                                                                       /* or not for a signal either */
+     :: skip ->  /* a call returns never, */
+        atomic { interrupts || ended -> if :: !ended -> closed = true; force = false :: else fi }; break
+     :: skip -> ended -> break  /* or not for a signal either */
      fi;
      troubled = troubled || (ordered && age >= T && !OBEYS_FOR_EVER);
      sent = ordered && !troubled && !asked;
-     atomic { if :: !ended || PORT_STAYS -> force = sent :: else fi; age = (age < T -> age + 1 : T); since = (lives -> 0 : since + (since < 20)) };
+     atomic {
+       if :: !ended || PORT_STAYS -> force = sent :: else fi; age = (age < T -> age + 1 : T);
+       since = (lives -> 0 : since + (since < 20))
+     };
      if :: (troubled || asked) && !sent -> closed = true :: else fi
   od
 }

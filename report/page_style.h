@@ -12,11 +12,13 @@ namespace forceshade::properties {
 inline constexpr const char* kPageStyle = R"css(
 :root {
   color-scheme: light dark;
-  --page: #fbfaf7; --ink: #22262b; --quiet: #646b73; --line: #dcd9d1; --held: #0b6b57; --lacking: #8a6400; --failed: #b3400a; --tint: #f2f0ea;
+  --page: #fbfaf7; --ink: #22262b; --quiet: #646b73; --line: #dcd9d1;
+  --held: #0b6b57; --lacking: #8a6400; --failed: #b3400a; --tint: #f2f0ea;
 }
 @media (prefers-color-scheme: dark) {
   :root {
-    --page: #17191c; --ink: #e4e2dd; --quiet: #a0a5ab; --line: #383c41; --held: #6cc9b2; --lacking: #e0bd5a; --failed: #f39a63; --tint: #202327;
+    --page: #17191c; --ink: #e4e2dd; --quiet: #a0a5ab; --line: #383c41;
+    --held: #6cc9b2; --lacking: #e0bd5a; --failed: #f39a63; --tint: #202327;
   }
   .legend { background: #fff; color: #4b5157; border-radius: 4px; padding: 5px 12px; width: fit-content; }
 }
@@ -84,7 +86,10 @@ figcaption { font-size: 14.5px; line-height: 1.5; color: var(--quiet); max-width
   main { padding: 28px 16px 48px; }
   .statement { font-size: 18px; }
   .summary thead { display: none; }
-  .summary tbody tr { display: grid; grid-template-columns: repeat(auto-fill, minmax(112px, 1fr)); gap: 10px 12px; padding: 16px 0; border-bottom: 1px solid var(--line); }
+  .summary tbody tr {
+    display: grid; grid-template-columns: repeat(auto-fill, minmax(112px, 1fr)); gap: 10px 12px; padding: 16px 0;
+    border-bottom: 1px solid var(--line);
+  }
   .summary th, .summary td { display: block; border: 0; padding: 0; text-align: left; }
   .summary tbody th { grid-column: 1 / -1; font-size: 17px; }
   .summary td::before { content: attr(data-label); display: block; font-size: 11.5px; color: var(--quiet); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks the tables of CONTRIBUTING.md: where a law, a kind of height map, a shading scheme, a contact rule or a device is
-// added, and that nothing beside these places has to be extended.
+// added, and that nothing beside these places has to be extended; and that no line is wider than a page.
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -232,6 +233,35 @@ TEST(structure, no_file_beside_the_tables_has_to_be_extended) {
     EXPECT_GT(found, 400);
     for (const auto& [file, reason] : unused) ADD_FAILURE() << file << " is no exception any more: " << reason;
   }
+}
+
+// The output of a program, and tests of the command and of clients, where a line is one call with what is expected of it.
+bool may_be_wide(const std::string& file) {
+  const std::vector<std::string> begins{"proofs/Recorded.v", "clients/", "tests/apps/"};
+  return std::ranges::any_of(begins, [&](const std::string& begin) { return file.starts_with(begin); });
+}
+
+TEST(structure, no_line_of_code_has_more_than_140_columns) {
+  const std::set<std::string> kinds{".h", ".cpp", ".inl", ".c", ".g", ".v", ".pml", ".py", ".pyi", ".sh", ".js", ".mjs"};
+  std::set<std::string> folders = top_folders();
+  folders.insert({"scripts", "proofs"});
+  int found = 0;
+  for (const std::string& folder : folders)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
+      const std::string file = std::filesystem::relative(entry.path(), kRoot);
+      if (!entry.is_regular_file() || may_be_wide(file) ||
+          !(kinds.contains(entry.path().extension()) || (folder == "scripts" && !entry.path().has_extension())))
+        continue;
+      ++found;
+      std::ifstream in(entry.path());
+      int number = 0;
+      for (std::string line; std::getline(in, line);) {
+        ++number;
+        const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80; };  // a character of UTF-8
+        EXPECT_LE(std::ranges::count_if(line, std::not_fn(continues)), 140) << file << ':' << number;
+      }
+    }
+  EXPECT_GT(found, 1500);
 }
 
 }  // namespace

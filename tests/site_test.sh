@@ -16,7 +16,8 @@ linkchecker --no-status --output csv "$scratch/site/index.html" > "$scratch/link
 sed 's|href="docs/index.html"|href="docs/nowhere.html"|' "$scratch/site/index.html" > "$scratch/site/broken.html"
 ! linkchecker --no-status "$scratch/site/broken.html" > /dev/null 2>&1 || { echo "a broken link is not found"; exit 1; }
 grep -q 'forceshade_certificate_covers' "$scratch/site/api/forceshade_8h.html" || { echo "a function lacks in the reference"; exit 1; }
-! grep -rEl '<(script|img|link|iframe)[^>]* (src|href)="(https?:)?//' "$scratch/site" --include='*.html' || { echo "a page loads a file from elsewhere"; exit 1; }
+! grep -rEl '<(script|img|link|iframe)[^>]* (src|href)="(https?:)?//' "$scratch/site" --include='*.html' ||
+  { echo "a page loads a file from elsewhere"; exit 1; }
 
 ls "$build"/python/forceshade/_forceshade*.so > /dev/null 2>&1 || { echo "this build has no package for Python"; exit 0; }
 grep -q 'id="Session.resume"' "$scratch/site/docs/python-reference.html" || { echo "a method of Python lacks"; exit 1; }
@@ -31,7 +32,8 @@ fi
 mkdir "$scratch/build"
 cp -rL "$build/python" "$scratch/build"
 sed -i '/"""Goes back to the beginning of a path."""/d' "$scratch/build/python/forceshade/_sessions.py"
-! "$source/scripts/site" "$scratch/undocumented" "$scratch/build" > "$scratch/said" 2>&1 || { echo "a method without a docstring is not found"; exit 1; }
+! "$source/scripts/site" "$scratch/undocumented" "$scratch/build" > "$scratch/said" 2>&1 ||
+  { echo "a method without a docstring is not found"; exit 1; }
 grep -qx 'Session.reset has no docstring' "$scratch/said" || { cat "$scratch/said"; exit 1; }
 # If the package is not built, its page is left out.
 "$source/scripts/site" "$scratch/without" "$scratch/nowhere" | grep -q '^no reference of the package for Python'

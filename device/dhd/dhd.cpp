@@ -24,7 +24,8 @@ constexpr const char* kForces =
     "as commanded; the vendor's library adds its gravity compensation, and shortens them where the motors are saturated, which "
     "no certificate covers";
 constexpr const char* kUdev =
-    R"(write SUBSYSTEM=="usb", ATTR{idVendor}=="1451", MODE="0666" (a Falcon: ATTR{idVendor}=="0403", ATTR{idProduct}=="cb48") into a file of /etc/udev/rules.d, and plug the device in again)";
+    R"(write SUBSYSTEM=="usb", ATTR{idVendor}=="1451", MODE="0666" (a Falcon: ATTR{idVendor}=="0403", )"
+    R"(ATTR{idProduct}=="cb48") into a file of /etc/udev/rules.d, and plug the device in again)";
 
 FramedDescription description_of(const Identity& its, const Functions& functions) {
   const Model& model = its.model;

@@ -74,7 +74,8 @@ scaled rel= sum * p;
 /\ THIRD in [0.333, 0.334] /\ SIXTH in [0.166, 0.167] /\ |third -/ THIRD| <= 1b-53 /\ |sixth -/ SIXTH| <= 1b-53 -> value - VALUE in ? }
 bend ~ BEND;
 #! piece twice_slope
-{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ |S0| <= 1 /\ |S1| <= 1 /\ |S2| <= 1 /\ |TWICE_BEND| <= 4.0001 /\ |TWICE_SLOPE| <= 2.0001
+{ T in [-1b-36, 1.0001] /\ |t -/ T| <= 0x1.81p-52 /\ |S0| <= 1 /\ |S1| <= 1 /\ |S2| <= 1 /\
+  |TWICE_BEND| <= 4.0001 /\ |TWICE_SLOPE| <= 2.0001
 /\ |s0 -/ S0| <= 1b-53 /\ |s1 -/ S1| <= 1b-53 /\ |s2 -/ S2| <= 1b-53 -> twice_slope - TWICE_SLOPE in ? }
 twice_bend ~ TWICE_BEND;
 #! piece rise

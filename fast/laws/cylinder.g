@@ -92,7 +92,8 @@ $ share in 8;
   |REST| <= 0x9.01p-6 /\ rest = REST * share /\ |ZT| <= 0x1.01p-3 /\ zt = ZT * (1 - share) /\ |ZD| <= 0x1.01p-56 /\ zD = ZD * (1 - share) /\
   |G| <= 0x8.01p47 /\ b - anchor = G * share /\ v_rough in [1, 1b53]
 -> (v_rough - V) / V in ? }
-(W_rough - V) / W_rough -> ((p_rough - P_rough) / p_rough) * (1 - low / W_rough) + ((low - LOW) + (g - (b - anchor)) + zD) / W_rough { W_rough <> 0, p_rough <> 0 };
+(W_rough - V) / W_rough -> ((p_rough - P_rough) / p_rough) * (1 - low / W_rough) + ((low - LOW) + (g - (b - anchor)) + zD) / W_rough
+  { W_rough <> 0, p_rough <> 0 };
 (p_rough - P_rough) / p_rough -> ((p_rough - P_rough) / P_rough) / (1 + (p_rough - P_rough) / P_rough) { P_rough <> 0, p_rough <> 0 };
 V -> W_rough * (1 - (W_rough - V) / W_rough) { W_rough <> 0 };
 (v_rough - V) / V -> ((v_rough - W_rough) / W_rough + (W_rough - V) / W_rough) / (1 - (W_rough - V) / W_rough) { W_rough <> 0, V <> 0 };
@@ -102,7 +103,8 @@ $ share in 8;
   |REST| <= 0x9.01p-6 /\ rest = REST * share /\ |ZT| <= 0x1.01p-3 /\ zt = ZT * (1 - share) /\ |ZD| <= 0x1.01p-56 /\ zD = ZD * (1 - share) /\
   |G| <= 0x8.01p47 /\ b - anchor = G * share /\ v_rough in [-1b53, -1]
 -> (v_rough - V) / V in ? }
-(W_rough - V) / W_rough -> ((p_rough - P_rough) / p_rough) * (1 - low / W_rough) + ((low - LOW) + (g - (b - anchor)) + zD) / W_rough { W_rough <> 0, p_rough <> 0 };
+(W_rough - V) / W_rough -> ((p_rough - P_rough) / p_rough) * (1 - low / W_rough) + ((low - LOW) + (g - (b - anchor)) + zD) / W_rough
+  { W_rough <> 0, p_rough <> 0 };
 (p_rough - P_rough) / p_rough -> ((p_rough - P_rough) / P_rough) / (1 + (p_rough - P_rough) / P_rough) { P_rough <> 0, p_rough <> 0 };
 V -> W_rough * (1 - (W_rough - V) / W_rough) { W_rough <> 0 };
 (v_rough - V) / V -> ((v_rough - W_rough) / W_rough + (W_rough - V) / W_rough) / (1 - (W_rough - V) / W_rough) { W_rough <> 0, V <> 0 };
@@ -110,10 +112,11 @@ $ share in 8;
 
 # x² + z² = r² > 8R², the larger of x² and z² scaled to [1, 4]: V <= R² - (r - d)² <= -r²(1 - 2/√8).
 #! piece sign_far
-{ anchored in [0, 9] /\ anchor in [0, 8] /\ |rest| <= 1b-49 /\ xx in [0, 4] /\ zz in [0, 4] /\ |zd| <= 4 /\ |zt| <= 1b-26 /\ |zD| <= 1b-79 /\
-  V in [-64, -0.29]
+{ anchored in [0, 9] /\ anchor in [0, 8] /\ |rest| <= 1b-49 /\ xx in [0, 4] /\ zz in [0, 4] /\ |zd| <= 4 /\ |zt| <= 1b-26 /\
+  |zD| <= 1b-79 /\ V in [-64, -0.29]
 -> (v_far - V) / V in ? }
-v_far - V -> (v_far - (p_rough + low_far)) + (p_rough - (g - zd)) + (g - (b - anchor)) + (b - (a - zz)) + (a - (anchored - xx)) + (low_far - (rest - zt)) + zD;
+v_far - V -> (v_far - (p_rough + low_far)) + (p_rough - (g - zd)) + (g - (b - anchor)) + (b - (a - zz))
+  + (a - (anchored - xx)) + (low_far - (rest - zt)) + zD;
 a_back - xx -> (a_back - (anchored - a)) - (a - (anchored - xx));
 b_back - zz -> (b_back - (a - b)) - (b - (a - zz));
 

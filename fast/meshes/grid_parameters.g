@@ -26,10 +26,13 @@ ERROR = scaled * (relative_d + 0x1p-51) + from_n;
 #! piece share_of_divisor
 { d in [1, 2] /\ ed / d in [1b-200, 1b-10] /\ ed in [1b-200, 1b-9] /\ |A| <= 1 /\ n in [1b-200, 1b60]
 -> (X - 0x1p24 * (n / D)) / (relative_d * scaled) in ? }
-(X - 0x1p24 * (n / D)) / (relative_d * scaled) -> A / (1 + A * (ed / d)) / (1 + ((scaled - X) / X)) / (0x1.008p0 * (1 + (relative_d - 0x1.008p0 * ed / d) / (0x1.008p0 * ed / d))) { d <> 0, D <> 0, ed <> 0, n <> 0, scaled <> 0, relative_d <> 0 };
+(X - 0x1p24 * (n / D)) / (relative_d * scaled) -> A / (1 + A * (ed / d)) / (1 + ((scaled - X) / X))
+  / (0x1.008p0 * (1 + (relative_d - 0x1.008p0 * ed / d) / (0x1.008p0 * ed / d)))
+  { d <> 0, D <> 0, ed <> 0, n <> 0, scaled <> 0, relative_d <> 0 };
 #! piece share_of_numerator
 { d in [1, 2] /\ ed / d in [0, 1b-10] /\ |A| <= 1 /\ en in [1b-200, 1b60] /\ |B| <= 1
 -> (0x1p24 * (B * en) / D) / from_n in ? }
-(0x1p24 * (B * en) / D) / from_n -> B / (1 + A * (ed / d)) / (0x1.01p0 * (1 + (from_n - 0x1.01p0 * en * (0x1p24 / d)) / (0x1.01p0 * en * (0x1p24 / d)))) { d <> 0, D <> 0, en <> 0, from_n <> 0 };
+(0x1p24 * (B * en) / D) / from_n -> B / (1 + A * (ed / d))
+  / (0x1.01p0 * (1 + (from_n - 0x1.01p0 * en * (0x1p24 / d)) / (0x1.01p0 * en * (0x1p24 / d)))) { d <> 0, D <> 0, en <> 0, from_n <> 0 };
 #! piece bound
 { d in [1, 2] /\ ed in [1b-200, 1b-9] /\ n in [1b-200, 1b60] /\ en in [1b-200, 1b60] -> error -/ ERROR in ? }

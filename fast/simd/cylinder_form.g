@@ -68,7 +68,8 @@ V -> W * (1 - (W - V) / W) { W <> 0 };
 # x² + z² = r² > 8R², the larger of x² and z² scaled to [1, 4]: V <= R² - (r - d)² <= -r²(1 - 2/√8). Here the factor may be rounded:
 # w/2 ± |x| are exact in all the domain.
 #! piece sign_far
-{ |product| <= 5 /\ |z_true| <= 9 /\ |z_factor -/ z_true| <= 1b-53 /\ |zt| <= 1b-26 /\ |zD| <= 1b-79 /\ product - z_true - zt - zD in [-64, -0.29]
+{ |product| <= 5 /\ |z_true| <= 9 /\ |z_factor -/ z_true| <= 1b-53 /\ |zt| <= 1b-26 /\ |zD| <= 1b-79 /\
+  product - z_true - zt - zD in [-64, -0.29]
 -> (v - (product - z_true - zt - zD)) / (product - z_true - zt - zD) in ? }
 v - (product - z_true - zt - zD) -> (v - W) + (q - Q) + (T - t) + (z_factor - p - e) + (z_true - z_factor) + zD;
 
@@ -81,7 +82,8 @@ square - 1 -> (square - (s_32 + tail)) + (s_32 - (R * R - tail - v_32)) + ((R * 
 (R_rho - R) / R -> ((R_rho - R * rho) / (R * rho)) * rho + (rho - 1) { R <> 0, rho <> 0 };
 (w_sum - W_TRUE) / W_TRUE -> ((R_rho - R) / R) * (R / W_TRUE) + (square - 1) / W_TRUE { R <> 0, W_TRUE <> 0 };
 R / W_TRUE -> 1 - 1 / W_TRUE { W_TRUE <> 0 };
-(w_32 - W_TRUE) / W_TRUE -> ((w_32 - w_sum) / w_sum) * (1 + (w_sum - W_TRUE) / W_TRUE) + (w_sum - W_TRUE) / W_TRUE { w_sum <> 0, W_TRUE <> 0 };
+(w_32 - W_TRUE) / W_TRUE -> ((w_32 - w_sum) / w_sum) * (1 + (w_sum - W_TRUE) / W_TRUE) + (w_sum - W_TRUE) / W_TRUE
+  { w_sum <> 0, W_TRUE <> 0 };
 $ R in 16;
 #! piece part_quotient
 { |v_32 -/ (TRUE_T * W_TRUE)| <= 0x1.001p-24 /\ |w_32 -/ W_TRUE| <= 0x7.3ep-24 # from cylinder_form part_sum

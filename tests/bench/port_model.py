@@ -5,7 +5,8 @@
 Of the AVX2 batch, a turn of which answers eight positions, llvm-mca (Debian package llvm) says how many cycles the execution ports need,
 and how many the simulated processor (znver3) takes. With "measured", of the AVX-512 batch and sixteen positions, what instruction_costs.py
 measures on this processor says how many cycles the pipes that multiply, those that add, all pipes, the divider, and the ports of loads
-and of stores need; the largest bounds the loop from below. All other work should be stopped then. The wall's loop is unrolled four times."""
+and of stores need; the largest bounds the loop from below. All other work should be stopped then. The wall's loop is unrolled
+four times."""
 import collections
 import pathlib
 import re

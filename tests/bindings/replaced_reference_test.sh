@@ -24,7 +24,8 @@ other=$(echo "$digest" | tr 0123456789abcdef 123456789abcdef0)
 # The same library but for its digest, as one has that was compiled of other code (install.digest_is_that_of_the_compiled_code).
 sed "s/$digest/$other/" "$library" > "$scratch/other/libforceshade.so.0"
 run "$scratch/other" "$scratch/other.json" && fail "an exchanged library is certified"
-grep -q "is of another build than libforceshade-reference.so.0.*expected digest $digest, got $other" "$scratch/said" || fail "expected the reason"
+grep -q "is of another build than libforceshade-reference.so.0.*expected digest $digest, got $other" "$scratch/said" ||
+  fail "expected the reason"
 [ -z "$(find "$scratch" -name '*.json*' ! -name certificate.json)" ] || fail "a certificate was written"
 run "$scratch/other" || fail "exact forces need no library"
 grep -q '^-\?[0-9. -]* N$' "$scratch/said" || fail "expected the exact force"

@@ -2,7 +2,8 @@
 # parallel_test.sh FORCESHADE SCRIPTS: GNU parallel starts a worker on each host, here on this machine by two names, one of which
 # is reached through a stand-in for ssh; the first worker is killed and started again.
 scripts=$(realpath "$2")
-command -v parallel > /dev/null && parallel --version 2> /dev/null | grep -q "GNU parallel" || { echo "skipped: no GNU parallel; apt-get install parallel"; exit 77; }
+command -v parallel > /dev/null && parallel --version 2> /dev/null | grep -q "GNU parallel" ||
+  { echo "skipped: no GNU parallel; apt-get install parallel"; exit 77; }
 . "$(dirname "$0")/../apps/expect.sh"
 
 export PARALLEL_HOME=$scratch/.parallel FORCESHADE=$scratch/worker

@@ -29,9 +29,12 @@ cmp direct/evidence.json one-merged/evidence.json || { echo "FAILED: certify wit
 # Three at once, each killed after a while, until those that are left end.
 plan killed
 for round in 1 2; do
-  for delay in 0.06 0.09 0.13; do (work killed > /dev/null 2>&1 & pid=$!; sleep $delay; kill -9 $pid 2> /dev/null; wait $pid 2> /dev/null); done
+  for delay in 0.06 0.09 0.13; do
+    (work killed > /dev/null 2>&1 & pid=$!; sleep $delay; kill -9 $pid 2> /dev/null; wait $pid 2> /dev/null)
+  done
   certify merge killed --out "killed-$round" > killed.txt 2>&1  # at any time
-  if grep -q incomplete killed.txt; then grep -q '"complete": false' "killed-$round/evidence.json" || { echo "FAILED: it does not say that it is incomplete"; exit 1; }; fi
+  ! grep -q incomplete killed.txt || grep -q '"complete": false' "killed-$round/evidence.json" ||
+    { echo "FAILED: it does not say that it is incomplete"; exit 1; }
 done
 for i in 1 2 3; do work killed > "killed-$i.txt" & done
 wait
@@ -40,7 +43,9 @@ expect 0 "0 taken" -- certify status killed
 
 # Stopped with SIGINT: no claim is left, and it says how to go on.
 plan stopped
-work stopped > stopped.txt 2>&1 & pid=$!; until ls stopped/results/*/*.json > /dev/null 2>&1; do sleep 0.01; done; kill -INT $pid; wait $pid; same 130 $?
+work stopped > stopped.txt 2>&1 & pid=$!
+until ls stopped/results/*/*.json > /dev/null 2>&1; do sleep 0.01; done
+kill -INT $pid; wait $pid; same 130 $?
 grep -q "the same command goes on" stopped.txt || { echo "FAILED: $(cat stopped.txt)"; exit 1; }
 same "" "$(ls stopped/claims)"
 expect 0 "the plan is complete" -- work stopped

@@ -37,7 +37,8 @@ DEATHS = {
 
 def is_timeless(kind, death):
     """A process that stands still is missed after a time, and the device's own watchdog ends the force of a DHD client that is gone."""
-    return death.number != signal.SIGSTOP and "unplugged=block" not in death.options and not (kind == "dhd" and death.number == signal.SIGKILL)
+    keeps_pushing = kind == "dhd" and death.number == signal.SIGKILL
+    return death.number != signal.SIGSTOP and "unplugged=block" not in death.options and not keeps_pushing
 
 
 def made(kind, death, patient):
@@ -50,7 +51,8 @@ def died(kind, death, forceshade, patient=None):
     """ms from the death to the last moment of force, none where it stays until the device's own time-out; the client's exit code and
     words; and its faults, among them those of its recording. None of all where the moment did not come."""
     with made(kind, death, patient) as arm, tempfile.TemporaryDirectory() as folder:
-        command = [forceshade, "drive", "--device", arm.device, "--law", "wall", "--uncertified", "--watchdog-timeout", "1", "--seconds", "9"]
+        command = [forceshade, "drive", "--device", arm.device, "--law", "wall", "--uncertified", "--watchdog-timeout", "1",
+                   "--seconds", "9"]
         if patient:
             command = [patient, arm.device]
         client = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
@@ -102,7 +104,8 @@ def is_in_order(death, late, end, words, faults):
         return end == 3 and words and not faults - {"left-open", "abrupt-end", "force-at-end", "after-unplug"}
     if death.number == signal.SIGTERM:
         return end == 0 and not faults
-    return end == (STOPPED if death.number == signal.SIGSTOP else -death.number) and not faults - {"left-open", "abrupt-end", "force-at-end"}
+    expected = STOPPED if death.number == signal.SIGSTOP else -death.number
+    return end == expected and not faults - {"left-open", "abrupt-end", "force-at-end"}
 
 
 def main(forceshade, kind, library, patient):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures how long the machine itself stood still, as a virtual machine does whose host is busy. A process on each processor, of higher priority
-than any other, is to be woken every ms, and notes by how much it was later."""
+"""Measures how long the machine itself stood still, as a virtual machine does whose host is busy. A process on each processor,
+of higher priority than any other, is to be woken every ms, and notes by how much it was later."""
 
 import atexit
 import os

@@ -35,10 +35,12 @@ refusal() {  # script without its ending, piece
   local end rest
   piece "$fast/$1.g" "$2" | "$gappa" -Bcoq >proof.v 2>gappa.log || true
   grep -qx 'Lemma l1 : s1 -> False\.' proof.v || { echo "Gappa proves nothing"; return; }
-  [ "$(intervals "$2" <gappa.log)" = "$(grep "^$2: " "$fast/$1.gappa-expected")" ] || { echo "the intervals are not the stored ones"; return; }
+  [ "$(intervals "$2" <gappa.log)" = "$(grep "^$2: " "$fast/$1.gappa-expected")" ] ||
+    { echo "the intervals are not the stored ones"; return; }
   # With a condition that a number is not negative Gappa 1.4.1 writes $ for the argument that Coq finds by itself.
   { echo 'Require Import gappa_rewritings.'
-    sed -E -e 's/^Hypothesis (a[0-9]+) : (.*)\.$/Lemma \1 : \2.\nProof. rewriting. Qed./' -e 's/ \$\) ; finalize\.$/ _) ; finalize./' proof.v
+    sed -E -e 's/^Hypothesis (a[0-9]+) : (.*)\.$/Lemma \1 : \2.\nProof. rewriting. Qed./' -e 's/ \$\) ; finalize\.$/ _) ; finalize./' \
+      proof.v
     echo 'Print Assumptions l1.'; } >checked.v
   while read -r end; do
     rest=0
@@ -56,7 +58,8 @@ refusal() {  # script without its ending, piece
     return
   }
   grep -q '^Axioms:\|^Closed under the global context' coq.log || { echo "Coq does not say what the proof assumes"; return; }
-  sed -nE 's/^([A-Za-z_.0-9]+) *(:.*)?$/\1/p' coq.log | grep -v '^Axioms$' | grep -vxF "$(tr ' ' '\n' <<<"$axioms")" | sed 's/^/it assumes /' || true
+  sed -nE 's/^([A-Za-z_.0-9]+) *(:.*)?$/\1/p' coq.log | grep -v '^Axioms$' | grep -vxF "$(tr ' ' '\n' <<<"$axioms")" |
+    sed 's/^/it assumes /' || true
 }
 
 TIMEFORMAT=%1U

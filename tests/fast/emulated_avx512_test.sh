@@ -9,7 +9,8 @@ cache=$(command -v ccache || true)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 compile() {  # file, flags...
-  $cache "$compiler" -std=c++20 -O1 -w -Wno-psabi -ffp-contract=off -fno-math-errno -I"$source" -I"$source/include" -isystem "$eigen" "${@:2}" \
+  $cache "$compiler" -std=c++20 -O1 -w -Wno-psabi -ffp-contract=off -fno-math-errno -I"$source" -I"$source/include" -isystem "$eigen" \
+    "${@:2}" \
     -c "$source/$1.cpp" -o "$scratch/$(basename "$1").o"
 }
 compile fast/simd/batch_avx512 -I"$source/tests/fast/emulated"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# proofs_test.sh GAPPA SOURCE_DIR [store | SCRIPT...]: runs every Gappa script in fast/, or those named. Each interval that Gappa prints must be the one
-# stored beside the script, and must imply the constant in the header: neither exceed it nor leave it idle by more than 4.
+# proofs_test.sh GAPPA SOURCE_DIR [store | SCRIPT...]: runs every Gappa script in fast/, or those named. Each interval that Gappa prints
+# must be the one stored beside the script, and must imply the constant in the header: neither exceed it nor leave it idle by more than 4.
 # A script holds definitions and then pieces; a piece ("#! piece NAME") is a proposition of its own over the definitions.
 # A piece whose name begins with sign_ proves no more than a sign: its relative error must be below 1. One whose name begins with
 # share_ compares a part of an error with what the header charges for it: below 1, less the few roundings of their sum. One whose name
@@ -74,7 +74,8 @@ check() {  # script's basename, bound that its intervals must imply, or "" if on
   [ "$(printf '%s\n' "$proved" | cut -d: -f1 | sort -u)" = "$(pieces_of "$script" | sort)" ] ||
     fail "$1: a piece proved nothing"
   ! grep ': Assumed: ' <<<"$proved" || fail "$1: Gappa took for granted what is printed above"
-  [ "$proved" = "$(cat "$stored")" ] || { fail "$1: the proved intervals are not the stored ones"; diff <(printf '%s\n' "$proved") "$stored" || true; }
+  [ "$proved" = "$(cat "$stored")" ] ||
+    { fail "$1: the proved intervals are not the stored ones"; diff <(printf '%s\n' "$proved") "$stored" || true; }
   while read -r line; do
     read -r from prefix <<<"${line##*# from }"
     line=$(sed 's/.*<= \([^ ]*\) .*/\1/' <<<"$line")

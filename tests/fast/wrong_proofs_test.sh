@@ -65,6 +65,7 @@ else
   # A denominator that may be 0, and an identity that is none.
   refuses fast/numbers/double_double.g 's/ \{ b_hi <> 0, B <> 0 \}//' 'Gappa took for granted' proofs_test.sh double_double
   refuses fast/numbers/double_double.g 's/^q_high -> -\(/q_high -> (/' 'Gappa took for granted' proofs_test.sh double_double
-  refuses tests/fast/gappa_pieces.sh 's/1b-53 \/\\\\\\n/1b-52 \/\\\\\\n/' 'the proved intervals are not the stored ones' proofs_test.sh decide
+  refuses tests/fast/gappa_pieces.sh 's/1b-53 \/\\\\\\n/1b-52 \/\\\\\\n/' 'the proved intervals are not the stored ones' proofs_test.sh \
+    decide
 fi
 [ "$failures" = 0 ]

@@ -3,7 +3,8 @@
 set -eu
 build=$(realpath "$1") source=$(realpath "$2")
 . "$source/tests/apps/page.sh"
-PATH=/usr/bin:$PATH python3 -c "import numpy, pytest" 2> /dev/null || { echo "skipped: python3-numpy or python3-pytest is not there"; exit 77; }
+PATH=/usr/bin:$PATH python3 -c "import numpy, pytest" 2> /dev/null ||
+  { echo "skipped: python3-numpy or python3-pytest is not there"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 prefix=$scratch/prefix

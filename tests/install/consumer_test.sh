@@ -42,7 +42,8 @@ cmake -S "$examples/programs" -B "$scratch/programs" -DCMAKE_PREFIX_PATH="$prefi
   -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
 cmake --build "$scratch/programs" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
 "$scratch/programs/certify" "$scratch/wall.json"
-"$prefix/bin/forceshade" certify --law bump-2p --radius 15.24mm --width 25.4mm --stiffness 0.5N/mm --out "$scratch/bump" > "$scratch/certify.log"
+"$prefix/bin/forceshade" certify --law bump-2p --radius 15.24mm --width 25.4mm --stiffness 0.5N/mm --out "$scratch/bump" \
+  > "$scratch/certify.log"
 refusal=$("$scratch/programs/drive" "$scratch/wall.json" null "$scratch/refused.fsr") && fail "a bump was driven with a wall's certificate"
 case $refusal in "refused: "*) ;; *) fail "expected a refusal, got: $refusal" ;; esac
 "$scratch/programs/drive" "$scratch/bump/certificate.json" "replay:$examples/recordings/strokes.csv" "$scratch/run.fsr"
@@ -73,7 +74,8 @@ libraries=$(dirname "$pc")
 # shellcheck disable=SC2046,SC2086  # flags are words
 "$compiler" -std=c++20 -O1 $flags -shared -fPIC "$source/plugin.cpp" -o "$scratch/plugin.so" \
   $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -Wl,-z,defs -Wl,--whole-archive \
-  "$libraries"/libforceshade_{fast,files,toml,device,heights,meshes,subjects,identity,renderer,certificate,recorder,run,reference,properties,certify}.a -Wl,--no-whole-archive \
+  "$libraries"/libforceshade_{fast,files,toml,device,heights,meshes,subjects,identity,renderer}.a \
+  "$libraries"/libforceshade_{certificate,recorder,run,reference,properties,certify}.a -Wl,--no-whole-archive \
   $(PKG_CONFIG_PATH=$pc pkg-config --libs forceshade-subjects forceshade-properties)
 # shellcheck disable=SC2086
 "$compiler" -std=c++20 $flags "$source/plugin_loader.cpp" -o "$scratch/plugin_loader" -ldl
@@ -85,8 +87,10 @@ libraries=$(dirname "$pc")
 echo "== the sources inside another project"
 cmake -S "$source/inside" -B "$scratch/inside" -G Ninja -DFORCESHADE_SOURCES="$source/../.." -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log" 2>&1 || { cat "$scratch/configure.log"; exit 1; }
-! grep -E '^(BUILD_TESTING|CMAKE_INSTALL_LIBDIR|CPACK_[A-Z_]*):' "$scratch/inside/CMakeCache.txt" || fail "it sets what belongs to the other project"
-! ninja -C "$scratch/inside" -t commands all | grep -E '/tests/[a-z_]*/CMakeFiles|/apps/|/python/' || fail "the other project builds more than it links"
+! grep -E '^(BUILD_TESTING|CMAKE_INSTALL_LIBDIR|CPACK_[A-Z_]*):' "$scratch/inside/CMakeCache.txt" ||
+  fail "it sets what belongs to the other project"
+! ninja -C "$scratch/inside" -t commands all | grep -E '/tests/[a-z_]*/CMakeFiles|/apps/|/python/' ||
+  fail "the other project builds more than it links"
 object=$(ninja -C "$scratch/inside" -t targets all | sed -n 's/^\([^ ]*consumer\.cpp\.o\):.*/\1/p')
 # The last command compiles the consumer; those before it compile the libraries, once more.
 mkdir -p "$(dirname "$scratch/inside/$object")"
@@ -94,7 +98,8 @@ ninja -C "$scratch/inside" -t commands "$object" | tail -n 1 > "$scratch/command
 (cd "$scratch/inside" && sh "$scratch/command") > "$scratch/log" 2>&1 || { cat "$scratch/log"; fail "its headers are not found"; }
 [ -s "$scratch/inside/$object" ] || fail "the consumer was not compiled"
 # shellcheck disable=SC2046  # flags are words
-echo '#include <forceshade/fast.h>' | "$compiler" -std=c++17 -fsyntax-only $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -x c++ - 2>&1 |
+echo '#include <forceshade/fast.h>' | "$compiler" -std=c++17 -fsyntax-only \
+  $(PKG_CONFIG_PATH=$pc pkg-config --cflags forceshade) -x c++ - 2>&1 |
   grep -q 'forceshade is in C++20: expected -std=c++20 or later' || fail "a program in C++17 gets no reason"
 
 echo "== headers"
@@ -128,7 +133,8 @@ mkdir "$scratch/uninstall"
 find "$scratch/by-pc" -type f > "$scratch/uninstall/install_manifest.txt"
 (cd "$scratch/uninstall" && cmake -P "$source/../../cmake/uninstall.cmake") > "$scratch/log" 2>&1 || { cat "$scratch/log"; exit 1; }
 [ -z "$(find "$scratch/by-pc" -type f)" ] || fail "uninstall leaves files"
-! (cd "$scratch/uninstall" && cmake -P "$source/../../cmake/uninstall.cmake") > "$scratch/log" 2>&1 || fail "nothing was installed, and uninstall does not say so"
+! (cd "$scratch/uninstall" && cmake -P "$source/../../cmake/uninstall.cmake") > "$scratch/log" 2>&1 ||
+  fail "nothing was installed, and uninstall does not say so"
 grep -q 'expected install_manifest.txt in the build folder' "$scratch/log" || { cat "$scratch/log"; fail "uninstall does not say why"; }
 
 echo "== the rest"

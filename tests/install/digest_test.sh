@@ -18,7 +18,8 @@ expect() {  # same | another, what, the build
   local got=another
   [ "$(digest "$3")" != "$first" ] || got=same
   echo "$got: $2"
-  [ "$got" = "$1" ] || fail "$2: expected $([ "$1" = same ] && echo "the same digest" || echo "another digest"), got $(digest "$3") beside $first"
+  [ "$got" = "$1" ] ||
+    fail "$2: expected $([ "$1" = same ] && echo "the same digest" || echo "another digest"), got $(digest "$3") beside $first"
 }
 
 copy=$scratch/a/longer/path/to/the/sources

@@ -12,7 +12,8 @@ trap 'rm -rf "$scratch"' EXIT
 mmdebstrap --variant=minbase --include=ca-certificates bookworm "$scratch/root" > "$scratch/said" 2>&1 ||
   { tail -5 "$scratch/said"; skip "no root could be made"; }
 mkdir "$scratch/root/work"
-cp "$scratch"/packages/*.deb "$source/tests/bindings/c_program.c" "$source/tests/install/consumer.cpp" "$source/tests/install/CMakeLists.txt" "$scratch/root/work"
+cp "$scratch"/packages/*.deb "$source/tests/bindings/c_program.c" "$source/tests/install/consumer.cpp" \
+  "$source/tests/install/CMakeLists.txt" "$scratch/root/work"
 cp "$source"/tests/install/{heights,meshes,properties}_consumer.cpp "$scratch/root/work"
 cp /etc/resolv.conf "$scratch/root/etc/" 2> /dev/null || true
 inside() { chroot "$scratch/root" /bin/sh -ec "cd /work; export DEBIAN_FRONTEND=noninteractive; $1"; }

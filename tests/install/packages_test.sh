@@ -38,7 +38,8 @@ else
   [ -s "$root$index" ] || fail "the site is not where doc-base looks for it"
 fi
 
-"$root/usr/bin/forceshade" certify --law bump-2p --radius 15.24mm --width 25.4mm --stiffness 0.5N/mm --out "$scratch/bump" > "$scratch/said" ||
+"$root/usr/bin/forceshade" certify --law bump-2p --radius 15.24mm --width 25.4mm --stiffness 0.5N/mm --out "$scratch/bump" \
+  > "$scratch/said" ||
   fail "the command does not certify"
 zcat "$root/usr/share/man/man1/forceshade-certify.1.gz" | grep -q '^\.SH EXAMPLES' || fail "a page of the manual has no examples"
 lib=$(dirname "$(find "$root" -name libforceshade.so.0)")

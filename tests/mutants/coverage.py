@@ -80,5 +80,6 @@ class Coverage:
         return [name for name in self.tests if self.is_made_of(name, objects)]
 
     def is_made_of(self, name, objects):
-        inputs = self.copy.run(["ninja", "-C", self.copy.build, "-t", "inputs", self.copy.binary(name).relative_to(self.copy.build)]).stdout.split()
+        inputs = self.copy.run(["ninja", "-C", self.copy.build, "-t", "inputs",
+                                self.copy.binary(name).relative_to(self.copy.build)]).stdout.split()
         return not objects.isdisjoint(inputs)

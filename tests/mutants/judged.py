@@ -1,4 +1,5 @@
-"""Finds the mutants that the tests catch: each alone in the quickest tests that reach it, then those that are left together in the others."""
+"""Finds the mutants that the tests catch: each alone in the quickest tests that reach it, then those that are left
+together in the others."""
 import concurrent.futures
 import json
 import os
@@ -70,7 +71,8 @@ class Judge:
         with concurrent.futures.ThreadPoolExecutor(CORES) as pool:
             passed = list(pool.map(one, self.tests))
         left_out = [test.name for test, has_passed in zip(self.tests, passed) if not has_passed]
-        print(f"{len(left_out)} of {len(self.tests)} tests are left out, because they fail with nothing changed: {' '.join(left_out)}", flush=True)
+        print(f"{len(left_out)} of {len(self.tests)} tests are left out, because they fail with nothing changed: {' '.join(left_out)}",
+              flush=True)
         self.tests = [test for test, has_passed in zip(self.tests, passed) if has_passed]
         self.tests = sorted((test for test in self.tests if test.reached), key=lambda test: test.seconds)
 
@@ -132,8 +134,8 @@ class Judge:
                     say(f"{len(tried)} of {len(reached)} are tried alone")
                 if mutant.number not in self.killed_by:
                     left.append(mutant)
-        say(f"{len(self.killed_by)} of {len(self.mutants)} are caught by quick tests, {len(self.mutants) - len(reached)} are reached by none; "
-            f"{len(left)} go through all other tests together")
+        say(f"{len(self.killed_by)} of {len(self.mutants)} are caught by quick tests, "
+            f"{len(self.mutants) - len(reached)} are reached by none; {len(left)} go through all other tests together")
         groups = []
         for mutant in left:
             group = next((group for group in groups if not any(overlap(mutant, other) for other in group)), None)

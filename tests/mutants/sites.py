@@ -65,7 +65,8 @@ class File:
             return
         key = begin, end, is_statement
         original = " ".join(self.bytes[begin:end].decode().split())
-        site = self.sites.setdefault(key, Site(self.name, cursor.extent.start.line, cursor.extent.end.line, begin, end, is_statement, original, [], kind))
+        site = self.sites.setdefault(key, Site(self.name, cursor.extent.start.line, cursor.extent.end.line, begin, end, is_statement,
+                                               original, [], kind))
         site.is_condition |= kind == "condition"
         for one in changed:
             if one not in site.changed and one != text:

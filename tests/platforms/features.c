@@ -62,7 +62,8 @@ int main(void) {
   size_t length;
   if (forceshade_subject_text(map, FORCESHADE_DIGEST, digest, sizeof digest, &length) != FORCESHADE_OK) return wrong("digest");
   if (length != (forceshade_has("certificates") ? 64u : 0u)) return wrong("the length of a digest");
-  /* At each vertex of an octahedron two components of the normal are sums that cancel, so that binary64 leaves them in doubt, and intervals decide. */
+  /* At each vertex of an octahedron two components of the normal are sums that cancel, so that binary64 leaves them in doubt, and
+     intervals decide. */
   const float ends[18] = {5, 0, 0, -5, 0, 0, 0, 5, 0, 0, -5, 0, 0, 0, 5, 0, 0, -5};
   const uint32_t faces[24] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
   forceshade_mesh octahedron = tetrahedron;

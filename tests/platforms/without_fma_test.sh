@@ -6,7 +6,8 @@ source=$1 binary=$2
 for tool in x86_64-w64-mingw32-g++-posix wine; do
   command -v "$tool" > /dev/null || { echo "skipped: $tool is not installed (docs/platforms.md)"; exit 77; }
 done
-cmake -S "$source" -B "$binary" -G Ninja --toolchain "$source/cmake/toolchains/windows.cmake" -DCMAKE_BUILD_TYPE=Release -DFORCESHADE_FEATURES= \
+cmake -S "$source" -B "$binary" -G Ninja --toolchain "$source/cmake/toolchains/windows.cmake" -DCMAKE_BUILD_TYPE=Release \
+  -DFORCESHADE_FEATURES= \
   -DCMAKE_CXX_FLAGS="-mprefer-vector-width=128 -mmove-max=128 -mstore-max=128 -DEIGEN_DONT_VECTORIZE" > "$binary.log" 2>&1 &&
   cmake --build "$binary" --target c_features >> "$binary.log" 2>&1 || { tail -n 20 "$binary.log"; exit 1; }
 if said=$(WINEDEBUG=-all WINEPREFIX=$binary/wine wine "$binary/bindings/c/c_features.exe" | tr -d '\r'); then

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""digests_test.py SOURCE: proofs/digests.py agrees with the sources as they are; in a copy it refuses a change of any token of the code that
-code.txt names, passes over other text, and renews a digest."""
+"""digests_test.py SOURCE: proofs/digests.py agrees with the sources as they are; in a copy it refuses a change of any token of the code
+that code.txt names, passes over other text, and renews a digest."""
 
 import pathlib
 import re

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# phantom_test.sh ENDING_TABLE MODEL: spin shows the claims of the model, and finds what is wrong in models that are. Exit code 77 without spin.
+# phantom_test.sh ENDING_TABLE MODEL: spin shows the claims of the model, and finds what is wrong in models that are.
+# Exit code 77 without spin.
 set -euo pipefail
 table=$1 model=$2
-command -v spin > /dev/null && command -v gcc > /dev/null || { echo "skipped: spin (Debian's package spin) or gcc is not installed"; exit 77; }
+command -v spin > /dev/null && command -v gcc > /dev/null ||
+  { echo "skipped: spin (Debian's package spin) or gcc is not installed"; exit 77; }
 there=$(mktemp -d)
 trap 'rm -rf "$there"' EXIT
 cd "$there"
@@ -22,7 +24,10 @@ expect() {  # CLAIM SHOWN|REFUSED WORDS
   states=$(sed -n 's/^ *\([0-9]*\) states, stored.*/\1/p' pan.log)
   grep -q "max search depth too small" pan.log && errors=unknown
   echo "$3: $1: $errors errors, $states states"
-  if [ "$2" = SHOWN ] && [ "$errors" != 0 ] || [ "$2" = REFUSED ] && ! [ "$errors" -gt 0 ]; then echo "  FAILED: expected to be ${2,,}"; failed=1; fi
+  if [ "$2" = SHOWN ] && [ "$errors" != 0 ] || [ "$2" = REFUSED ] && ! [ "$errors" -gt 0 ]; then
+    echo "  FAILED: expected to be ${2,,}"
+    failed=1
+  fi
 }
 
 for claim in gone soon after; do expect $claim SHOWN "the model"; done

@@ -73,7 +73,8 @@ refuses proofs/Comparisons.v "if is_at_most32 quantum (b32_abs x) then x else ze
 refuses proofs/Recorded.v "Definition wall_window : Z := 0" "Definition wall_window : Z := 1" "Error"
 refuses proofs/Shaded.v "(n + 11 / 2 * one) * (1001 / 1000) <= IZR k ->" "(n + 9 / 2 * one) * (1001 / 1000) <= IZR k ->" "Error"
 refuses proofs/Shaded.v "then K * M * (X / Rad) else 0." "then K * M * (X / w) else 0." "Error"
-refuses proofs/Shaded.v "if Rle_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" "if Rlt_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" "Error"
+refuses proofs/Shaded.v "if Rle_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" \
+  "if Rlt_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" "Error"
 records_otherwise fast/laws/polygon_gap.h "absolute(value) < Real(0x1p-27) * height" "absolute(value) < Real(0x1p-29) * height"
 records_otherwise fast/laws/polygon_gap.h "(error + (height_tail - slope_tail * ax))" "(error - (height_tail - slope_tail * ax))"
 records_otherwise fast/laws/bump_2p.h "x < Real(0), Real(-K_sine), Real(K_sine)" "x <= Real(0), Real(-K_sine), Real(K_sine)"
@@ -84,7 +85,8 @@ refuses proofs/Gap.v "in_binary64 h -> in_binary64 p -> 0 <= p <= 2 * h ->" "in_
 refuses proofs/Polygons.v "bump_height Rad w * (1 - 2 * Rabs X / w) - Z" "bump_height Rad w * (1 - Rabs X / w) - Z" "Error"
 refuses proofs/Polygons.v "unit53 * (1 + / 1000000) * Rabs exact" "unit53 * 5 * Rabs exact" "Error"
 refuses proofs/Polygons.v "2 * bump_height Rad w / w." "bump_height Rad w / w." "Error"
-refuses proofs/ThreePolygons.v "(top_width Rad w / 2) then 0 else slope_3p Rad w." "(top_width Rad w / 2) then slope_3p Rad w else 0." "Error"
+refuses proofs/ThreePolygons.v "(top_width Rad w / 2) then 0 else slope_3p Rad w." "(top_width Rad w / 2) then slope_3p Rad w else 0." \
+  "Error"
 records_otherwise fast/laws/cylinder.h "multiply_subtract(z, z, a - b)" "multiply_subtract(z, z, b - a)"
 records_otherwise fast/laws/cylinder.h "force.doubt = force.doubt | (z == Real(axis));" "force.doubt = force.doubt | (z == Real(R));"
 records_otherwise fast/laws/cylinder.h "Real(0x1p-47 * R * R)" "Real(0x1p-50 * R * R)"
@@ -102,14 +104,17 @@ refuses proofs/Depth.v "Rabs (d - (h + l)) <= 9 * (unit53 * unit53) * h" "Rabs (
 refuses proofs/Split.v "times (constant (2 ^ 24 + 1) 0) (hi a)" "times (constant (2 ^ 23 + 1) 0) (hi a)" "Error"
 refuses proofs/CylinderConstants.v "times (times (two_to 3) (to64 R)) (to64 R)" "times (times (two_to 2) (to64 R)) (to64 R)" "Error"
 records_otherwise fast/numbers/double_double.h "fused(-quotient, b.lo, a.lo)" "fused(quotient, b.lo, a.lo)"
-refuses proofs/TwoPolygonsConstants.v "multiply (tangent_2p R w) (exactly64 (half_width w))" "multiply (tangent_2p R w) (exactly64 (to64 w))" "Error"
+refuses proofs/TwoPolygonsConstants.v "multiply (tangent_2p R w) (exactly64 (half_width w))" \
+  "multiply (tangent_2p R w) (exactly64 (to64 w))" "Error"
 refuses proofs/DoubleDoubleNear.v "13 * (unit53 * unit53) * ((c + k) / (h + l)))." "4 * (unit53 * unit53) * ((c + k) / (h + l)))." "Error"
 refuses proofs/DoubleDoubleHolds.v "holds (n + m + 8) (3" "holds (n + m + 6) (3" "Error"
 refuses proofs/DoubleDoubleHolds.v "holds (n / 2 + 10) (3" "holds (n / 3 + 10) (3" "Error"
 refuses proofs/TwoPolygonsConstants.v "root_of (divide (sum_2p R w) (diameter R))" "root_of (divide (diameter R) (sum_2p R w))" "Error"
-refuses proofs/ThreePolygonsFace.v "Definition side_cosine (t : R) : R := 1 - 2 * t * t." "Definition side_cosine (t : R) : R := 1 - t * t." "Error"
+refuses proofs/ThreePolygonsFace.v "Definition side_cosine (t : R) : R := 1 - 2 * t * t." \
+  "Definition side_cosine (t : R) : R := 1 - t * t." "Error"
 refuses proofs/ThreePolygonsFace.v "2 * c <= Rad /\\ 0 <=" "c <= Rad /\\ 0 <=" "Error"
-refuses proofs/ThreePolygonsConstants.v "multiply (twice (half_top_3p R t)) (sine_3p_of t)" "multiply (half_top_3p R t) (sine_3p_of t)" "Error"
+refuses proofs/ThreePolygonsConstants.v "multiply (twice (half_top_3p R t)) (sine_3p_of t)" "multiply (half_top_3p R t) (sine_3p_of t)" \
+  "Error"
 refuses proofs/NewtonStart.v "15 / 100 * (rho * rho) * t." "14 / 100 * (rho * rho) * t." "Error"
 refuses proofs/NewtonStart.v "Rabs (sqrt (r / 5) - u)" "Rabs (sqrt (r / 4) - u)" "Error"
 refuses proofs/NewtonRounded.v "(times (times (whole 12) t) t)" "(times (times (whole 11) t) t)" "Error"
@@ -117,7 +122,8 @@ refuses proofs/NewtonRounded.v "Rabs (y - v) <= 8 * unit53 * v" "Rabs (y - v) <=
 refuses proofs/NewtonThird.v "(unit53 * t)) + 24 * (unit53 * (rho * t)))" "(unit53 * t)) + 14 * (unit53 * (rho * t)))" "Error"
 refuses proofs/NewtonRest.v "is_off (rest_slope a) (12 * y * (1 - y))" "is_off (rest_slope a) (12 * y * (1 + y))" "Error"
 refuses proofs/SineOfThird.v "holds 70 (/ 10000) (sine_of_third R w)" "holds 60 (/ 10000) (sine_of_third R w)" "Error"
-refuses proofs/DoubleDoubleTerms.v "<= 7 * (unit53 * (unit53 * M)) /\\ Rabs p <= 101 / 100 * M /\\ Rabs q <= 101 / 100 * (unit53 * M) /\\" "<= 5 * (unit53 * (unit53 * M)) /\\ Rabs p <= 101 / 100 * M /\\ Rabs q <= 101 / 100 * (unit53 * M) /\\" "Error"
+refuses proofs/DoubleDoubleTerms.v "<= 7 * (unit53 * (unit53 * M)) /\\ Rabs p <= 101 / 100 * M /\\ Rabs q <= 101 / 100 * (unit53 * M) /\\" \
+  "<= 5 * (unit53 * (unit53 * M)) /\\ Rabs p <= 101 / 100 * M /\\ Rabs q <= 101 / 100 * (unit53 * M) /\\" "Error"
 refuses proofs/DoubleDoubleOff.v "- (h + l) / (c + k)) <= 20 * (unit53 * Q)" "- (h + l) / (c + k)) <= 10 * (unit53 * Q)" "Error"
 refuses proofs/DoubleDoubleOff.v "(101 / 100 * (m' * e) + Rabs x * e' + 7 " "(101 / 100 * (m' * e) + 7 " "Error"
 refuses proofs/ExactSign.v "first_sign (rev (expansion terms))" "first_sign (expansion terms)" "Error"
@@ -129,11 +135,14 @@ refuses proofs/Nearness.v "Definition one : R := 1001 / 1000." "Definition one :
 refuses proofs/Inputs.v "times (two_to (-1)) (to64 w)" "times (two_to (-2)) (to64 w)" "Error"
 refuses proofs/Evaluate.v "negb (in_doubt window (bits_of_b64 (first_x first))) &&" "" "Error"
 refuses proofs/Wall.v "/\\ is_nearest32 F (- value32 K * Z))." "/\\ is_nearest32 F (value32 K * Z))." "Error"
-refuses proofs/Wall.v "(valid x y z = true -> 0 <= Z -> evaluate = no_force free)" "(valid x y z = true -> evaluate = no_force free)" "Error"
-refuses proofs/Inputs.v "Theorem product_is_exact : forall a b : binary32, generic" "Axiom product_is_exact : forall a b : binary32, generic" "no proofs"
+refuses proofs/Wall.v "(valid x y z = true -> 0 <= Z -> evaluate = no_force free)" "(valid x y z = true -> evaluate = no_force free)" \
+  "Error"
+refuses proofs/Inputs.v "Theorem product_is_exact : forall a b : binary32, generic" \
+  "Axiom product_is_exact : forall a b : binary32, generic" "no proofs"
 refuses proofs/Formats.v "Definition is_nearest32" "Lemma lost : 1 = 2. Admitted.
 Definition is_nearest32" "no proofs"
-refuses proofs/ErrorFree.v "nearest64 (nearest64 (a - nearest64 (s - t)) + nearest64 (b - t)) = a + b." "nearest64 (nearest64 (a - s) + nearest64 (b - t)) = a + b." "Error"
+refuses proofs/ErrorFree.v "nearest64 (nearest64 (a - nearest64 (s - t)) + nearest64 (b - t)) = a + b." \
+  "nearest64 (nearest64 (a - s) + nearest64 (b - t)) = a + b." "Error"
 refuses proofs/ErrorFree.v "Rabs b <= Rabs a \\/ a = 0 ->" "Rabs a <= Rabs b \\/ a = 0 ->" "Error"
 refuses proofs/ErrorFree.v "bpow radix2 (-1074 + 2 * 53 - 1) <=" "bpow radix2 (-1074 + 53) <=" "Error"
 refuses proofs/MeshBounds.v "-> fits 159 203" "-> fits 159 202" "Error"
@@ -142,7 +151,8 @@ refuses proofs/MeshBoundsMoves.v "fits 212 319" "fits 212 318" "Error"
 refuses proofs/MeshBoundsMoves.v "(scaled (over_landing a b c p) (minus p g))." "(scaled (over_landing a b c p) (minus g p))." "Error"
 refuses proofs/MeshBoundsShaded.v "all_fit 987 1226" "all_fit 987 1225" "Error"
 refuses proofs/MeshBoundsPulled.v "fits 810 1230 (rest_squared" "fits 810 1229 (rest_squared" "Error"
-refuses proofs/MeshDecisions.v "(along_plane n u = sqrt (square u) <-> dot n u = 0)" "(along_plane n u = sqrt (square u) <-> dot n u <= 0)" "Error"
+refuses proofs/MeshDecisions.v "(along_plane n u = sqrt (square u) <-> dot n u = 0)" \
+  "(along_plane n u = sqrt (square u) <-> dot n u <= 0)" "Error"
 refuses proofs/MeshConsequences.v "square (minus r g) / 2 < dot" "square (minus r g) < dot" "Error"
 refuses proofs/MeshConsequences.v "<= 6 * (s * t * delta)." "<= 3 * (s * t * delta)." "Error"
 refuses proofs/NormalsInDoubt.v "Rabs c * s + (Rabs d + s) * r." "Rabs c * s + Rabs d * r." "Error"
@@ -156,10 +166,12 @@ refuses proofs/SeparationOfPolygons.v "multiple 53 Z -> multiple 87 A ->" "multi
 refuses proofs/SumOfTwo.v "Rabs (p + q - (h + l + (c + k))) <= 3 * (unit53" "Rabs (p + q - (h + l + (c + k))) <= 2 * (unit53" "Error"
 refuses proofs/EnclosedSums.v "  encloses (3 * (s + t) + 3 * share101) (add a b)" "  encloses (3 * s + 3 * share101) (add a b)" "Error"
 refuses proofs/SeparationOfSides.v "(Fx <> m -> bpow radix2 (-859)" "(Fx <> m -> bpow radix2 (-858)" "Error"
-refuses proofs/SeparationOfCubic.v "multiple (k - 29) b /\\ multiple (k - 58) c /\\" "multiple (k - 29) b /\\ multiple (k - 57) c /\\" "Error"
+refuses proofs/SeparationOfCubic.v "multiple (k - 29) b /\\ multiple (k - 58) c /\\" "multiple (k - 29) b /\\ multiple (k - 57) c /\\" \
+  "Error"
 refuses proofs/SeparationOfThree.v "om * r2 * r3 = - (w * (Rad * Rad));" "om * r2 * r3 = - (2 * w * (Rad * Rad));" "Error"
 refuses proofs/SeparationOfThree.v "(Fx <> m -> bpow radix2 (-2033)" "(Fx <> m -> bpow radix2 (-2032)" "Error"
-refuses proofs/SeparationOfThreeShaded.v "multiple 106 (s * s) -> s * s <= Rad * Rad -> multiple 33 K" "multiple 116 (s * s) -> s * s <= Rad * Rad -> multiple 33 K" "Error"
+refuses proofs/SeparationOfThreeShaded.v "multiple 106 (s * s) -> s * s <= Rad * Rad -> multiple 33 K" \
+  "multiple 116 (s * s) -> s * s <= Rad * Rad -> multiple 33 K" "Error"
 refuses proofs/SeparationOfContact.v "Z + d <> 0 -> bpow radix2 (-121)" "Z + d <> 0 -> bpow radix2 (-120)" "Error"
 refuses proofs/SeparationOfContact.v "M <> 0 -> bpow radix2 (-909)" "M <> 0 -> bpow radix2 (-908)" "Error"
 refuses proofs/Enclosures.v "    Rabs (h + l - x) <= e." "    Rabs (h + l - x) <= e / 2." "Error"
@@ -171,27 +183,42 @@ refuses proofs/SecondAlong.v "h * c <= 25000)." "h * c <= 30000)." "Error"
 refuses proofs/TwoPolygonsGap.v "Z = 0 \\/ / 10000000000 <= Rabs Z <= 10000 ->" "Rabs Z <= 10000 ->" "Error"
 refuses proofs/TwoPolygonsGap.v "(hi gap)) <= 22400 /\\ value64" "(hi gap)) <= 26400 /\\ value64" "Error"
 refuses proofs/Bump2pSecond.v "forall answer p q Fx Fz, (p <-> q) ->" "forall answer p q Fx Fz, (p -> q) ->" "Error"
-refuses proofs/ShadedAlong.v "Rabs (value64 (hi (divide gap b))) * c <= 22700 /\\" "Rabs (value64 (hi (divide gap b))) * c <= 22600 /\\" "Error"
-refuses proofs/ShadedAlong.v "Lemma sign_unknown : forall a h e, is64 (hi a) h -> is64 (error a) e -> 0 < e -> Rabs h <= e ->" "Lemma sign_unknown : forall a h e, is64 (hi a) h -> is64 (error a) e -> 0 < e -> Rabs h <= 2 * e ->" "Error"
+refuses proofs/ShadedAlong.v "Rabs (value64 (hi (divide gap b))) * c <= 22700 /\\" "Rabs (value64 (hi (divide gap b))) * c <= 22600 /\\" \
+  "Error"
+refuses proofs/ShadedAlong.v "Lemma sign_unknown : forall a h e, is64 (hi a) h -> is64 (error a) e -> 0 < e -> Rabs h <= e ->" \
+  "Lemma sign_unknown : forall a h e, is64 (hi a) h -> is64 (error a) e -> 0 < e -> Rabs h <= 2 * e ->" "Error"
 refuses proofs/Bump2pShadedSecond.v "(value32 w / 2 < Rabs X -> M = - Z) ->" "(value32 w / 2 < Rabs X -> M = Z) ->" "Error"
 refuses proofs/ThreePolygonsEnclosed.v "encloses (7 * (s + t) + 3 * share101) (add a" "encloses (2 * (s + t) + 3 * share101) (add a" "Error"
-refuses proofs/ThreePolygonsEnclosed.v "encloses (1300 * s + 1300 * share101) (tangent_3p t)" "encloses (1100 * s + 1300 * share101) (tangent_3p t)" "Error"
-refuses proofs/NewtonEnclosed.v "encloses (/ 1000000000000) (widened (midpoint x)) y." "encloses (/ 2000000000000) (widened (midpoint x)) y." "Error"
+refuses proofs/ThreePolygonsEnclosed.v "encloses (1300 * s + 1300 * share101) (tangent_3p t)" \
+  "encloses (1100 * s + 1300 * share101) (tangent_3p t)" "Error"
+refuses proofs/NewtonEnclosed.v "encloses (/ 1000000000000) (widened (midpoint x)) y." \
+  "encloses (/ 2000000000000) (widened (midpoint x)) y." "Error"
 refuses proofs/SineEnclosed.v "encloses (80000 * share101) (sine_of_third R w)" "encloses (60000 * share101) (sine_of_third R w)" "Error"
 refuses proofs/TwoPolygonsGap.v "T * (value32 w / 2 - Rabs X) <= 10000 ->" "T * (value32 w / 2 - Rabs X) <= 20000 ->" "Error"
-refuses proofs/EnclosedQuotients.v "encloses s a x -> encloses t b y -> 0 <= s <= 10 -> 0 <= t <= / 1000 ->" "encloses s a x -> encloses t b y -> 0 <= s <= 10 -> 0 <= t <= 1 ->" "Error"
-refuses proofs/CylinderNearness.v "bpow radix2 (2 * k - 70) <= Rabs (A * A - C * C - Y * Y)." "bpow radix2 (2 * k - 69) <= Rabs (A * A - C * C - Y * Y)." "Error"
-refuses proofs/CylinderSecondBorder.v "  encloses (21 * share101) (second_squares w xv) A" "  encloses (17 * share101) (second_squares w xv) A" "Error"
+refuses proofs/EnclosedQuotients.v "encloses s a x -> encloses t b y -> 0 <= s <= 10 -> 0 <= t <= / 1000 ->" \
+  "encloses s a x -> encloses t b y -> 0 <= s <= 10 -> 0 <= t <= 1 ->" "Error"
+refuses proofs/CylinderNearness.v "bpow radix2 (2 * k - 70) <= Rabs (A * A - C * C - Y * Y)." \
+  "bpow radix2 (2 * k - 69) <= Rabs (A * A - C * C - Y * Y)." "Error"
+refuses proofs/CylinderSecondBorder.v "  encloses (21 * share101) (second_squares w xv) A" \
+  "  encloses (17 * share101) (second_squares w xv) A" "Error"
 refuses proofs/CylinderSecond.v "(is_positive, exactly64 zero64, multiply" "(is_positive, exactly64 (to64 K), multiply" "Error"
 refuses proofs/BumpCylinderSecond.v "| is_unknown => cylinder" "| is_unknown => plane_outcome K z" "Error"
-refuses proofs/Limbs.v "Forall is_limb sum /\\ length sum = length a /\\ 0 <= last <= 1 /\\" "Forall is_limb sum /\\ length sum = length a /\\ last = 0 /\\" "Error"
-refuses proofs/LimbShifts.v "Z.lor (low / 2 ^ part) (word (high * 2 ^ (64 - part)))." "Z.lor (low / 2 ^ part) (word (high * 2 ^ (63 - part)))." "Error"
-refuses proofs/LimbNumbers.v "Z.lor (word (a * 2 ^ part)) (lower / 2 ^ (64 - part))." "Z.lor (word (a * 2 ^ part)) (lower / 2 ^ (63 - part))." "Error"
-refuses proofs/LimbsAreDigits.v "(if dropped then Z.max (error a) (e - width) else error a)." "(if dropped then Z.max (error a) (e - width - 1) else error a)." "Error"
-refuses proofs/BigFloat.v "(Z.max (Z.max (error result) (error small)) rounding + 2)." "(Z.max (Z.max (error result) (error small)) rounding + 1)." "Error"
-refuses proofs/BigFloat.v "(if lost then Z.max (error a) (exponent a - width + 1) + 1 else error a)." "(if lost then Z.max (error a) (exponent a - width) else error a)." "Error"
-refuses proofs/BigFloat.v "(if product <? 2 ^ (2 * width - 1) then 1 else 0)%Z in" "(if product <? 2 ^ (2 * width - 2) then 1 else 0)%Z in" "Error"
-refuses proofs/BigFloat.v "Z.max (Z.max (exponent a + error b) (exponent b + error a)) (error a + error b)." "Z.max (exponent a + error b) (error a + error b)." "Error"
+refuses proofs/Limbs.v "Forall is_limb sum /\\ length sum = length a /\\ 0 <= last <= 1 /\\" \
+  "Forall is_limb sum /\\ length sum = length a /\\ last = 0 /\\" "Error"
+refuses proofs/LimbShifts.v "Z.lor (low / 2 ^ part) (word (high * 2 ^ (64 - part)))." \
+  "Z.lor (low / 2 ^ part) (word (high * 2 ^ (63 - part)))." "Error"
+refuses proofs/LimbNumbers.v "Z.lor (word (a * 2 ^ part)) (lower / 2 ^ (64 - part))." \
+  "Z.lor (word (a * 2 ^ part)) (lower / 2 ^ (63 - part))." "Error"
+refuses proofs/LimbsAreDigits.v "(if dropped then Z.max (error a) (e - width) else error a)." \
+  "(if dropped then Z.max (error a) (e - width - 1) else error a)." "Error"
+refuses proofs/BigFloat.v "(Z.max (Z.max (error result) (error small)) rounding + 2)." \
+  "(Z.max (Z.max (error result) (error small)) rounding + 1)." "Error"
+refuses proofs/BigFloat.v "(if lost then Z.max (error a) (exponent a - width + 1) + 1 else error a)." \
+  "(if lost then Z.max (error a) (exponent a - width) else error a)." "Error"
+refuses proofs/BigFloat.v "(if product <? 2 ^ (2 * width - 1) then 1 else 0)%Z in" \
+  "(if product <? 2 ^ (2 * width - 2) then 1 else 0)%Z in" "Error"
+refuses proofs/BigFloat.v "Z.max (Z.max (exponent a + error b) (exponent b + error a)) (error a + error b)." \
+  "Z.max (exponent a + error b) (error a + error b)." "Error"
 refuses proofs/BigFloat.v "else error a - exponent b + 3)" "else error a - exponent b + 1)" "Error"
 refuses proofs/BigFloat.v "(exponent a + error b - 2 * exponent b) + 4)%Z in" "(exponent a + error b - 2 * exponent b) + 2)%Z in" "Error"
 refuses proofs/BigFloat.v "(error a - exponent root + 2) + 1)." "(error a - exponent root) + 1)." "Error"
@@ -209,7 +236,9 @@ refuses proofs/BigFloatBounded.v "(b - width + 1) + 2) (b + 1) (add" "(b - width
 refuses proofs/CylinderThird.v "(add 2048 (l_third R w z) (depth_third R w)))." "(l_third R w z))." "Error"
 refuses proofs/BumpCylinderThird.v "| _ => plane_outcome_third K z" "| _ => cylinder" "Error"
 refuses proofs/NewtonThirdStage.v "slope_of 7 50 (exactly width start) in" "slope_of 6 50 (exactly width start) in" "Error"
-refuses proofs/SineThirdStage.v "tight width 50000000 (60 - width) (sine_of_third_big" "tight width 50000000 (56 - width) (sine_of_third_big" "Error"
-refuses proofs/ThreePolygonsThird.v "m <= 926)%Z /\\ Rabs M <= bpow radix2 (17 - m) /\\ (M" "m <= 924)%Z /\\ Rabs M <= bpow radix2 (17 - m) /\\ (M" "Error"
+refuses proofs/SineThirdStage.v "tight width 50000000 (60 - width) (sine_of_third_big" \
+  "tight width 50000000 (56 - width) (sine_of_third_big" "Error"
+refuses proofs/ThreePolygonsThird.v "m <= 926)%Z /\\ Rabs M <= bpow radix2 (17 - m) /\\ (M" \
+  "m <= 924)%Z /\\ Rabs M <= bpow radix2 (17 - m) /\\ (M" "Error"
 echo "$planted planted, $wrong not refused"
 [ "$wrong" = 0 ]

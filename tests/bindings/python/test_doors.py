@@ -21,7 +21,8 @@ ASKED = ["--law", "wall", "--stiffness", "0.5", "--seed", "7", "--points", "5000
 # Planted faults: words of examples/renderers/wall.py and of wall.c, and those in their place.
 WRONG_IN = {
     "nothing": ([], []),
-    "the last bit": ([("stiffness * -z", "stiffness * -z * (1 + 2.0**-23)")], [("stiffness * -z", "(float)((double)stiffness * -z * (1 + 0x1p-23))")]),
+    "the last bit": ([("stiffness * -z", "stiffness * -z * (1 + 2.0**-23)")],
+                     [("stiffness * -z", "(float)((double)stiffness * -z * (1 + 0x1p-23))")]),
     "the surface": ([("z <= -(2.0**-30)", "z <= 0.25")], [("z <= -0x1p-30f", "z <= 0.25f")]),
     "the domain": ([("10_000", "20_000")], [("1e4f", "2e4f")]),
 }

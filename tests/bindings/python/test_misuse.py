@@ -126,7 +126,8 @@ def test_height_maps(tmp_path):
     refused(ValueError, "heights have the shape (4,); expected (rows, columns)", make, flat[0], pitch=1, stiffness=1)
     refused(ValueError, "heights have the shape (1, 4); expected 2 to 32768", make, flat[:1], pitch=1, stiffness=1)
     refused(ValueError, "heights[2, 1] is nan", make, np.where(np.arange(16).reshape(4, 4) == 9, F("nan"), flat), pitch=1, stiffness=1)
-    refused(ValueError, 'interpolant: expected "bilinear" or "cubic-spline", got "linear"', make, flat, pitch=1, stiffness=1, interpolant="linear")
+    refused(ValueError, 'interpolant: expected "bilinear" or "cubic-spline", got "linear"', make, flat, pitch=1, stiffness=1,
+            interpolant="linear")
     refused(ValueError, 'edge: expected "clamp" or "tile"', make, flat, pitch=1, stiffness=1, edge="wrap")
     refused(ValueError, 'render: expected "height-map", ', make, flat, pitch=1, stiffness=1, render="shaded")
     refused(ValueError, "pitch", make, flat, pitch=0, stiffness=1)

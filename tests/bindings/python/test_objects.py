@@ -76,7 +76,8 @@ def test_a_map_is_equal_whatever_file_it_came_from(tmp_path):
 def test_coordinates_have_names(bump, tetrahedron):
     assert bump.force(z=-0.5, x=3, y=0) == bump.force(3, 0, z=-0.5) == bump.force(3, 0, -0.5)
     assert bump.force(0.1, y=0, z=-0.1, rounding="nearest") == bump.force(0.1, 0, -0.1, rounding="nearest")
-    steps = [forceshade.Session(tetrahedron).step(*by_place, **by_name) for by_place, by_name in [((1, 1, 1), {}), ((1,), {"z": 1, "y": 1})]]
+    calls = [((1, 1, 1), {}), ((1,), {"z": 1, "y": 1})]
+    steps = [forceshade.Session(tetrahedron).step(*by_place, **by_name) for by_place, by_name in calls]
     assert steps[0] == steps[1]
     for call in (bump.force, forceshade.Session(bump).step):
         refused(TypeError, "x: expected it once, got it by its place and by its name", call, 1, 2, 3, x=1)

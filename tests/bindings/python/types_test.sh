@@ -18,7 +18,8 @@ END
 # A mistake is one: a keyword that does not exist, a law that does not exist.
 sed 's/stiffness=0.5/stifness=0.5/' program.py > misspelt.py
 sed 's/"wall"/"walls"/' program.py > no_law.py
-MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache -p forceshade -m program -m misspelt -m no_law > found && status=0 || status=$?
+MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache -p forceshade -m program -m misspelt -m no_law > found && status=0 ||
+  status=$?
 cat found
 for mistake in misspelt no_law; do
   [ $status = 1 ] && grep -q "^$mistake.py:4: error" found || { echo "expected mypy to find the mistake of $mistake.py"; exit 1; }

@@ -27,7 +27,8 @@ def fits_schema():
     with open(sources + "/docs/command-device.md") as file:
         lines = [json.loads(line) for block in re.findall(r"```json\n(.*?)```", file.read(), re.S) for line in block.splitlines()]
     checks.expect(len(lines) >= 5, f"the page has {len(lines)} lines of the protocol")
-    example = subprocess.run([sys.executable, sources + "/examples/devices/stroking_hand.py"], input='{"force_N":[0,0,0.1]}\n{"end":true}\n',
+    example = subprocess.run([sys.executable, sources + "/examples/devices/stroking_hand.py"],
+                             input='{"force_N":[0,0,0.1]}\n{"end":true}\n',
                              text=True, capture_output=True, check=True).stdout
     for line in lines + [json.loads(line) for line in example.splitlines()]:
         try:
@@ -39,7 +40,8 @@ def fits_schema():
 
 
 fits_schema()
-for device, code, words in (("command:echo no arm is connected >&2; exit 1", 3, ("the program ended with exit code 1", "no arm is connected")),
+for device, code, words in (("command:echo no arm is connected >&2; exit 1", 3,
+                             ("the program ended with exit code 1", "no arm is connected")),
                             ("command:no-such-program", 3, ("the shell knows no such command",)), ("command", 2, ("command:PROGRAM",))):
     run = subprocess.run([sys.argv[1], "drive", "--law", "wall", "--uncertified", "--device", device], text=True, capture_output=True)
     checks.expect(run.returncode == code and all(word in run.stderr for word in words), f"{device}: {run}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""stand_in_test.py STAND-IN LIBRARY faults|assumptions|readings: every fault of a client is recorded under its name, a client without one is
-not blamed, every assumption can be seen in both of its ways, and what public clients read has answers."""
+"""stand_in_test.py STAND-IN LIBRARY faults|assumptions|readings: every fault of a client is recorded under its name, a client
+without one is not blamed, every assumption can be seen in both of its ways, and what public clients read has answers."""
 
 import ctypes
 import os
@@ -37,14 +37,17 @@ def faults():
         done = subprocess.run([*PYTHON, program, "dhd", "--library", library, *words, "--", "true"], capture_output=True, text=True)
         checks.expect(done.returncode == 2 and expected in done.stderr, f"{words}: {done}")
     idle = Run(program, library, ["true"])
-    checks.expect(idle.code == 2 and "the client did not load the library, " + library in idle.err, f"a client that loads nothing: {idle.err}")
+    checks.expect(idle.code == 2 and "the client did not load the library, " + library in idle.err,
+                  f"a client that loads nothing: {idle.err}")
     silent = Run(program, library, [*PYTHON, "-c", "import ctypes, os; ctypes.CDLL(os.environ['FORCESHADE_DHD_LIBRARY'])"])
-    checks.expect(silent.code == 2 and "the client loaded the library, and called none of its functions" in silent.err, f"a silent client: {silent.err}")
+    checks.expect(silent.code == 2 and "the client loaded the library, and called none of its functions" in silent.err,
+                  f"a silent client: {silent.err}")
     client = [*PYTHON, os.path.join(here, "client.py"), "nothing"]
     for words, expected in ((["--report", "/none/report"], "/none/report: cannot be written: No such file"),
                             (["--log", "/none/log"], "/none/log: cannot be written: No such file"),
                             (["--judge", "/none/log"], "the client of /none/log did not load the library")):
-        done = subprocess.run([*PYTHON, program, "dhd", "--library", library, *PATIENT, *words, "--", *client], capture_output=True, text=True)
+        done = subprocess.run([*PYTHON, program, "dhd", "--library", library, *PATIENT, *words, "--", *client], capture_output=True,
+                              text=True)
         checks.expect(done.returncode == 2 and expected in done.stderr, f"{words}: {done}")
 
 
@@ -89,7 +92,8 @@ print(dhd.dhdSetWatchdog(0, ID))""" + END, {"process": "0", "thread": "-1"}),
     ("enable-uncalibrated", "begin(enabled=False)\ndhd.dhdReset(ID)\nprint(dhd.dhdEnableForce(1, ID))" + END, {"error": "-1", "ok": "0"}),
     ("max-force", BEGIN + "dhd.dhdSetMaxForce(N(2), ID)\nprint(force(0, 0, 4))" + END, {"scale": "2", "ignore": "0"}),
     ("call-time", BEGIN + "t = time.monotonic()\nread()\nprint(time.monotonic() - t > 0.05)" + END, {"60000": "True"}),
-    ("serial", BEGIN + "n = ctypes.c_ushort()\ndhd.dhdGetSerialNumber(ctypes.byref(n), ID)\nprint(n.value)" + END, {"1234": "1234", "77": "77"}),
+    ("serial", BEGIN + "n = ctypes.c_ushort()\ndhd.dhdGetSerialNumber(ctypes.byref(n), ID)\nprint(n.value)" + END,
+     {"1234": "1234", "77": "77"}),
     ("calibrated", "begin(enabled=False)\nprint(status()[3])" + END, {"yes": "0", "no": "1"}),
     ("available", "print(dhd.dhdGetAvailableCount(), dhd.dhdOpen())\ndhd.dhdClose(ID) if dhd.dhdGetAvailableCount() else 0",
      {"yes": "1 0", "no": "0 -1"}),
@@ -127,7 +131,8 @@ dhd.dhdClose(ID)"""
               "jump": "values[1].value > 0.04", "time-guard": "result == 1", "read-error": "result == -1", "late": "spent > 0.1",
               "uncalibrated": "status()[3] == 1", "press": "dhd.dhdGetButtonMask(ID) == 1", "power-off": "status()[0] == 0",
               "error": "status()[9] == 1", "force-button": "status()[14] == 1", "overspeed": "status()[14] == 2",
-              "usb": "status()[14] == 5", "deadman": "status()[14] == 6", "saturate": "force(0, 0, 1) == 2", "force-error": "force(0, 0, 0) == -1"}
+              "usb": "status()[14] == 5", "deadman": "status()[14] == 6", "saturate": "force(0, 0, 1) == 2",
+              "force-error": "force(0, 0, 0) == -1"}
     for name, what in events.items():
         code = BEGIN + "t = time.monotonic()\nresult = read()\nspent = time.monotonic() - t\nprint(%s)  # nan" % what + END
         seen = says(code, events=[name + "@2"])
@@ -211,11 +216,14 @@ def readings():
         run = Run(program, library, [*PYTHON, "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\nbegin()\n"
                                      f"dhd.{name}({words}, ID)\nend()"], *PATIENT)
         checks.expect(set(run.faults) == {"no-expert-mode"}, f"{name}: {run.faults}")
-    for name, count in (("dhdGetForce", 3), ("dhdGetPositionAndOrientationRad", 6), ("dhdGetPositionAndOrientationFrame", 4), ("dhdGetEffectorMass", 1)):
+    for name, count in (("dhdGetForce", 3), ("dhdGetPositionAndOrientationRad", 6), ("dhdGetPositionAndOrientationFrame", 4),
+                        ("dhdGetEffectorMass", 1)):
         for gap in range(count):
             code = BEGIN + f"places = [(N * 9)() for _ in range({count})]\nplaces[{gap}] = None\nprint(dhd.{name}(*places, ID))" + END
-            run = Run(program, library, [*PYTHON, "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\n{code}"], *PATIENT)
-            checks.expect(set(run.faults) == {"null-argument"} and run.out.strip() == "-1", f"{name} without {gap}: {run.faults} {run.out} {run.err}")
+            run = Run(program, library, [*PYTHON, "-c", f"import sys\nsys.path.insert(0, {here!r})\nfrom client import *\n{code}"],
+                      *PATIENT)
+            checks.expect(set(run.faults) == {"null-argument"} and run.out.strip() == "-1",
+                          f"{name} without {gap}: {run.faults} {run.out} {run.err}")
     # A client that looks where FDSDK names the vendor's SDK.
     place = "os.path.join(os.environ['FDSDK'], 'lib', 'release', f'lin-{os.uname().machine}-gcc', 'libdrd.so.3')"
     run = Run(program, library, [*PYTHON, "-c", f"import ctypes, os\nprint(ctypes.CDLL({place}).dhdGetDeviceCount())"])

@@ -199,8 +199,10 @@ def every_fault_is_seen():
         _, faults = run(act, *words)
         checks.expect(set(faults) == {name}, f"{name}: got {faults}")
     second_source()
-    for words, expected in ((["--port", "65536"], "expected a whole number from 0 to 65535, got"), (["--rate", "0"], "expected a number from 0.001"),
-                            (["--most-force", "nan"], "expected a number from 0 up"), (["--sessions", "-1"], "expected a whole number from 0 up"),
+    for words, expected in ((["--port", "65536"], "expected a whole number from 0 to 65535, got"),
+                            (["--rate", "0"], "expected a number from 0.001"),
+                            (["--most-force", "nan"], "expected a number from 0 up"),
+                            (["--sessions", "-1"], "expected a whole number from 0 up"),
                             (["--assume", "top-rate=0"], "top-rate: expected none or a number"), (["--assume", "ping=0"], "ping: expected"),
                             (["--assume", "clamp=inf"], "clamp: expected"),
                             (["--report", "/none/report"], "/none/report: cannot be written: No such file"),

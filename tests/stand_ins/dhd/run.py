@@ -105,7 +105,8 @@ def main(words):
         parser.print_help(sys.stdout)
         sys.stdout.flush()
         loaded.forceshade_stand_in_describe()
-        print("exit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, or the client did not load the library or called nothing of it")
+        print("exit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, or the client did not load the library "
+              "or called nothing of it")
         return 0
     settings = ",".join(options.assume + options.event)
     wrong = loaded.forceshade_stand_in_settings(os.fsencode(settings)).decode()

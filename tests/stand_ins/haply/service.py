@@ -262,8 +262,8 @@ def options_of(words):
                                      description="Haply's Inverse Service with an Inverse3 in a simulated hand; it judges its client.",
                                      epilog="faults of a client:\n" + "\n".join(f"  {n}: {w}" for n, w in judge.FAULTS.items()) +
                                      "\n" + switches.described() +
-                                     "\nexit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, a port that is taken, or a "
-                                     "file that cannot be written")
+                                     "\nexit codes: 0, no fault; 1, faults, which were printed; 2, wrong options, "
+                                     "a port that is taken, or a file that cannot be written")
     add = parser.add_argument
     add("--port", type=number_of(int, 0, 65535), default=10001,
         help="the port of the WebSocket at 127.0.0.1; 0: a free one, which is printed; default 10001")
@@ -328,8 +328,8 @@ def main(words):
         return 2
     binary = sum(session["binary_messages"] for session in verdict["sessions"])
     if binary and service.assumed("binary") == "accept":
-        print(f"{binary} binary messages were read as text: no document says that the service does so; --assume binary=refuse is the other way",
-              file=sys.stderr)
+        print(f"{binary} binary messages were read as text: no document says that the service does so; "
+              "--assume binary=refuse is the other way", file=sys.stderr)
     for name, fault in verdict["faults"].items():
         first = fault["first"]
         print(f"fault: {name}, {fault['count']} times, first in message {first['message']} of session {first['session']}: "
