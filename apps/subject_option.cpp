@@ -60,8 +60,7 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws) : laws_(law
   for (CLI::Option* other : {law, radius, width, mesh}) other->excludes(scene);
   add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);
   // Options of meshes and scenes: expect_consistent() says where one of these is missing.
-  add("sides", choice(mesh::kSidesNames),
-      "of a mesh or scene that block motion; default: front where it is closed, else both");
+  add("sides", choice(mesh::kSidesNames), "of a mesh or scene that block motion; default: front where it is closed, else both");
   add("shading", choice(subjects::shading_words()),
       "of a mesh or scene: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has "
       "it, texture, of a mesh alone, tilts that normal by a height map, a TOML file");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The largest turns of the force by the vertex scheme on one mesh, by the god-object's place. The proofs are in properties/mesh_energy.md.
+// The largest turns of the force by the vertex scheme on one mesh, by the god-object's place. The proofs are in
+// properties/mesh_energy.md.
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -77,7 +77,7 @@ struct Arm {
 };
 
 struct Seen {
-  std::vector<std::string> breaches;                            // no more than 64, then their number
+  std::vector<std::string> breaches{};                          // no more than 64, then their number
   bool initialised = false, scheduler = false, output = false;  // false if the driver's process is no more
   int updates = 0;                                              // of the calibration
   std::uint64_t frames = 0;                                     // that were ended
