@@ -23,7 +23,7 @@ namespace {
 // The folders at the top are layers: the table has the modules of each together, and a module includes only its own folder and
 // those before it.
 TEST(layers, each_folder_and_module_is_built_before_those_that_use_it) {
-  const std::string page = text_of(kRoot / "CONTRIBUTING.md");
+  const std::string page = text_of(kRoot / "CONTRIBUTING.md"), manifest = text_of(kRoot / "MANIFEST.in");
   const auto folder_of = [](const std::string& module) { return module.substr(0, module.find('/')); };
   std::ifstream file(kRoot / "cmake/modules.txt");
   std::set<std::string> before;
@@ -35,6 +35,7 @@ TEST(layers, each_folder_and_module_is_built_before_those_that_use_it) {
     if (folders.empty() || folders.back() != folder) {
       EXPECT_EQ(std::ranges::count(folders, folder), 0) << folder << " is in two places of the table";
       EXPECT_NE(page.find("\n| `" + folder + "/` | "), std::string::npos) << "CONTRIBUTING.md has no row of " << folder;
+      EXPECT_NE(manifest.find("\ngraft " + folder + "\n"), std::string::npos) << "MANIFEST.in lacks " << folder;
       folders.push_back(folder);
     }
     std::istringstream seen(line.substr(colon + 1));

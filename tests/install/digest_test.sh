@@ -24,7 +24,7 @@ expect() {  # same | another, what, the build
 
 copy=$scratch/a/longer/path/to/the/sources
 mkdir -p "$copy"
-(cd "$source" && cp -RP CMakeLists.txt bindings cmake include rendering fast system files device tests LICENSE "$copy")
+(cd "$source" && cp -RP CMakeLists.txt bindings cmake include rendering fast subjects system files text device tests LICENSE "$copy")
 build "$source" "$scratch/b" -O0
 first=$(digest "$scratch/b")
 build "$copy" "$copy/build" -O0

@@ -8,7 +8,7 @@ copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 mkdir "$copy/scripts"
 cp "$source/scripts/proofs" "$copy/scripts"
-cp -r "$source/proofs" "$source/fast" "$source/include" "$source/rendering" "$copy"
+cp -r "$source/proofs" "$source/fast" "$source/include" "$source/rendering" "$source/text" "$copy"
 mkdir "$copy/tests"
 cp -r "$source/tests/proofs" "$copy/tests"
 code=0
