@@ -11,6 +11,7 @@
 
 #include "fast/evaluate.h"
 #include "fast/laws/all.h"
+#include "tests/proofs/members.h"
 #include "tests/proofs/written_number.h"
 
 namespace forceshade::tests {
@@ -18,38 +19,6 @@ namespace {
 
 // Each constant has another significand, and none is 0, in either of two bumps.
 constexpr Parameters kBumps[] = {{530.3F, 0.71F, 0.7F}, {812.7F, 0.931F, 0.33F}};
-
-// The names and values of the numbers that a law holds: those that its definition has of these.
-using Constants = std::vector<std::pair<std::string, double>>;
-
-void add(Constants& to, const std::string& prefix, const fast::LinearGap& gap) {
-  to.insert(to.end(), {{prefix + "height", gap.height}, {prefix + "height_tail", gap.height_tail}});
-  if (gap.slope.head != 0) to.insert(to.end(), {{prefix + "slope", gap.slope.head}, {prefix + "slope_tail", gap.slope.tail}});
-}
-void add(Constants& to, const std::string&, const fast::ThreePolygonGap& gap) {
-  add(to, "top_", gap.top);
-  add(to, "side_", gap.side);
-}
-
-template <class Definition>
-Constants constants_of(const Definition& law) {
-  Constants all;
-  if constexpr (requires { law.gap; }) add(all, "", law.gap);
-  if constexpr (requires { law.shading; }) all.insert(all.end(), {{"R", law.shading.R}, {"K_over_R", law.shading.K_over_R}});
-  if constexpr (requires { law.K; }) all.emplace_back("K", law.K);
-  if constexpr (requires { law.K_sine; }) all.insert(all.end(), {{"K_sine", law.K_sine}, {"K_cosine", law.K_cosine}});
-  if constexpr (requires { law.axis; })
-    all.insert(all.end(), {{"R", law.R},
-                           {"anchor", law.anchor},
-                           {"anchored", law.anchored},
-                           {"rest", law.rest},
-                           {"d_head", law.d.head},
-                           {"d_tail", law.d.tail},
-                           {"axis", law.axis}});
-  if constexpr (requires { law.half_width; }) all.emplace_back("half_width", law.half_width);
-  if constexpr (requires { law.half_top; }) all.emplace_back("half_top", static_cast<double>(law.half_top));
-  return all;
-}
 
 template <class Definition>
 std::string definition_of(const std::string& name, const Parameters& bump) {
