@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""positions.py LAWS SEED: prints laws and positions for code_rows and model_rows, LAWS laws with 16 positions each. They are aimed at the
-regions that the proofs distinguish, and the last lines count the positions of each region."""
+"""positions.py LAWS SEED: prints laws and positions for code_rows and model_rows: the hard cases of tests/laws, then LAWS laws with 16
+positions each, aimed at the regions that the proofs distinguish. The last lines count the positions of each region."""
 
 import collections
 import math
+import pathlib
 import random
 import struct
 import sys
@@ -136,8 +137,22 @@ def up(name, radius, width, x):
     return near(z), region
 
 
+def hard_cases(name):
+    """R, w, K, x and z of positions whose force lies next to a tie of the rounding."""
+    file = pathlib.Path(__file__).resolve().parents[2] / "laws" / (name.replace("-", "_") + ".cases")
+    for line in file.read_text().splitlines()[1:]:
+        if line and not line.startswith("#"):
+            yield [float.fromhex(word) for word in line.split(",")[:5]]
+
+
 def main():
     counts = collections.Counter()
+    for name in NAMES:
+        for radius, width, force, x, z in hard_cases(name):
+            print("law", name, *(f"{bits(each):x}" for each in (radius, width, force)))
+            for place in ((x, 0.0, z), (-x, 1.0, z)):
+                print(*(f"{bits(each):x}" for each in place))
+            counts["next to a tie"] += 2
     for index in range(int(sys.argv[1])):
         name = NAMES[index % len(NAMES)]
         radius, width, force, shape = law()
