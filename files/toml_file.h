@@ -24,6 +24,11 @@ struct TomlFault {
   std::string reason;
 };
 
+// "line 3: ", for a message; empty where no line is known.
+inline std::string line_words(std::size_t line) {
+  return line == 0 ? "" : "line " + std::to_string(line) + ": ";
+}
+
 // The contents of a file. toml++ makes binary64 numbers of decimals; these are read from the text, and rounded once.
 class TomlDocument {
  public:

@@ -2,11 +2,10 @@
 #include "files/toml_table.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 
-#include "files/input_file.h"
 #include "files/printable.h"
+#include "forceshade/error.h"
 
 namespace forceshade::files {
 namespace {
@@ -19,20 +18,15 @@ std::string range_of(auto least, auto largest) {
 
 }  // namespace
 
-void throw_error(const std::filesystem::path& file, std::size_t line, const std::string& reason) {
-  throw Error(file, line, reason);
-}
-
-TomlFile::TomlFile(std::filesystem::path path, std::size_t most_bytes, TomlThrow thrown)
-    : path_(std::move(path)), thrown_(thrown) {
+TomlFile::TomlFile(std::filesystem::path path, std::size_t most_bytes, LineForm form) : path_(std::move(path)), form_(form) {
   auto parsed = parse_toml_file(path_, most_bytes);
   if (const auto* fault = std::get_if<TomlFault>(&parsed)) fail(fault->line, printable(fault->reason));
   document_ = std::get<TomlDocument>(std::move(parsed));
 }
 
 void TomlFile::fail(std::size_t line, const std::string& reason) const {
-  thrown_(path_, line, reason);
-  std::abort();
+  if (form_ == LineForm::words) throw Error(path_, line_words(line) + reason);
+  throw Error(path_, line, reason);
 }
 
 const toml::node* TomlTable::find(std::string_view key, bool is_optional) {

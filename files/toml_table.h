@@ -3,6 +3,7 @@
 // A TOML file, read key by key; errors name the file, the line and the key. Included by source files alone.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -17,24 +18,24 @@
 
 namespace forceshade::files {
 
-// Throws the error of a reader, for a fault in a line of a file, from 1; 0 where none is known.
-using TomlThrow = void (*)(const std::filesystem::path& file, std::size_t line, const std::string& reason);
-[[noreturn]] void throw_error(const std::filesystem::path& file, std::size_t line, const std::string& reason);  // Error
+// The place in a message: "FILE:3: reason", the line that an editor shows, or "FILE: line 3: reason".
+enum class LineForm : std::uint8_t { editor, words };
 
-// The file with its contents. Everything here throws what `thrown` throws.
+// The file with its contents. Everything here throws Error.
 class TomlFile {
  public:
   // Throws for a file that cannot be opened, is longer than most_bytes, nests too deep or is no TOML.
-  explicit TomlFile(std::filesystem::path path, std::size_t most_bytes = 1 << 20, TomlThrow thrown = throw_error);
+  explicit TomlFile(std::filesystem::path path, std::size_t most_bytes = 1 << 20, LineForm form = LineForm::editor);
 
   const std::filesystem::path& path() const { return path_; }
   const TomlDocument& document() const { return *document_; }
   [[noreturn]] void fail(const toml::node& at, const std::string& reason) const { fail(at.source().begin.line, reason); }
+  // line: from 1; 0 where none is known.
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const;
 
  private:
   std::filesystem::path path_;
-  TomlThrow thrown_;
+  LineForm form_;
   std::optional<TomlDocument> document_;
 };
 

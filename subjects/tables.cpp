@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 files::TomlDocument document_in(std::variant<files::TomlDocument, files::TomlFault> parsed, const std::string& file) {
   if (const auto* fault = std::get_if<files::TomlFault>(&parsed))
-    throw Error(file + ": " + (fault->line == 0 ? "" : "line " + std::to_string(fault->line) + ": ") + fault->reason);
+    throw Error(file + ": " + files::line_words(fault->line) + fault->reason);
   return std::get<files::TomlDocument>(std::move(parsed));
 }
 

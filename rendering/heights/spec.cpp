@@ -17,10 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void throw_height_error(const fs::path& file, std::size_t line, const std::string& reason) {
-  throw Error(file, (line == 0 ? "" : "line " + std::to_string(line) + ": ") + reason);
-}
-
 // One table of the file, with what a height map alone has.
 class Table : public files::TomlTable {
  public:
@@ -94,7 +90,7 @@ height::Part part(const files::TomlFile& file, const toml::table& table, Values 
 constexpr std::size_t kLargestFile = 4 << 20;
 
 files::TomlFile parsed(const fs::path& file) {
-  return files::TomlFile(file, kLargestFile, throw_height_error);
+  return files::TomlFile(file, kLargestFile, files::LineForm::words);
 }
 
 // The numbers of a copy of what a document has, rounded, so that they are what they are read as.
