@@ -2,10 +2,10 @@
 #pragma once
 // A page that a command writes.
 
-#include <cstdio>
 #include <string>
 
-#include "files/printable.h"
+#include "apps/tell.h"
+#include "report/gnuplot.h"
 #include "report/report.h"
 
 namespace forceshade::apps {
@@ -15,8 +15,8 @@ template <class ToHtml>
 std::string page_of(const std::string& file, const ToHtml& to_html) {
   try {
     return to_html(properties::Pictures::all);
-  } catch (const Error& error) {
-    std::fprintf(stderr, "forceshade: %s has no pictures: %s\n", files::printable(file).c_str(), error.what());
+  } catch (const properties::PlotError& error) {
+    tell(file + " has no pictures: " + error.what());
     return to_html(properties::Pictures::none);
   }
 }

@@ -117,7 +117,7 @@ void write(const Picture& picture, const std::string& stem, const files::OutputF
     try {
       std::string bytes = file(picture);
       if (!interrupted()) return bytes;
-    } catch (const Error&) {  // a terminal's Ctrl-C ends gnuplot, too
+    } catch (const properties::PlotError&) {  // a terminal's Ctrl-C ends gnuplot, too
       if (!interrupted()) throw;
     }
     throw Interrupted("not all pictures were drawn");

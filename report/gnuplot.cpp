@@ -19,7 +19,7 @@ namespace forceshade::properties {
 namespace {
 
 [[noreturn]] void fail(const std::string& what, int reason) {
-  throw Error(what + ": " + std::generic_category().message(reason));
+  throw PlotError(what + ": " + std::generic_category().message(reason));
 }
 
 // An unnamed file in memory. Unlike a pipe it never fills up and never signals, so a child can be given all its input
@@ -87,7 +87,7 @@ std::string run_gnuplot(std::string_view commands) {
   std::array<char*, 4> arguments{name.data(), no_user_settings.data(), file.data(), nullptr};
   pid_t child = 0;
   const int reason = ::posix_spawnp(&child, name.c_str(), actions.get(), nullptr, arguments.data(), environ);
-  if (reason == ENOENT) throw Error("gnuplot was not found: install the package gnuplot-nox");
+  if (reason == ENOENT) throw PlotError("gnuplot was not found: install the package gnuplot-nox");
   if (reason != 0) fail("cannot start gnuplot", reason);
 
   int status = 0;
@@ -96,7 +96,7 @@ std::string run_gnuplot(std::string_view commands) {
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     const std::string how = WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
                                                 : "exit status " + std::to_string(WEXITSTATUS(status));
-    throw Error("gnuplot failed (" + how + "): " + errors.read());
+    throw PlotError("gnuplot failed (" + how + "): " + errors.read());
   }
   return output.read();
 }
@@ -157,7 +157,7 @@ std::string svg_plot(const PlotFrame& frame, std::string_view commands) {
 
   static constexpr std::string_view kOpening = "<svg";
   const std::size_t start = output.find(kOpening);
-  if (start == std::string::npos) throw Error("gnuplot drew nothing");
+  if (start == std::string::npos) throw PlotError("gnuplot drew nothing");
   const std::string_view body = std::string_view(output).substr(start + kOpening.size());
   return "<svg role=\"img\" aria-label=\"" + escaped(frame.description) + '"' +
          with_prefixed_ids(without_titles(body), frame.id);

@@ -9,6 +9,11 @@
 
 namespace forceshade::properties {
 
+// gnuplot is missing or fails, in its words: a page can do without the picture.
+struct PlotError : Error {
+  using Error::Error;
+};
+
 struct PlotFrame {
   int width, height;        // px at 12 px text; the element scales with the page
   std::string id;           // prefix of every id inside, so that it must be unique in the page
@@ -16,7 +21,7 @@ struct PlotFrame {
 };
 
 // `commands` come after the terminal is set; data go into them as $name << EOD blocks. The user's own gnuplot settings are
-// not read. Needs gnuplot 5.4 on the PATH. Throws Error, with gnuplot's words, where it is missing or fails.
+// not read. Needs gnuplot 5.4 on the PATH. Throws PlotError.
 std::string svg_plot(const PlotFrame& frame, std::string_view commands);
 
 struct Picture {

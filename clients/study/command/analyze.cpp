@@ -202,7 +202,7 @@ int analyze(AnalyzeOptions& options, const OutFolder& out) {
       figures.emplace_back(picture.frame.id + ".svg", properties::svg_file(picture));
       figures.emplace_back(picture.frame.id + ".png", properties::png_file(picture));
     }
-  } catch (const Error& error) {
+  } catch (const properties::PlotError& error) {
     if (interrupted()) throw Interrupted("not all figures were drawn");
     tell("warning: no figures: " + std::string(error.what()));
     drawn.clear();
