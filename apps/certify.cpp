@@ -18,6 +18,7 @@
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
+#include "apps/tell.h"
 #include "files/printable.h"
 
 namespace forceshade::apps {
@@ -109,7 +110,7 @@ int run(const CertifyOptions& options, const SubjectOption& subject, const OutFo
       interrupted());
   progress.reset();  // off the row that is printed on
   if (!certificate) {
-    std::fprintf(stderr, "forceshade: interrupted: no certificate was written\n");
+    tell("interrupted: no certificate was written");
     return kInterrupted;
   }
   const subjects::Options named = subject.options();

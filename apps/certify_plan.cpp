@@ -17,6 +17,7 @@
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
+#include "apps/tell.h"
 #include "files/printable.h"
 #include "forceshade/certify.h"
 #include "report/thesis.h"
@@ -44,9 +45,7 @@ properties::SweepPlan sweep_plan(const std::vector<std::string>& kinds, const su
 
 bool print_alarms(const properties::PlanState& state) {
   for (const std::string& file : state.alarms)
-    std::fprintf(stderr,
-                 "forceshade: ALARM: %s differs from the result of the same unit beside it; one machine computes wrongly\n",
-                 files::printable(file).c_str());
+    tell("ALARM: " + file + " differs from the result of the same unit beside it; one machine computes wrongly");
   return !state.alarms.empty();
 }
 
@@ -59,12 +58,10 @@ int work(const std::string& folder, properties::PlanWorker worker) {
     worked = properties::work_on_plan(folder, worker, interrupted());
   }
   if (worked.alarms > 0)
-    std::fprintf(stderr,
-                 "forceshade: ALARM: %" PRIu64
-                 " units have another result already; both are kept, 'certify status' names them\n",
-                 worked.alarms);
+    tell("ALARM: " + std::to_string(worked.alarms) +
+         " units have another result already; both are kept, 'certify status' names them");
   if (interrupted()) {
-    std::fprintf(stderr, "forceshade: interrupted after %" PRIu64 " units; the same command goes on\n", worked.units);
+    tell("interrupted after " + std::to_string(worked.units) + " units; the same command goes on");
     return kInterrupted;
   }
   std::printf("%" PRIu64 " units done here; the plan is %s\n", worked.units,

@@ -13,7 +13,6 @@
 
 namespace forceshade::apps {
 
-using Error = Error;  // becomes exit code 2
 using files::write_file;
 
 enum ExitCode { kHeld = 0, kFailed = 1, kBadInput = 2, kDeviceFault = 3, kInterrupted = 130 };

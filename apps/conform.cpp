@@ -43,13 +43,6 @@ struct Answerer {
   }
 };
 
-// Runs check(monitor) with a line of progress.
-template <class Check>
-auto with_line(const std::string& name, const Check& check) {
-  ProgressLine line(name);
-  return check(Monitor([&](double done) { line.draw(done); }, interrupted()));
-}
-
 ConformResults results_of(const Description& description, const conformance::Conformance& found,
                           const conformance::Circumstances& circumstances) {
   const conformance::Tolerance& tolerance = circumstances.options.tolerance;
@@ -139,7 +132,7 @@ void add_conform(CLI::App& app, int& result) {
     watch_for_interrupt();
     const Description description = subject->description();
     const conformance::Circumstances circumstances{its->conform, properties::current_build().version, repeated(*command)};
-    const auto found = with_line(description.name, [&](const Monitor& monitor) {
+    const auto found = with_progress(description.name, [&](const Monitor& monitor) {
       return conformance::conform(description, its->renderer.door(), its->conform, monitor);
     });
     result = outputs->write(results_of(description, found, circumstances));
@@ -160,7 +153,7 @@ void add_conform_simulator(CLI::App& conform, int& result) {
     outputs->expect_room();
     watch_for_interrupt();
     namespace simulators = conformance::simulators;
-    const auto found = with_line("simulator", [&](const Monitor& monitor) {
+    const auto found = with_progress("simulator", [&](const Monitor& monitor) {
       return simulators::conform_simulator(simulators::simulator_process(its->command, its->limits()), monitor);
     });
     result = outputs->write(results_of(found, repeated(*command)));

@@ -50,7 +50,7 @@ void add_cases(std::vector<JunitCase>& cases, const std::string& suite, const st
 
 // --tolerance: the largest distance of a force from the exact one.
 CLI::Option* add_tolerance(CLI::App& command, std::string& value);
-// Throws Error. An empty text is none: correctly rounded.
+// Throws Error. An empty text stands for correctly rounded.
 conformance::Tolerance parse_tolerance(const std::string& text);
 
 }  // namespace forceshade::apps

@@ -48,10 +48,8 @@ int judge(const RecordingOptions& its, const SubjectOption& subject, const Confo
   if (description && std::holds_alternative<DescribedScene>(description->what))
     throw Error(description->name +
                 ": expected no object with a motion, since a recording does not say in which tick it began");
-  std::optional<ProgressLine> line(its.file);
-  const conformance::JudgedRecording found = conformance::judge_recording(
-      measured, description, options, Monitor([&](double done) { line->draw(done); }, interrupted()));
-  line.reset();
+  const conformance::JudgedRecording found = with_progress(
+      its.file, [&](const Monitor& monitor) { return conformance::judge_recording(measured, description, options, monitor); });
   const std::string words = conformance::words_of(found, options.tolerance);
   std::vector<JunitCase> cases;
   if (found.fit) cases.push_back({found.file, "fit", 0, found.fit->refusal, words});

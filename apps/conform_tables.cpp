@@ -40,8 +40,7 @@ void add_writer(CLI::App& command, std::uint64_t points, std::uint64_t most, con
     watch_for_interrupt();
     const Description description = subject->description();
     files::OutputFile output(options->out);
-    ProgressLine line(description.name);
-    write(*options, description, output.stream(), Monitor([&](double done) { line.draw(done); }, interrupted()));
+    with_progress(description.name, [&](const Monitor& monitor) { write(*options, description, output.stream(), monitor); });
     output.commit();
     result = kHeld;
   });

@@ -12,6 +12,7 @@
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
+#include "apps/tell.h"
 #include "apps/terminal_attendant.h"
 #include "files/csv.h"
 #include "files/output_file.h"
@@ -107,8 +108,7 @@ int run(DeviceTryOptions options) {
   const Rendering wall = built(rendering_of(LawId::wall, {.stiffness = stiffness}));
   const run::Certified covered = run::certified(options.certificate, wall.identity);
   if (!may_be_driven(covered, options.uncertified)) {
-    std::fprintf(stderr, "forceshade: to have one: forceshade certify --law wall --stiffness %s --out DIR\n",
-                 shortest(stiffness).c_str());
+    tell("to have one: forceshade certify --law wall --stiffness " + shortest(stiffness) + " --out DIR");
     return kFailed;
   }
 

@@ -16,6 +16,7 @@
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
+#include "apps/tell.h"
 #include "files/quantity.h"
 #include "forceshade/checks.h"
 #include "reference/height_energy.h"
@@ -81,9 +82,8 @@ Verdict verdict_on(const reference::Law& law, float depth) {
   return verdict;
 }
 
-Verdict verdict_on(const reference::HeightMapField& law, const std::string& name, const reference::Slice& slice, float depth) {
-  ProgressLine line(name);
-  const Monitor monitor([&](double done) { line.draw(done); }, interrupted());
+Verdict verdict_on(const reference::HeightMapField& law, const std::string& name, const reference::Slice& slice, float depth,
+                   const Monitor& monitor) {
   const reference::SliceBound bound = reference::loop_bound(law, slice, depth, monitor.part(0, 0.4));
   const auto witness = reference::witness(law, slice, depth, monitor.part(0.4, 0.7));
   const bool is_x = slice.along == reference::Slice::Along::x;
@@ -168,12 +168,12 @@ int run_height_map(const EnergyOptions& options, const std::string& name, const 
   if (const auto error = reference::slice_error(law, slice, depth)) throw Error(name + ": " + error->message());
   watch_for_interrupt();
   try {
-    answer(verdict_on(law, name, slice, depth), options);
+    answer(with_progress(name, [&](const Monitor& monitor) { return verdict_on(law, name, slice, depth, monitor); }), options);
     return kHeld;
   } catch (const Interrupted&) {
     throw Interrupted(name + " has no verdict, and nothing was written");
   } catch (const reference::NotEnclosed& error) {
-    std::fprintf(stderr, "forceshade: %s: no verdict: %s\n", name.c_str(), error.what());
+    tell(name + ": no verdict: " + error.what());
     return kFailed;
   }
 }

@@ -123,8 +123,7 @@ void print_energy_of_mesh(const std::string& name, const MeshRendering& renderin
   expect_length("--length", length, 0x1p-10F, 10000);
   expect_length("--step", step, 0x1p-10F, 100);
   watch_for_interrupt();
-  const auto judged = [&] {
-    ProgressLine line(name);
+  const auto judged = [&](const Monitor& monitor) {
     MeshVerdict verdict{.name = name,
                         .rendering = rendering,
                         .depth = static_cast<double>(depth),
@@ -133,14 +132,13 @@ void print_energy_of_mesh(const std::string& name, const MeshRendering& renderin
                         .turns = properties::largest_turns(rendering),
                         .stroke = {},
                         .changes = {}};
-    const Monitor monitor([&](double done) { line.draw(done); }, interrupted());
     verdict.changes = properties::tick_changes(rendering, verdict.hand(), monitor.part(0, 0.5));
     if (verdict.turns.most() > 0)
       verdict.stroke = properties::best_stroke(rendering, verdict.turns, verdict.depth, verdict.length, monitor.part(0.5, 1));
     return verdict;
   };
   try {
-    const MeshVerdict verdict = judged();
+    const MeshVerdict verdict = with_progress(name, judged);
     if (!json.empty()) write_file(json, json_of(verdict).dump() + "\n");
     if (json != "-") print(verdict);
   } catch (const Interrupted&) {

@@ -10,6 +10,7 @@
 #include "apps/output_options.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"
+#include "apps/tell.h"
 #include "files/csv.h"
 #include "files/npy.h"
 #include "files/output_file.h"
@@ -65,7 +66,7 @@ ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
                                      output.stream(), std::cerr, answer);
   output.commit();
   if (count.unanswered == 0) return kHeld;
-  std::cerr << "forceshade: " << count.unanswered << " of " << count.rows << " rows could not be answered\n";
+  tell(std::to_string(count.unanswered) + " of " + std::to_string(count.rows) + " rows could not be answered");
   return kFailed;
 }
 

@@ -232,12 +232,14 @@ int check(const MeshFileOptions& options) {
   Json json{{"file", options.file}, {"held", held != nullptr}, {"self_intersections", input.may_cross ? "allowed" : "refused"},
             {"faults", faults},     {"normals", has_normals},  {"texture", has_texture}};
   std::optional<properties::WorstTick> worst;
+  std::optional<mesh::Facts> facts;
   if (held != nullptr) {
     note_large_fan(input, held->mesh(), notes);
     if (input.may_cross) note_seams(held->mesh(), notes);
     worst = worst_tick(*held);
     json["worst_tick"] = {{"looks", worst->looks}, {"moves", worst->moves}, {"unfinished", worst->is_unfinished}};
-    add_facts(json, mesh::facts_of(*held));
+    facts = mesh::facts_of(*held);
+    add_facts(json, *facts);
   }
   json["notes"] = notes;
   for (const auto& [name, counted] : names_in(input)) json[name] = json_of(counted);
@@ -245,7 +247,7 @@ int check(const MeshFileOptions& options) {
   const int code = held != nullptr ? kHeld : kFailed;
   if (options.json == "-") return code;
   if (held != nullptr) {
-    print_facts(mesh::facts_of(*held));
+    print_facts(*facts);
     print_row("normals", has_normals ? "in the file" : "none");
     print_row("texture", has_texture ? "in the file" : "none");
     for (const auto& [name, counted] : names_in(input)) print_row(name.c_str(), files::printable(words_of(counted)));

@@ -92,9 +92,9 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
 std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
                                                                       mesh::SelfIntersections self_intersections) {
   const std::string name = "check of " + (file == "-" ? kStandardInput : fs::path(file).filename().string());
-  ProgressLine line(name);
   try {
-    return mesh::check(std::move(triangles), self_intersections, Monitor([&](double done) { line.draw(done); }, interrupted()));
+    return with_progress(
+        name, [&](const Monitor& monitor) { return mesh::check(std::move(triangles), self_intersections, monitor); });
   } catch (const Interrupted&) {
     throw Interrupted("the " + name + " was not finished");
   }

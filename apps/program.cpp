@@ -43,7 +43,7 @@ std::vector<std::string> with_words_for_flags(std::vector<std::string> words) {
   return words;
 }
 
-// The present words for the first former ones; empty where there are none. An option of a verb is not one of the command.
+// The present words for the first former ones; empty where no word is a former one. An option of a verb does not count.
 std::string fault_of_former_words(std::span<const FormerWords> former, const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (i > 1 && !words[1].starts_with("-")) break;
@@ -75,7 +75,7 @@ std::string fault_of_first_word(const CLI::App& app, std::span<const FormerWords
   return "unknown command \"" + first + "\"; expected one of:" + listed() + files::suggestion(first, names);
 }
 
-// Drops --help where the word behind `mesh` or another group is none of its commands, so that this is reported.
+// Drops --help where the word behind `mesh` or another group is not one of its commands, so that this is reported.
 std::vector<std::string> without_help_of_no_command(const CLI::App& app, std::vector<std::string> words) {
   const CLI::App* command = &app;
   for (const std::string& word : words) {

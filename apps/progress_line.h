@@ -8,6 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "apps/signals.h"
+#include "forceshade/checks.h"
+
 namespace forceshade::apps {
 
 class ProgressLine {
@@ -35,5 +38,12 @@ class ProgressLine {
   std::optional<double> begun_;  // done when the first call came
   std::string shown_;            // on the terminal
 };
+
+// Returns check(monitor), whose progress a line of this name draws; a signal that is to end the work ends it by Interrupted.
+template <class Check>
+auto with_progress(const std::string& name, const Check& check) {
+  ProgressLine line(name);
+  return check(Monitor([&](double done) { line.draw(done); }, interrupted()));
+}
 
 }  // namespace forceshade::apps

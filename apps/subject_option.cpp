@@ -25,10 +25,10 @@ std::string choice(const Words& words) {
 
 // Calls `read` with a monitor that draws how far the check of the mesh or scene is, if there is one.
 template <class Read>
-auto with_progress(const subjects::Options& options, const Read& read) {
+auto read_by(const subjects::Options& options, const Read& read) {
   const std::string file = options.value(options.has("scene") ? "scene" : "mesh");
-  ProgressLine line("check of " + std::filesystem::path(file).filename().string());
-  return read(options, Monitor([&](double done) { line.draw(done); }, interrupted()));
+  return with_progress("check of " + std::filesystem::path(file).filename().string(),
+                       [&](const Monitor& monitor) { return read(options, monitor); });
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ subjects::Options SubjectOption::options() const {
 
 std::vector<Description> SubjectOption::descriptions() const {
   if (laws_ == subjects::Laws::one) return {read_with_progress(options())};
-  return with_progress(options(), subjects::read);
+  return read_by(options(), subjects::read);
 }
 
 std::vector<std::shared_ptr<const properties::Subject>> SubjectOption::subjects() const {
@@ -120,7 +120,7 @@ Rendering SubjectOption::rendering() const {
 }
 
 Description read_with_progress(const subjects::Options& options) {
-  return with_progress(options, subjects::read_one);
+  return read_by(options, subjects::read_one);
 }
 
 BumpOptions::BumpOptions(CLI::App& command)
