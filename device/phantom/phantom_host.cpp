@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 
 #include "device/phantom/ending.h"
 #include "device/phantom/hdapi_library.h"

@@ -109,9 +109,8 @@ struct MergedPlan {
   Certificate certificate;  // from the units that are done; empty where there are alarms
 };
 
-// Each throws Error or Error, naming the option or file, where the subject, the folder, a result or the
-// build is not what it should be, and files::OutputError. make_plan() and work_on_plan() throw Interrupted where `stop` was set
-// while a mesh was checked.
+// Each throws Error, naming the option or file, where the subject, the folder, a result or the build is not what it should be,
+// or a file cannot be written. make_plan() and work_on_plan() throw Interrupted where `stop` was set while a mesh was checked.
 PlanState make_plan(const std::string& folder, const PlanRequest& request, const std::atomic<bool>& stop);
 PlanState state_of_plan(const std::string& folder, const std::atomic<bool>& stop);
 Worked work_on_plan(const std::string& folder, const PlanWorker& worker, const std::atomic<bool>& stop);

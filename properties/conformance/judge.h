@@ -58,9 +58,8 @@ struct Judgement {
   // By the power of ten that the distance in N is below: 10^-45 or less, 10^-44, up to 10^5, beyond it or no number.
   static constexpr int kLeastPower = -45, kMostPower = 5;
   std::array<std::uint64_t, kMostPower - kLeastPower + 2> by_newtons{};
-  std::uint64_t undecided = 0;  // the definition does not decide there
-  std::uint64_t unfinished =
-      0;  // the definition's god-object used up the moves or looks of the tick, and gives no force of rest
+  std::uint64_t undecided = 0;   // the definition does not decide there
+  std::uint64_t unfinished = 0;  // the definition's god-object used up the moves or looks of the tick
   // The one with the largest distance of each unit, as in Unit; of the cases beyond the tolerance the simplest, whose
   // position is the shortest to write.
   std::array<std::optional<Judged>, 3> worst;

@@ -98,7 +98,7 @@ enum class Files { must_exist, may_be_missing };
 
 // Files within it are relative to `folder`; without one, to the protocol's. Throws Error with file, line and key, also
 // where a condition cannot be rendered: a radius below half the width, a variant that a condition needs and that is missing.
-// What is in the files of height maps, meshes and texts is for their own readers.
+// The contents of files of height maps, meshes and texts are for their own readers.
 Protocol read_protocol(const std::filesystem::path& file, const std::filesystem::path& folder = {},
                        Files files = Files::must_exist);
 

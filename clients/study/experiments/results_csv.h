@@ -16,7 +16,7 @@ void write_results(const Results& results, const std::filesystem::path& folder);
 // The same into a folder that the caller commits.
 void write_results(const Results& results, const files::OutputFolder& folder);
 
-// Reads those of the files that exist. Throws Error, or Error, with file, line and column: numbers out of their
+// Reads those of the files that exist. Throws Error with file, line and column: numbers out of their
 // range, a trial that is there twice, no file at all.
 Results read_results(const std::filesystem::path& folder);
 
