@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The look and the keys of the participant's window: a small TOML file. Its keys: docs/experiments.md.
+// The look and the keys of the participant's window: a small TOML file. Its keys: clients/study/README.md.
 
 #include <filesystem>
 #include <string>

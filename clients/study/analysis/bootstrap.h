@@ -27,7 +27,7 @@ struct Estimate {
 
 // The units drawn with replacement. `trials`: each participant's trials within a reference radius, for statements about the
 // participants who took part. `participants`: whole participants with all their trials, for statements about others like them,
-// which needs many of them (docs/analysis.md has the measured coverage).
+// which needs many of them (clients/study/analysis.md has the measured coverage).
 enum class Unit { trials, participants };
 
 struct Resampling {

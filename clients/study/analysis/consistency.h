@@ -48,7 +48,7 @@ std::vector<CountCheck> count_checks();
 // The number of ways in which `trials` answers can be counted so that their percentages round to these.
 int ways_to_count(const std::array<int, 4>& percents, int trials);
 
-// The tables of docs/tables/thesis-numbers.md in Markdown, in the order of the functions above.
+// The tables of clients/study/analysis/thesis_numbers.md in Markdown, in the order of the functions above.
 std::vector<std::string> consistency_lines();
 
 }  // namespace forceshade::analysis

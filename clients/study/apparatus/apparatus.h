@@ -15,7 +15,7 @@
 //   const apparatus::Outcome outcome = apparatus::run_session(plan, *device, front, stop);
 //
 // Lengths are in mm, forces in N, times in s; those of an experiment's stimuli in mil. A session is a folder, which the log
-// keeps whole through a crash (docs/experiments.md).
+// keeps whole through a crash (clients/study/README.md).
 //
 // Errors: run_session() throws std::runtime_error, and leaves no folder behind where it throws before the session is there.
 // A run that the supervisor or the device ended is no exception: Outcome says it.

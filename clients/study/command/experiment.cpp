@@ -118,7 +118,7 @@ struct Driving {
             ->group(kEvidenceGroup);
     command.add_flag("--uncertified", uncertified, "drive without certificates")->group(kEvidenceGroup)->excludes(folder);
     command.add_flag("--terminal", terminal, "texts and keys in the terminal instead of a window");
-    command.add_option("--window", settings, "a TOML file: size of window and text, keys (docs/experiments.md)")
+    command.add_option("--window", settings, "a TOML file: size of window and text, keys (clients/study/README.md)")
         ->type_name("FILE")
         ->excludes("--terminal");
     command.add_option("--origin", origin, "the place of the scene's middle in the device's workspace: X,Y,Z; default: 0,0,0")

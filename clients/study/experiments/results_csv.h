@@ -10,7 +10,7 @@
 namespace forceshade::experiments {
 
 // Writes matching.csv, classification.csv and radius.csv into the folder, which is made where it is missing: all of them or
-// none. An experiment without trials has no file. docs/experiments.md lists the columns. Throws files::OutputError.
+// none. An experiment without trials has no file. clients/study/README.md lists the columns. Throws files::OutputError.
 void write_results(const Results& results, const std::filesystem::path& folder);
 
 // The same into a folder that the caller commits.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of intervals of nominal coverage 0.95 that hold the true value, on simulated results. FORCESHADE_COVERAGE=N makes
-// N data sets for each line (docs/analysis.md has the numbers of 5000); without it there are 200, and the allowance is wider by
+// N data sets for each line (clients/study/analysis.md has the numbers of 5000); without it there are 200, and the allowance is wider by
 // their own error.
 
 #include <gtest/gtest.h>
@@ -139,7 +139,7 @@ TEST(coverage, of_a_percentage_is_nominal_where_answers_are_not_rare) {
 }
 
 // Participants as units: the observers themselves are drawn. No claim of nominal coverage: few people hold little information
-// about people. The test holds that coverage rises with their number and is what docs/analysis.md prints.
+// about people. The test holds that coverage rises with their number and is what clients/study/analysis.md prints.
 TEST(coverage, of_participants_as_units_rises_with_their_number) {
   double before = 0;
   for (const int people : {5, 10, 20}) {

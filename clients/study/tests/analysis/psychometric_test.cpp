@@ -234,7 +234,7 @@ TEST(psychometric, deviance_tells_a_function_from_none) {
   EXPECT_LT(none->p_chi_square, 1e-10);
 }
 
-// The percentages of table 6.9 as counts of 120. As docs/analysis.md states, the fit ends at the largest guess that is
+// The percentages of table 6.9 as counts of 120. As clients/study/analysis.md states, the fit ends at the largest guess that is
 // allowed, and the angle alone does not explain the answers.
 TEST(psychometric, angle_alone_does_not_explain_table_6_9) {
   std::vector<AngleCount> points;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The thesis's printed numbers, and what docs/tables/thesis-numbers.md says of them.
+// The thesis's printed numbers, and what clients/study/analysis/thesis_numbers.md says of them.
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ TEST(thesis_numbers, of_four_rows_of_table_6_9_are_of_no_120_answers) {
 }
 
 TEST(thesis_numbers, page_has_what_is_computed) {
-  const std::string page = text_of("docs/tables/thesis-numbers.md");
+  const std::string page = text_of("clients/study/analysis/thesis_numbers.md");
   std::size_t at = 0;
   for (const std::string& line : consistency_lines()) {
     const std::size_t found = page.find(line + '\n', at);

@@ -120,7 +120,7 @@ TEST(virtual_study, leaves_sessions_as_a_person_does) {
 }
 
 // The answers of a seed's participant: a change of a number of the model, of the noise or of the order in which it is drawn
-// would give recorded seeds another meaning. The numbers are those of the version that docs/experiments.md describes.
+// would give recorded seeds another meaning. The numbers are those of the version that clients/study/README.md describes.
 TEST(virtual_participant, of_a_seed_does_the_same_for_ever) {
   Protocol matching = read_protocol(kExamples / "matching.toml");
   SavedSession saved{"V", 5, matching, read_language(matching.language), {}, {}};
