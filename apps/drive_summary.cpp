@@ -56,7 +56,7 @@ void print_safety(const ServoResult& run) {
 void print_lateness(const ServoResult& run) {
   std::printf("                  tick %zu began %.1f ms late, the longest", run.worst_delay.tick, run.worst_delay.late_ms);
   if (run.supervised && !run.acts_on_lateness)
-    std::printf("; late ticks are only counted, because the device moves no arm (unless --watchdog-timeout is given)");
+    std::printf("; late ticks are only counted, because the device moves no real arm (unless --watchdog-timeout is given)");
   std::printf("\n");
 }
 

@@ -103,7 +103,8 @@ class Repair {
     drop("with the vertices of a face before them", [&](const Triangle&) { return is_same[at++]; });
   }
 
-  // Over edges with two faces, whatever their directions.
+  // Over edges with two faces, whatever their directions. Of the two ways to turn a part, it takes the one that turns fewer
+  // faces.
   void orient() {
     std::vector<std::uint32_t> across(3 * mesh_.triangles.size(), kNoEdge);
     for_each_edge(mesh_, [&](std::span<const std::uint32_t> half_edges) {
@@ -137,9 +138,12 @@ class Repair {
           }
         }
       }
+      const auto is_turned = [&](std::uint32_t i) { return state[i] == turned; };
       if (!is_possible) {
         done_.push_back("left the part of face " + std::to_string(number_[first]) + " as it is: it has only one side");
         for (const std::uint32_t i : part) state[i] = kept;
+      } else if (2 * static_cast<std::size_t>(std::ranges::count_if(part, is_turned)) > part.size()) {
+        for (const std::uint32_t i : part) state[i] = is_turned(i) ? kept : turned;
       }
     }
     for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
