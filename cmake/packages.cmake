@@ -49,7 +49,7 @@ forceshade_package(forceshade science
 math(EXPR next "${Python3_VERSION_MINOR} + 1")
 forceshade_package(python3-forceshade python
                    "This package is for Python: forces as NumPy arrays, sessions, exact forces as\nfractions or digits, properties and certificates."
-                   "python3 (>= 3.${Python3_VERSION_MINOR})" "python3 (<< 3.${next})" "python3-numpy (<< 1:2)")
+                   "python3 (>= 3.${Python3_VERSION_MINOR})" "python3 (<< 3.${next})" python3-numpy)
 forceshade_package(forceshade-doc doc
                    "This package has the pages and the reference of the interfaces for C, C++ and\nPython, for a browser.")
 set(CPACK_DEBIAN_FORCESHADE-DOC_PACKAGE_ARCHITECTURE all)

@@ -44,7 +44,7 @@ struct Function {
   }
 };
 
-// open_it(scene) -> (hello, answers); answers(positions, is_reset) -> float32 array of the same shape (n, 3).
+// open_it(scene) -> (hello, answers); answers(positions, is_reset) -> float32 array (n, 3), of the bytes of another.
 class PythonRenderer final : public conformance::RendererUnderTest {
  public:
   PythonRenderer(const py::object& open_it, const Json& scene) {
@@ -60,13 +60,14 @@ class PythonRenderer final : public conformance::RendererUnderTest {
 
   std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) override {
     return words_for_errors([&] {
-      const auto count = static_cast<py::ssize_t>(positions.size());
-      Floats asked({count, py::ssize_t{3}});
-      std::copy_n(positions.front().data(), 3 * positions.size(), asked.mutable_data());
-      const auto given = py::array_t<float, py::array::c_style>::ensure(answers_.its(asked, is_reset));
-      if (!given) throw py::error_already_set();
+      const py::bytearray asked(reinterpret_cast<const char*>(positions.data()), positions.size_bytes());
+      const py::buffer answered = answers_.its(asked, is_reset);
+      const py::buffer_info given = buffer_of<float>(answered);
+      if (given.shape != std::vector<py::ssize_t>{static_cast<py::ssize_t>(positions.size()), 3})
+        throw py::value_error("expected an answer to each position");
       std::vector<Eigen::Vector3f> answers(positions.size());
-      std::copy_n(given.data(), 3 * answers.size(), answers.front().data());
+      for (std::size_t i = 0; i < answers.size(); ++i)
+        answers[i] = {at<float>(given, i, 0), at<float>(given, i, 1), at<float>(given, i, 2)};
       return answers;
     });
   }

@@ -47,8 +47,8 @@ class Reference {
   }
 
   // The exact forces rounded once; those of a mesh along a path from its beginning.
-  void rounded(const Floats& positions, Floats& forces, Bytes& statuses) const {
-    const Batches batches(positions, forces, &statuses);
+  void rounded(const py::buffer& positions, const py::buffer& forces, const py::buffer& statuses) const {
+    const Batches batches(positions, forces, statuses);
     const auto answer = definition_.along_a_path();
     batches.for_each_part(32, [&](const forceshade_batch& batch) { exact::fill(batch, answer); });
   }

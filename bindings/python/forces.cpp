@@ -43,11 +43,11 @@ PyMethodDef force_method{
     "For many positions, forces() takes an array. A position that is not a number, or beyond 10 000 mm, gives no force.\n"};
 
 // Returns how many positions were invalid.
-std::size_t forces_of_many(const Subject& subject, const Floats& positions, Floats& forces, std::optional<Bytes> statuses,
-                           std::size_t threads) {
+std::size_t forces_of_many(const Subject& subject, const py::buffer& positions, const py::buffer& forces,
+                           const std::optional<py::buffer>& statuses, std::size_t threads) {
   if (!subject.renderer.batch) throw Error(kNeedsSession);
   expect_arithmetic();
-  const Batches batches(positions, forces, statuses ? &*statuses : nullptr, threads);
+  const Batches batches(positions, forces, statuses, threads);
   std::size_t invalid = 0;
   batches.for_each_part(kPart, [&](const forceshade_batch& batch) { invalid += c::forces_of(subject, batch); });
   return invalid;
@@ -62,8 +62,7 @@ void expect_arithmetic() {
 
 void add_forces(py::module_&, py::class_<Subject, std::shared_ptr<Subject>>& subject) {
   add_method(subject, force_method);
-  subject.def("_forces", &forces_of_many, py::arg().noconvert(), py::arg().noconvert(), py::arg().noconvert() = py::none(),
-              py::arg() = 1);
+  subject.def("_forces", &forces_of_many, py::arg(), py::arg(), py::arg() = py::none(), py::arg() = 1);
 }
 
 }  // namespace forceshade::python

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "bindings/python/arrays.h"
 #include "bindings/python/subject.h"
 #include "forceshade/checks.h"
 #include "forceshade/error.h"
@@ -27,9 +28,9 @@ PYBIND11_MODULE(_forceshade, module) {
     } catch (const py::builtin_exception&) {
       throw;
     } catch (const std::domain_error& undecided) {
-      error(undecided.what());
+      PyErr_SetString(error.ptr(), undecided.what());
     } catch (const std::runtime_error& refused) {
-      error(refused.what());
+      PyErr_SetString(error.ptr(), refused.what());
     }
   });
   module.attr("version") = FORCESHADE_VERSION;
@@ -37,6 +38,7 @@ PYBIND11_MODULE(_forceshade, module) {
       "library_digest", [] { return fast::library_digest(); },
       "SHA-256 of the compiled code that computes forces, in hexadecimal digits, as certificates have it.");
   module.def("instruction_set", [] { return std::string(fast::name_of(fast::best_instruction_set())); });
+  python::add_arrays(module);
   python::add_subjects(module);
   python::add_sessions(module);
   python::add_scenes(module);

@@ -19,14 +19,22 @@ struct PathState {
   std::uint32_t index[2], parameter[2];
 };
 
-std::size_t advance(const Subject& subject, py::array states, const Floats& positions, Floats& forces,
-                    std::optional<Bytes> statuses, std::size_t threads) {
+// True if the elements lie one after the other.
+bool has_no_gaps(const py::buffer_info& array) {
+  py::ssize_t step = array.itemsize;
+  for (std::size_t axis = array.shape.size(); axis-- > 0; step *= array.shape[axis])
+    if (array.shape[axis] > 1 && array.strides[axis] != step) return false;
+  return true;
+}
+
+std::size_t advance(const Subject& subject, const py::buffer& states, const py::buffer& positions, const py::buffer& forces,
+                    const std::optional<py::buffer>& statuses, std::size_t threads) {
   expect_arithmetic();
-  const Batches batches(positions, forces, statuses ? &*statuses : nullptr, threads);
-  if (3 * states.size() != positions.size() || states.itemsize() != sizeof(PathState) || !states.writeable() ||
-      (states.flags() & py::array::c_style) == 0)
+  const Batches batches(positions, forces, statuses, threads);
+  const py::buffer_info its = states.request(true);
+  if (static_cast<std::size_t>(its.size) != batches.size() || its.itemsize != sizeof(PathState) || !has_no_gaps(its))
     throw py::value_error("states: expected one for each position, without gaps");
-  auto* next = static_cast<PathState*>(states.mutable_data());
+  auto* next = static_cast<PathState*>(its.ptr);
   std::size_t invalid = 0;
   batches.for_each_part(kPart, [&](const forceshade_batch& batch) {
     invalid += c::advance(subject, batch, [next](std::size_t i) -> PathState& { return next[i]; });
@@ -38,8 +46,7 @@ std::size_t advance(const Subject& subject, py::array states, const Floats& posi
 }  // namespace
 
 void add_paths(py::class_<Subject, std::shared_ptr<Subject>>& subject) {
-  subject.def("_advance", &advance, py::arg().noconvert(), py::arg().noconvert(), py::arg().noconvert(),
-              py::arg().noconvert() = py::none(), py::arg() = 1);
+  subject.def("_advance", &advance, py::arg(), py::arg(), py::arg(), py::arg() = py::none(), py::arg() = 1);
 }
 
 }  // namespace forceshade::python

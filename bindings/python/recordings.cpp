@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Recordings, as structured arrays.
+// Recordings, as the bytes of structured arrays.
 
-#include <cstring>
+#include <pybind11/stl.h>
+
 #include <span>
 
-#include "bindings/python/arrays.h"
 #include "bindings/python/subject.h"
 #include "forceshade/error.h"
 #include "forceshade/recording.h"
@@ -13,7 +13,9 @@
 namespace forceshade::python {
 namespace {
 
-// The samples' bytes in an array of the recording's own layout, the metadata, and the problems.
+namespace py = pybind11;
+
+// The samples' bytes, their columns by name and type, the metadata, and the problems.
 py::tuple read(const std::string& path) {
   recorder::Recording recording(path);
   std::string bytes;
@@ -27,10 +29,7 @@ py::tuple read(const std::string& path) {
   }
   py::list columns;
   for (const recorder::Column& column : recorder::kColumns) columns.append(py::make_tuple(column.name, column.type));
-  const py::dtype layout = py::dtype::from_args(columns);
-  py::array samples(layout, static_cast<py::ssize_t>(bytes.size() / sizeof(device::Sample)));
-  std::memcpy(samples.mutable_data(), bytes.data(), bytes.size());
-  return py::make_tuple(samples, recording.metadata(), problems);
+  return py::make_tuple(py::bytearray(bytes), columns, recording.metadata(), problems);
 }
 
 }  // namespace

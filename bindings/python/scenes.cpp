@@ -37,19 +37,16 @@ std::unique_ptr<Scene> scene_of(const std::vector<std::shared_ptr<Subject>>& obj
 }
 
 // position: three numbers; poses: seven for each object, its translation and its quaternion; the package has looked.
-std::array<float, 3> step_scene(Scene& scene, const Floats& position, const Floats& poses) {
+std::array<float, 3> step_scene(Scene& scene, const std::array<float, 3>& position, const py::buffer& poses) {
   const Entered entered(scene);
   entered.or_throw();
   expect_arithmetic();
-  const auto at = position.unchecked<1>();
-  const auto of = poses.unchecked<2>();
+  const py::buffer_info of = buffer_of<float>(poses);
   std::array<scene::Pose, scene::kMostObjects> placed;
-  const std::size_t count = std::min(static_cast<std::size_t>(of.shape(0)), placed.size());
+  const std::size_t count = std::min(static_cast<std::size_t>(of.shape[0]), placed.size());
   for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t k = 0; k < 7; ++k)
-      (k < 3 ? placed[i].translation[k] : placed[i].rotation[k - 3]) =
-          of(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k));
-  const fast::Evaluation answer = scene.path.step({at(0), at(1), at(2)}, std::span(placed).first(count));
+    for (std::size_t k = 0; k < 7; ++k) (k < 3 ? placed[i].translation[k] : placed[i].rotation[k - 3]) = at<float>(of, i, k);
+  const fast::Evaluation answer = scene.path.step({position[0], position[1], position[2]}, std::span(placed).first(count));
   scene.status = c::status_of(answer.status);
   return {answer.force.x(), answer.force.y(), answer.force.z()};
 }
@@ -70,7 +67,7 @@ std::vector<std::array<float, 3>> forces_of_objects(Scene& scene) {
 void add_scenes(py::module_& module) {
   py::class_<Scene> scene(module, "Scene");
   scene.def(py::init(&scene_of));
-  scene.def("_step", &step_scene, py::arg().noconvert(), py::arg().noconvert());
+  scene.def("_step", &step_scene);
   scene.def("_forces", &forces_of_objects);
   scene.def_property_readonly("_status", [](const Scene& its) { return static_cast<int>(its.status); });
 }

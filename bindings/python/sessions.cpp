@@ -55,11 +55,12 @@ PyMethodDef step_method{
     "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
     "`status` then says what the position was. Raises forceshade.Error while another thread is in this session.\n"};
 
-std::size_t steps(Session& session, const Floats& positions, Floats& forces, std::optional<Bytes> statuses) {
+std::size_t steps(Session& session, const py::buffer& positions, const py::buffer& forces,
+                  const std::optional<py::buffer>& statuses) {
   const Entered entered(session);
   entered.or_throw();
   expect_arithmetic();
-  const Batches batches(positions, forces, statuses ? &*statuses : nullptr);
+  const Batches batches(positions, forces, statuses);
   std::size_t invalid = 0;
   batches.for_each_part(4096, [&](const forceshade_batch& batch) {
     invalid += c::answer_each(batch, [&](const Eigen::Vector3f& position, std::size_t) noexcept {
@@ -102,7 +103,7 @@ void add_sessions(py::module_& module) {
     return std::make_unique<Session>(std::move(subject));
   }));
   add_method(session, step_method);
-  session.def("_steps", &steps, py::arg().noconvert(), py::arg().noconvert(), py::arg().noconvert() = py::none());
+  session.def("_steps", &steps, py::arg(), py::arg(), py::arg() = py::none());
   session.def_property_readonly("_status", [](const Session& its) { return static_cast<int>(its.status); });
   session.def("_state", &state_of);
   session.def("_resume", &resume);

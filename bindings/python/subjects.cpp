@@ -58,10 +58,11 @@ Description law_of(const std::string& name, float radius, float width, float sti
 }
 
 // heights: (rows, columns), from the smallest y and x.
-Description map_of_samples(const Floats& heights, float pitch, const std::string& interpolant, const std::string& edge,
+Description map_of_samples(const py::buffer& heights, float pitch, const std::string& interpolant, const std::string& edge,
                            const std::string& render, float stiffness) {
-  const auto samples = heights.unchecked<2>();
-  const py::ssize_t rows = samples.shape(0), columns = samples.shape(1);
+  const py::buffer_info samples = buffer_of<float>(heights);
+  if (samples.ndim != 2) throw py::value_error("expected heights (rows, columns)");
+  const py::ssize_t rows = samples.shape[0], columns = samples.shape[1];
   if (std::min(rows, columns) < 2 || std::max(rows, columns) > c::kMostAlong || rows * columns > c::kMostSamples)
     throw py::value_error("heights have the shape (" + std::to_string(rows) + ", " + std::to_string(columns) +
                           "); expected 2 to 32768 rows and columns, and 67108864 samples at most");
@@ -73,9 +74,9 @@ Description map_of_samples(const Floats& heights, float pitch, const std::string
   grid.edge = static_cast<height::Edge>(choice("edge", edge, c::kEdges));
   const height::Mode mode = height::kModes[choice("render", render, c::kModeNames)].mode;
   grid.values.reserve(static_cast<std::size_t>(rows * columns));
-  for (py::ssize_t row = 0; row < rows; ++row)
-    for (py::ssize_t column = 0; column < columns; ++column) {
-      const float value = samples(row, column);
+  for (std::size_t row = 0; row < grid.rows; ++row)
+    for (std::size_t column = 0; column < grid.columns; ++column) {
+      const float value = at<float>(samples, row, column);
       if (!(std::fabs(value) <= c::kLargestHeight))
         throw py::value_error("heights[" + std::to_string(row) + ", " + std::to_string(column) + "] is " +
                               std::to_string(value) + "; expected -10000 to 10000 mm");
@@ -101,21 +102,22 @@ Description map_of_picture(const std::string& file, float pitch, float scale, co
   return {source.file.filename().string(), DescribedHeightMap{std::move(map), mode, stiffness}};
 }
 
-Description mesh_of_arrays(const Floats& vertices, const py::array_t<std::uint32_t>& triangles,
-                           const std::optional<std::string>& sides, const std::optional<std::string>& shading,
-                           const std::optional<std::string>& contact, double crease, bool self_intersecting, float stiffness,
+// The rows of an array (n, 3).
+template <class Number>
+std::vector<std::array<Number, 3>> rows_of_three(const py::buffer& array) {
+  const py::buffer_info its = buffer_of<Number>(array);
+  if (its.ndim != 2 || its.shape[1] != 3) throw py::value_error("expected vertices (n, 3) and triangles (m, 3)");
+  std::vector<std::array<Number, 3>> rows(static_cast<std::size_t>(its.shape[0]));
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = {at<Number>(its, i, 0), at<Number>(its, i, 1), at<Number>(its, i, 2)};
+  return rows;
+}
+
+Description mesh_of_arrays(const py::buffer& vertices, const py::buffer& triangles, const std::optional<std::string>& sides,
+                           const std::optional<std::string>& shading, const std::optional<std::string>& contact, double crease,
+                           bool self_intersecting, float stiffness,
                            const std::vector<std::tuple<std::optional<float>, float, float>>& materials,
                            const std::vector<std::uint32_t>& material_of_triangle) {
-  const auto points = vertices.unchecked<2>();
-  const auto faces = triangles.unchecked<2>();
-  if (points.shape(1) != 3 || faces.shape(1) != 3) throw py::value_error("expected vertices (n, 3) and triangles (m, 3)");
-  mesh::TriangleMesh all;
-  all.vertices.resize(static_cast<std::size_t>(points.shape(0)));
-  for (std::size_t i = 0; i < all.vertices.size(); ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) all.vertices[i][axis] = points(i, axis);
-  all.triangles.resize(static_cast<std::size_t>(faces.shape(0)));
-  for (std::size_t i = 0; i < all.triangles.size(); ++i)
-    for (std::size_t corner = 0; corner < 3; ++corner) all.triangles[i][corner] = faces(i, corner);
+  mesh::TriangleMesh all{rows_of_three<float>(vertices), rows_of_three<std::uint32_t>(triangles)};
   mesh::Materials surface{{}, material_of_triangle};
   for (const auto& [its_stiffness, static_friction, dynamic_friction] : materials)
     surface.list.push_back({its_stiffness, static_friction, dynamic_friction});
@@ -173,10 +175,7 @@ py::dict parameters_of(const Identity& identity) {
 // Rows of three of a mesh, where they lie, which `owner` keeps alive.
 template <class Number>
 py::object rows_of(const std::vector<std::array<Number, 3>>& rows, const py::object& owner) {
-  py::array_t<Number> array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}}, rows.empty() ? nullptr : rows[0].data(),
-                            owner);
-  array.attr("flags").attr("writeable") = false;
-  return array;
+  return view_of(rows.empty() ? nullptr : rows[0].data(), rows.size(), 3, owner);
 }
 
 const height::Grid* only_grid(const HeightMap& map) {
@@ -187,10 +186,7 @@ const height::Grid* only_grid(const HeightMap& map) {
 }
 
 py::object rows_of(const height::Grid& grid, const py::object& owner) {
-  py::array_t<float> array({static_cast<py::ssize_t>(grid.rows), static_cast<py::ssize_t>(grid.columns)}, grid.values.data(),
-                           owner);
-  array.attr("flags").attr("writeable") = false;
-  return array;
+  return view_of(grid.values.data(), grid.rows, grid.columns, owner);
 }
 
 // The heights of the samples of a map that was read from a file: where they lie, or, of a spline, as the file has them. None

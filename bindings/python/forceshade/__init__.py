@@ -24,14 +24,6 @@ Source: Morgenbesser and Srinivasan, "Force Shading for Shape Perception in Hapt
 MIT, December 1996. No force is computed in this package: it calls the same libraries as the command forceshade.
 """
 
-import numpy as _numpy
-
-if int(_numpy.__version__.split(".")[0]) >= 2:
-    raise ImportError(
-        f"this forceshade was built for NumPy 1, and NumPy {_numpy.__version__} is installed; "
-        "expected a NumPy before 2, such as Debian's python3-numpy, or: pip install 'numpy<2'"
-    )
-
 from ._checks import Certificate, PlanState, PropertyResult, certify, make_plan, merged_plan, plan_state, properties, work_on_plan
 from ._conform import Conformance, OpenedRenderer, RendererOfScenes, conform
 from ._exact import ExactForce, Geometry, geometry

@@ -129,16 +129,21 @@ def conform(
     checked = _expect_subject(subject)
     first: list[str] = []
 
-    def opened(scene_text: str) -> tuple[str, Callable[[Floats, bool], Floats]]:
+    def opened(scene_text: str) -> tuple[str, Callable[[bytearray, bool], Floats]]:
         scene = json.loads(scene_text)
         first.append(json.dumps(scene))
         hello = {"kind": "renderer", "name": name, "version": version, **declares}
         its = renderer if hasattr(renderer, "open") else _Function(renderer, first[0], vectorised)
+
+        def answers(asked: bytearray, reset: bool) -> Floats:
+            positions = np.frombuffer(asked, np.float32).reshape(-1, 3)
+            return _checked(it.answers(positions, reset), len(positions))
+
         try:
             it = its.open(scene)
         except NotImplementedError as reason:
-            return json.dumps({**hello, "accepts": False, "reason": str(reason) or "it does not render this scene"}), _nothing
-        return json.dumps(hello), lambda positions, reset: _checked(it.answers(positions, reset), len(positions))
+            return json.dumps({**hello, "accepts": False, "reason": str(reason) or "it does not render this scene"}), answers
+        return json.dumps(hello), answers
 
     if not hasattr(renderer, "open") and not callable(renderer):
         raise TypeError(f"expected a function or an object with a method open, got {type(renderer).__name__}")
@@ -146,7 +151,3 @@ def conform(
         checked, opened, _count(points, "points", 1, 10**9), _count(seed, "seed", 0, 2**64 - 1), tolerance
     )
     return Conformance(held, applicable, words, json.loads(text))
-
-
-def _nothing(positions: Floats, reset: bool) -> Floats:
-    return np.zeros_like(positions)

@@ -5,9 +5,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+
 from . import _forceshade
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
+
     from ._subject import File
 
 
@@ -35,7 +39,9 @@ def read_recording(file: File, *, frame: bool = False) -> Recording:
     """
     from ._subject import path_of
 
-    samples, metadata, problems = _forceshade.read_recording(path_of(file))
+    data, columns, metadata, problems = _forceshade.read_recording(path_of(file))
+    layout = np.dtype(columns)
+    samples: npt.NDArray[np.void] = np.ndarray(len(data) // layout.itemsize, layout, data)
     if frame:
         try:
             import pandas  # type: ignore[import]

@@ -71,7 +71,7 @@ class Scene(_forceshade.Scene):
         placed = _arrays.as_floats(poses, "poses", rounding)
         if placed.shape != (len(self._objects), 7):
             raise ValueError(f"poses have the shape {placed.shape}; expected ({len(self._objects)}, 7): one for each object")
-        return np.array(self._step(at, placed), np.float32)
+        return np.array(self._step(at.tolist(), placed), np.float32)
 
     @property
     def forces(self) -> Floats:

@@ -182,7 +182,8 @@ class HeightMap(Subject):
         if self._read_heights is None:
             pitch, scale = (self._made_by[2][key] for key in ("pitch", "scale"))
             mm = (None, None) if pitch is None else (length_of(pitch, "pitch"), length_of(scale, "scale"))
-            self._read_heights = self._heights_of(source, *mm)
+            lying = self._heights_of(source, *mm)
+            self._read_heights = None if lying is None else np.asarray(lying)
         return self._read_heights
 
     def height(self, x: SupportsFloat, y: SupportsFloat, *, rounding: Rounding = None) -> float:
@@ -362,12 +363,12 @@ class Mesh(Subject):
     @property
     def vertices(self) -> npt.NDArray[np.float32]:
         """(n, 3), mm; read-only. A coordinate below 2^-30 mm in size is 0."""
-        return self._vertices
+        return np.asarray(self._vertices)
 
     @property
     def faces(self) -> npt.NDArray[np.uint32]:
         """The triangles, (m, 3): the numbers of their vertices, from 0; read-only."""
-        return self._faces
+        return np.asarray(self._faces)
 
     def __repr__(self) -> str:
         return f"<Mesh {self._name}: {self._words}>"

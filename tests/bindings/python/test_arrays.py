@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Arrays wherever they lie: the same bits, and no copy."""
 
+import pathlib
+import subprocess
+import sys
 import tracemalloc
 
 import numpy as np
@@ -128,3 +131,31 @@ def test_heights_lie_anywhere():
         other = forceshade.HeightMap(same, pitch="0.5mm", stiffness="500N/m", rounding="nearest")
         assert other.digest == one.digest and len(one.digest) == 64
         assert same_bits(one.forces(at), other.forces(at))
+
+
+WITHOUT_THE_TABLE = """
+import numpy
+try:
+    from numpy._core import _multiarray_umath, multiarray
+except ImportError:  # NumPy 1
+    from numpy.core import _multiarray_umath, multiarray
+for holder in (_multiarray_umath, multiarray):
+    vars(holder).pop("_ARRAY_API", None)
+
+import forceshade
+law = forceshade.Law("bump-2p")
+at = numpy.array([[3, 0, -0.5], [0, 0, 5]], numpy.float32)
+assert law.forces(at).tolist() == [list(law.force(*position)) for position in at.tolist()]
+assert (law.answers(at) == law.reference_forces(at)).all()
+mesh = forceshade.Mesh([[-9, -9, 0], [9, -9, 0], [9, 9, 0]], [[0, 1, 2]])
+assert mesh.advance(numpy.zeros(2, forceshade.STATE), at).shape == mesh.vertices[:2].shape
+assert forceshade.HeightMap(numpy.eye(3, dtype=numpy.float32), pitch=1).height(0, 0) == 1
+"""
+
+
+def test_the_compiled_module_does_not_use_numpys_binary_interface():
+    """NumPy 2 has another one than NumPy 1; a module that uses it looks for its table by this name."""
+    module = pathlib.Path(forceshade._forceshade.__file__)
+    assert b"_ARRAY_API" not in module.read_bytes()
+    ran = subprocess.run([sys.executable, "-c", WITHOUT_THE_TABLE], capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
