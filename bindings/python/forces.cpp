@@ -39,7 +39,8 @@ PyMethodDef force_method{
     "force", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&force_of_one)), METH_FASTCALL | METH_KEYWORDS,
     "force($self, x, y, z, *, rounding=None)\n--\n\n"
     "The force (N) at one position (mm), as a tuple of three floats.\n\n"
-    "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
+    "x, y, z: numbers. One that binary32 does not hold is rounded to the nearest, with a RoundingWarning unless "
+    "rounding=\"nearest\".\n\n"
     "For many positions, forces() takes an array. A position that is not a number, or beyond 10 000 mm, gives no force.\n"};
 
 // Returns how many positions were invalid.

@@ -38,6 +38,7 @@ PYBIND11_MODULE(_forceshade, module) {
       "library_digest", [] { return fast::library_digest(); },
       "SHA-256 of the compiled code that computes forces, in hexadecimal digits, as certificates have it.");
   module.def("instruction_set", [] { return std::string(fast::name_of(fast::best_instruction_set())); });
+  python::add_numbers(module);
   python::add_arrays(module);
   python::add_subjects(module);
   python::add_sessions(module);

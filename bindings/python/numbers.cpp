@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of Python as binary32, without rounding them unasked.
+// Numbers of Python as binary32; where they are rounded unasked, a warning says so.
 
 #include <algorithm>
 #include <cmath>
@@ -18,24 +18,19 @@ bool fail(PyObject* kind, const char* name, const char* unit, const char* expect
   return false;
 }
 
-// A binary64 number as binary32. One beyond the range is infinite, as rounding has it.
-bool narrowed(double number, const char* name, bool is_rounded, float& read) noexcept {
+PyObject* rounding_warning = nullptr;  // the class, which lives as long as the module
+
+// A binary64 number as binary32. One beyond the range is infinite, as rounding has it. False where the warning is an error.
+bool narrowed(double number, bool is_rounded, float& read) noexcept {
   read = static_cast<float>(number);
   if (is_rounded || static_cast<double>(read) == number || std::isnan(number)) return true;
-  PyObject* const shown = PyFloat_FromDouble(number);
-  if (shown == nullptr) return false;
-  PyErr_Format(PyExc_ValueError,
-               "%s is %R, which binary32 does not hold; expected a number that it holds, such as numpy.float32(%R), or "
-               "rounding=\"nearest\"",
-               name, shown, shown);
-  Py_DECREF(shown);
-  return false;
+  return PyErr_WarnEx(rounding_warning, kRounded, 1) == 0;
 }
 
 }  // namespace
 
 bool read_float(PyObject* number, const char* name, const char* unit, bool is_rounded, float& read) noexcept {
-  if (PyFloat_Check(number)) return narrowed(PyFloat_AS_DOUBLE(number), name, is_rounded, read);
+  if (PyFloat_Check(number)) return narrowed(PyFloat_AS_DOUBLE(number), is_rounded, read);
   if (PyBool_Check(number) || PyUnicode_Check(number) || PyComplex_Check(number))
     return fail(PyExc_TypeError, name, unit, "a number in ", number);
   if (PyLong_Check(number)) {
@@ -45,7 +40,7 @@ bool read_float(PyObject* number, const char* name, const char* unit, bool is_ro
     // Beyond 2^24 only some are binary32 numbers, and all are beyond what a coordinate can be.
     constexpr long long kMost = 1LL << 53;
     if (beyond != 0 || integer > kMost || integer < -kMost) return fail(PyExc_ValueError, name, unit, "-2^53 to 2^53 ", number);
-    return narrowed(static_cast<double>(integer), name, is_rounded, read);
+    return narrowed(static_cast<double>(integer), is_rounded, read);
   }
   const double value = PyFloat_AsDouble(number);
   if (value == -1 && PyErr_Occurred() != nullptr) {
@@ -53,7 +48,7 @@ bool read_float(PyObject* number, const char* name, const char* unit, bool is_ro
     PyErr_Clear();
     return fail(PyExc_TypeError, name, unit, "a number in ", number);
   }
-  return narrowed(value, name, is_rounded, read);
+  return narrowed(value, is_rounded, read);
 }
 
 bool read_position(PyObject* const* arguments, Py_ssize_t count, PyObject* names, float (&position)[3]) noexcept {
@@ -109,6 +104,17 @@ PyObject* tuple_of(const float* force) noexcept {
     PyTuple_SET_ITEM(tuple, axis, component);
   }
   return tuple;
+}
+
+void add_numbers(py::module_& module) {
+  rounding_warning =
+      PyErr_NewExceptionWithDoc("forceshade.RoundingWarning",
+                                "A number was rounded to the nearest that binary32 holds, without rounding=\"nearest\". "
+                                "To refuse it: warnings.simplefilter(\"error\", forceshade.RoundingWarning).",
+                                PyExc_UserWarning, nullptr);
+  if (rounding_warning == nullptr) throw py::error_already_set();
+  module.attr("RoundingWarning") = py::handle(rounding_warning);
+  module.attr("rounded") = kRounded;
 }
 
 void add_method(py::handle type, PyMethodDef& method) {

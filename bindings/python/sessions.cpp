@@ -52,7 +52,8 @@ PyMethodDef step_method{
     "step", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&step)), METH_FASTCALL | METH_KEYWORDS,
     "step($self, x, y, z, *, rounding=None)\n--\n\n"
     "The force (N) at the next position of the path (mm), as a tuple of three floats.\n\n"
-    "x, y, z: numbers that binary32 holds, or any with rounding=\"nearest\".\n\n"
+    "x, y, z: numbers. One that binary32 does not hold is rounded to the nearest, with a RoundingWarning unless "
+    "rounding=\"nearest\".\n\n"
     "`status` then says what the position was. Raises forceshade.Error while another thread is in this session.\n"};
 
 std::size_t steps(Session& session, const py::buffer& positions, const py::buffer& forces,

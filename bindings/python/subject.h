@@ -22,7 +22,13 @@ struct Subject : c::Subject {
 // as some that are compiled with -ffast-math do when they are imported, is the usual cause.
 void expect_arithmetic();
 
-// A number that binary32 holds, or is to be rounded to. name: "x"; unit: "mm". False and a Python error for anything else.
+// The text of every RoundingWarning. It is the same for all numbers, so that Python shows it once for each line that calls.
+inline constexpr const char* kRounded =
+    "a number that binary32 does not hold was rounded to the nearest that it holds, and the force is that of the rounded one; "
+    "rounding=\"nearest\" says that this is meant";
+
+// A number as binary32, rounded where it has to be; unless is_rounded, with a RoundingWarning. name: "x"; unit: "mm". False and
+// a Python error for anything else.
 bool read_float(PyObject* number, const char* name, const char* unit, bool is_rounded, float& read) noexcept;
 
 // Adds a method `name` to the type, for calls that take less time than pybind11 needs to look at the arguments.
@@ -47,6 +53,7 @@ PyObject* tuple_of(const float* force) noexcept;
 inline constexpr std::size_t kPart = std::size_t{1} << 18U;
 
 // Adds the part of each file to the module.
+void add_numbers(pybind11::module_& module);
 void add_subjects(pybind11::module_& module);
 void add_forces(pybind11::module_& module, pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);
 void add_paths(pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);

@@ -12,8 +12,9 @@ array([[1.3490644 , 0.        , 2.5137453 ],
 Frame and units: x points right, y into the page, z up. Lengths are in mm, forces in N, stiffnesses in N/mm. A coordinate below
 2^-30 mm in size is read as 0; one beyond 10 000 mm, or NaN, makes its position invalid, which gives no force.
 
-Numbers: what goes in is binary32 (numpy.float32) and is never rounded unasked. An array of another type is refused, unless
-rounding="nearest" is given; Python's numbers and lists are taken where binary32 holds each of them.
+Numbers: forces are those of binary32 numbers (numpy.float32). Others are taken, too, as numpy.linspace() and Python have them: one
+that binary32 does not hold is rounded to the nearest that it holds, with a RoundingWarning, which Python shows once for each line of
+a program. rounding="nearest" says that this is meant, and warnings.simplefilter("error", forceshade.RoundingWarning) refuses it.
 
 Threads: subjects do not change and may be shared. A session is for one thread at a time. Arrays are worked on without the GIL,
 and by several threads where forces() or advance() is given threads=.
@@ -27,7 +28,7 @@ MIT, December 1996. No force is computed in this package: it calls the same libr
 from ._checks import Certificate, PlanState, PropertyResult, certify, make_plan, merged_plan, plan_state, properties, work_on_plan
 from ._conform import Conformance, OpenedRenderer, RendererOfScenes, conform
 from ._exact import ExactForce, Geometry, geometry
-from ._forceshade import Error, library_digest
+from ._forceshade import Error, RoundingWarning, library_digest
 from ._forceshade import version as _version
 from ._recordings import Recording, read_recording
 from ._scenes import Pose, Scene
@@ -57,6 +58,7 @@ __all__ = [
     "PropertyResult",
     "Recording",
     "RendererOfScenes",
+    "RoundingWarning",
     "Scene",
     "Session",
     "State",

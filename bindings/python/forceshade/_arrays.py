@@ -4,10 +4,15 @@
 from __future__ import annotations
 
 import operator
+import os
+import sys
+import warnings
 from typing import Any, Literal, Optional
 
 import numpy as np
 import numpy.typing as npt
+
+from . import _forceshade
 
 Floats = npt.NDArray[np.float32]
 Bytes = npt.NDArray[np.uint8]
@@ -25,27 +30,30 @@ def expect_rounding(rounding: Rounding) -> bool:
     return True
 
 
-def _narrowed(array: npt.NDArray[Any]) -> Floats:
-    with np.errstate(over="ignore", invalid="ignore"):
-        return array.astype(np.float32)
-
-
-def _first_changed(array: npt.NDArray[Any], narrow: Floats) -> tuple[int, ...] | None:
-    """The place of the first number that binary32 does not hold."""
-    is_same = (narrow.astype(np.float64) == array) | (array != array)
-    if array.dtype.kind in "iu":  # beyond 2^53, binary64 does not hold them all either
+def _is_changed(array: npt.NDArray[Any], narrow: Floats) -> bool:
+    """True if binary32 does not hold all of the array's numbers."""
+    if array.ndim > 0 and len(array) > 64 and _is_changed(array[:64], narrow[:64]):  # the usual case, without a look at all
+        return True
+    is_same = narrow == array
+    if array.dtype.kind in "iu":  # beyond 2^53, binary64, in which they are compared, does not hold them all either
         is_same &= (array <= 2**53) & (array >= -(2**53))
-    if bool(is_same.all()):
-        return None
-    return tuple(int(i) for i in np.argwhere(~is_same)[0])
+    return not is_same.all() and not (is_same | (array != array)).all()
+
+
+def _warn() -> None:
+    """Warns of rounding at the line that called the package."""
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == os.path.dirname(__file__):
+        frame, level = frame.f_back, level + 1
+    warnings.warn(_forceshade.rounded, _forceshade.RoundingWarning, stacklevel=level)
 
 
 def as_floats(values: object, name: str, rounding: Rounding) -> Floats:
-    """The values as binary32, the same memory where it can be. `name` is plural: "positions"."""
+    """The values as binary32, the same memory where it can be, else rounded, with a warning where that was not asked for and
+    changed one. `name` is plural: "positions"."""
     may_round = expect_rounding(rounding)
     if isinstance(values, np.ma.MaskedArray):
         raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.compressed()")
-    is_of_python = isinstance(values, (list, tuple, int, float))
     try:
         array = np.asarray(values)
     except ValueError:
@@ -53,26 +61,15 @@ def as_floats(values: object, name: str, rounding: Rounding) -> Floats:
     kind, dtype = array.dtype.kind, array.dtype
     if kind not in "iuf":
         what = "objects, such as lists of different lengths" if kind == "O" else f"of type {dtype}"
-        raise TypeError(f"{name} are {what}; expected numbers of type float32")
+        raise TypeError(f"{name} are {what}; expected numbers")
     if kind == "f" and dtype.itemsize <= 4:
         if dtype == np.float32 and array.flags.aligned and dtype.isnative:
             return array
         return array.astype(np.float32)  # each of them is held
-    narrow = _narrowed(array)
-    if may_round:
-        return narrow
-    if kind == "f" and not is_of_python:
-        raise TypeError(
-            f"{name} are of type {dtype}, and a force is that of a binary32 position; "
-            f'expected float32: {name}.astype(numpy.float32), or rounding="nearest"'
-        )
-    changed = _first_changed(array, narrow)
-    if changed is not None:
-        place = f"[{', '.join(map(str, changed))}]" if changed else ""
-        raise ValueError(
-            f"{name}{place} is {array[changed]!r}, which binary32 does not hold; "
-            f'expected float32 numbers: numpy.float32({name}), or rounding="nearest"'
-        )
+    with np.errstate(over="ignore", invalid="ignore"):
+        narrow = array.astype(np.float32)
+    if not may_round and _is_changed(array, narrow):
+        _warn()
     return narrow
 
 

@@ -9,7 +9,10 @@ usual_radius: str
 usual_width: str
 usual_stiffness: str
 
+rounded: str
+
 class Error(Exception): ...
+class RoundingWarning(UserWarning): ...
 
 class Description:
     @property

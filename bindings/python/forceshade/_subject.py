@@ -135,14 +135,14 @@ class Subject(_forceshade.Subject):
     ) -> Floats:
         """The forces (N) at positions (mm), each the binary32 number nearest to the exact one.
 
-        positions: float32 of the shape (..., 3), wherever it lies in memory: nothing is copied. Lists are taken where binary32
-        holds every number. rounding="nearest" rounds numbers of other types first.
+        positions: float32 of the shape (..., 3), wherever it lies in memory: nothing is copied. Numbers of other types, and
+        lists, are rounded to float32 first, with a RoundingWarning where that changes one; with rounding="nearest" without it.
         out: a float32 array of the same shape, into which the forces go; it may be `positions` itself.
         status: a uint8 array of the shape of the positions without the last axis, into which a number of Status goes for each.
         threads: that share the work, where there are many positions: at most one for each 1024. The forces are the same bits.
 
-        Returns out, or a new array. Raises TypeError for a wrong type, ValueError for a wrong shape or a number that binary32
-        does not hold, and Error for a mesh, whose forces depend on the path.
+        Returns out, or a new array. Raises TypeError for what are no numbers, ValueError for a wrong shape, and Error for
+        a mesh, whose forces depend on the path.
 
         >>> import numpy, forceshade
         >>> wall = forceshade.Law("wall", stiffness=0.5)

@@ -108,10 +108,9 @@ class HeightMap(Subject):
     stiffness: K, N/mm, in [0.001, 1000]; default: 0.5.
     interpolant: "cubic-spline", which goes through the heights, or "bilinear". edge: beyond the samples, "clamp" or "tile".
     render: "height-map" (at the surface's own depth), "height-map-shaded" (at the plane's), or "height-map-conservative".
-    rounding: "nearest" takes heights of other types than float32.
+    rounding: "nearest" says that heights of other types than float32 may be rounded; else a RoundingWarning does.
 
-    Raises ValueError for what is outside its range, TypeError for a wrong type, OSError and Error for a file that cannot be
-    read.
+    Raises ValueError for what is outside its range, TypeError for a wrong type, OSError and Error for an unreadable file.
 
     >>> import numpy
     >>> x = numpy.linspace(-1, 1, 65)
@@ -189,8 +188,8 @@ class HeightMap(Subject):
     def height(self, x: SupportsFloat, y: SupportsFloat, *, rounding: Rounding = None) -> float:
         """The height (mm) of the surface at a place of the plane (mm): the exact one, rounded once to binary32.
 
-        x, y: within ±10 000 mm; numbers that binary32 holds, or rounding="nearest". It is U(x, y) of docs/height-maps.md, on
-        which the force begins; a shaded map that has a [[surface]] measures its depth from that one.
+        x, y: within ±10 000 mm; rounded to binary32, with a RoundingWarning unless rounding="nearest". It is U(x, y) of
+        docs/height-maps.md, on which the force begins; a shaded map with a [[surface]] measures its depth from that one.
 
         Raises ValueError for a place outside.
 

@@ -24,19 +24,13 @@ def refused(kind, words, call, *arguments, **keywords):
 @pytest.mark.parametrize(
     "at, kind, words",
     [
-        (np.zeros((2, 3)), TypeError, "positions are of type float64, and a force is that of a binary32 position; expected float32"),
-        (np.zeros((2, 3)), TypeError, 'positions.astype(numpy.float32), or rounding="nearest"'),
-        ([[0, 0, 1], [0.1, 0, 0]], ValueError, "positions[1, 0] is 0.1, which binary32 does not hold"),
-        ([[0, 0, 2**24 + 1]], ValueError, "positions[0, 2] is 16777217, which binary32 does not hold"),
-        (np.array([[0, 0, 2**60 + 1]]), ValueError, "positions[0, 2] is 1152921504606846977, which binary32 does not hold"),
-        ([[0, 0, 1e300]], ValueError, "positions[0, 2] is 1e+300, which binary32 does not hold"),
         (np.zeros((2, 4), F), ValueError, "positions have the shape (2, 4); expected (..., 3): x, y, z in mm"),
         (F(1), ValueError, "positions have the shape (); expected (..., 3)"),
         ([[1, 2, 3], [1, 2]], ValueError, "positions are lists of different lengths"),
-        ([["a", "b", "c"]], TypeError, "positions are of type <U1; expected numbers of type float32"),
+        ([["a", "b", "c"]], TypeError, "positions are of type <U1; expected numbers"),
         (np.zeros((2, 3), complex), TypeError, "positions are of type complex128"),
         (np.zeros((2, 3), bool), TypeError, "positions are of type bool"),
-        (None, TypeError, "expected numbers of type float32"),
+        (None, TypeError, "positions are objects, such as lists of different lengths; expected numbers"),
         (np.ma.zeros((2, 3), F), TypeError, "positions are a masked array"),
     ],
 )
@@ -81,14 +75,11 @@ def test_statuses(bump):
 
 def test_one_position(bump):
     for call in (bump.force, forceshade.Session(bump).step):
-        refused(ValueError, "x is 0.1, which binary32 does not hold", call, 0.1, 0, 0)
-        refused(ValueError, 'numpy.float32(0.1), or rounding="nearest"', call, 0, 0, 0.1)
         refused(TypeError, "y: expected a number in mm, got '1'", call, 0, "1", 0)
         refused(TypeError, "x: expected a number in mm, got None", call, None, 0, 0)
         refused(TypeError, "x: expected a number in mm, got True", call, True, 0, 0)
         refused(TypeError, "x: expected a number in mm, got 1j", call, 1j, 0, 0)
         refused(ValueError, "z: expected -2^53 to 2^53 mm", call, 0, 0, 10**30)
-        refused(ValueError, "z is 16777217.0, which binary32 does not hold", call, 0, 0, 2**24 + 1)
         refused(TypeError, "expected three numbers x, y, z in mm", call, 1, 2)
         refused(TypeError, "forces() takes arrays of positions", call, [1, 2, 3])
         refused(TypeError, "expected the keywords x, y, z and rounding, got out", call, 1, 2, 3, out=3)
@@ -117,7 +108,7 @@ def test_laws():
 
 def test_height_maps(tmp_path):
     flat, make = np.zeros((4, 4), F), forceshade.HeightMap
-    refused(TypeError, "heights are of type float64", make, np.zeros((4, 4)), pitch=1, stiffness=1)
+    refused(TypeError, "heights are of type complex128", make, np.zeros((4, 4), complex), pitch=1, stiffness=1)
     refused(TypeError, "heights need their pitch", make, flat, stiffness=1)
     refused(ValueError, "heights have the shape (4,); expected (rows, columns)", make, flat[0], pitch=1, stiffness=1)
     refused(ValueError, "heights have the shape (1, 4); expected 2 to 32768", make, flat[:1], pitch=1, stiffness=1)
@@ -145,7 +136,7 @@ def test_meshes(tmp_path):
     refused(ValueError, "triangles[0, 0] is -1", make, vertices, [[-1, 1, 2]], stiffness=1)
     refused(TypeError, "triangles are of type float64; expected integers", make, vertices, [[0.0, 1, 2]], stiffness=1)
     refused(TypeError, "vertices need their triangles", make, vertices, stiffness=1)
-    refused(TypeError, "vertices are of type float64", make, vertices.astype(float), triangles, stiffness=1)
+    refused(TypeError, "vertices are of type complex128", make, vertices.astype(complex), triangles, stiffness=1)
     refused(ValueError, 'shading: expected "none", "vertex" or "edge", got "flat"', make, vertices, triangles, stiffness=1, shading="flat")
     refused(ValueError, "crease is 200", make, vertices, triangles, stiffness=1, crease=200)
     with pytest.raises(ValueError, match="the mesh cannot be rendered: .*face"):
@@ -166,7 +157,6 @@ def test_subjects_and_recordings_of_files(tmp_path):
 def test_exact_forces(bump):
     refused(ValueError, "digits is 0; expected 1 to 10000", bump.reference, 0, 0, 0, digits=0)
     refused(TypeError, "digits: expected an integer, got 2.5", bump.reference, 0, 0, 0, digits=2.5)
-    refused(ValueError, "position[1] is 0.1, which binary32 does not hold", bump.reference, 0, 0.1, 0)
     refused(ValueError, "width is 3 mm; expected 0.001 to 2 mm", forceshade.geometry, radius=1, width=3)
 
 
