@@ -6,6 +6,7 @@ python=$1 sources=$2 build=$3
 for module in ensurepip venv pip setuptools wheel; do
   "$python" -c "import $module" 2> /dev/null || { echo "skipped: Python's module $module is not installed"; exit 77; }
 done
+command -v patchelf > /dev/null || { echo "skipped: patchelf is not installed"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 export FORCESHADE_BUILD="$build"
@@ -15,12 +16,20 @@ before=$(listed)
 works() {
   cd "$scratch"
   "$1/bin/python" -c "
-import forceshade, numpy, pathlib
+import pathlib, re, numpy
+def loaded(): return set(re.findall(r'/\S+\.so\S*', open('/proc/self/maps').read()))
+before = loaded()
+import forceshade
 assert pathlib.Path(forceshade.__file__).is_relative_to('$1'), forceshade.__file__
 assert (pathlib.Path(forceshade.__file__).parent / 'py.typed').exists()
 bump = forceshade.Law('bump-2p', radius=15.24, width=25.4, stiffness=0.5)
 assert bump.force(3, 0, -0.5) == (1.3490643501281738, 0.0, 2.5137453079223633), bump.force(3, 0, -0.5)
 assert bump.forces(numpy.zeros((4, 3), numpy.float32)).shape == (4, 3)
+# It loads libraries of its own alone, but for what each system with a Python has, and for Python's own modules.
+others = [path for path in loaded() - before if not path.startswith('$1') and 'lib-dynload' not in path]
+assert all(pathlib.Path(path).name.startswith(('libstdc++.', 'libgcc_s.')) for path in others), others
+assert any('/libs/libgmp-' in path for path in loaded()), 'expected that it carries GMP'
+assert list((pathlib.Path(forceshade.__file__).parent / 'libs').glob('libgmp*.copyright'))
 "
 }
 installs() {  # NAME WHAT: in a virtual environment of this name
