@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cost that the C interface adds to a call and to a batch: each beside the C++ call that it makes, on the same positions,
-// and beside a plain copy.
+// and beside a plain copy. And the gain of threads: such batches, a copy by as many threads, and a tick of each of a million
+// paths over a mesh. There a name ends with the number of threads.
 
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <span>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "fast/meshes/large_pages.h"
 #include "forceshade.h"
 #include "forceshade/fast.h"
+#include "tests/bench/mesh_workloads.h"
 
 namespace forceshade::bench {
 namespace {
 
 constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
-constexpr std::size_t kInCache = 4096, kOutOfCache = 10'000'000;
+constexpr std::size_t kInCache = 4096, kOutOfCache = 10'000'000, kPaths = 1'000'000, kSteps = 4;
 
 // In large pages, as NumPy's arrays are; what is written has been written before.
 template <class T>
@@ -113,33 +119,103 @@ void batch_of_rows_in_cpp(benchmark::State& state, LawId id, std::size_t count) 
   per_position(state, count);
 }
 
-void batch_in_c(benchmark::State& state, LawId id, std::size_t count) {
-  const forceshade_subject subject = subject_of(id);
-  const auto at = stroke(count);
-  Array<Eigen::Vector3f> forces(count, Eigen::Vector3f::Zero());
+using Points = Array<Eigen::Vector3f>;
+
+forceshade_batch batch_of(const Points& at, Points& forces, std::size_t threads) {
   forceshade_batch batch{};
   batch.size = sizeof batch;
-  batch.count = count;
+  batch.count = at.size();
   batch.positions = at.front().data();
   batch.forces = forces.front().data();
   batch.position_stride = batch.force_stride = 12;
   batch.position_component = batch.force_component = 4;
-  for (auto _ : state) benchmark::DoNotOptimize(forceshade_forces(subject, &batch, nullptr));
-  per_position(state, count);
+  batch.threads = threads;
+  return batch;
 }
 
-void copy(benchmark::State& state, std::size_t count) {
-  const auto at = stroke(count);
-  Array<Eigen::Vector3f> to(count, Eigen::Vector3f::Zero());
+void batch_in_c(benchmark::State& state, LawId id) {
+  const forceshade_subject subject = subject_of(id);
+  const Points at = stroke(kOutOfCache);
+  Points forces(at.size(), Eigen::Vector3f::Zero());
+  const forceshade_batch batch = batch_of(at, forces, static_cast<std::size_t>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(forceshade_forces(subject, &batch, nullptr));
+  per_position(state, at.size());
+}
+
+void copy(benchmark::State& state) {
+  const Points at = stroke(kOutOfCache);
+  Points to(at.size(), Eigen::Vector3f::Zero());
+  const auto threads = static_cast<std::size_t>(state.range(0));
   for (auto _ : state) {
-    std::memcpy(to.front().data(), at.front().data(), 12 * count);
+    std::vector<std::thread> others;
+    const auto part = [&](std::size_t i) {
+      const std::size_t begin = at.size() * i / threads, end = at.size() * (i + 1) / threads;
+      std::memcpy(to[begin].data(), at[begin].data(), 12 * (end - begin));
+    };
+    for (std::size_t i = 1; i < threads; ++i) others.emplace_back(part, i);
+    part(0);
+    for (std::thread& other : others) other.join();
     benchmark::ClobberMemory();
   }
-  per_position(state, count);
+  per_position(state, at.size());
+}
+
+forceshade_subject mesh_of(const MeshWorkload& workload, const char* shading) {
+  forceshade_mesh mesh{};
+  mesh.size = sizeof mesh;
+  mesh.vertices = workload.mesh.vertices.front().data();
+  mesh.vertex_count = workload.mesh.vertices.size();
+  mesh.triangles = workload.mesh.triangles.front().data();
+  mesh.triangle_count = workload.mesh.triangles.size();
+  mesh.shading = shading;
+  mesh.crease = 180;
+  mesh.stiffness = static_cast<float>(kMeshStiffness);
+  forceshade_subject made{};
+  if (forceshade_mesh_new(&mesh, &made) != FORCESHADE_OK) std::printf("%s\n", forceshade_message());
+  return made;
+}
+
+struct Paths {
+  const char *name, *shading;
+  bool is_in_contact;
+};
+
+// Each path begins somewhere else on the workload's, so that neighbours in the batch are far apart on the mesh.
+void advance(benchmark::State& state, int f, const Paths& paths) {
+  const MeshWorkload workload = sphere_workload(f, 200'000, 200'000);
+  const forceshade_subject subject = mesh_of(workload, paths.shading);
+  std::array<Points, kSteps + 1> at;
+  for (std::size_t step = 0; step <= kSteps; ++step)
+    for (std::size_t i = 0; i < kPaths; ++i) {
+      const std::size_t k = (i * 7919 + step) % workload.contact.size();
+      at[step].emplace_back(paths.is_in_contact && step > 0 ? workload.contact[k].data() : workload.free[k].data());
+    }
+  Points to(kPaths);
+  Array<forceshade_state> states(kPaths);
+  states[0].size = sizeof states[0];
+  const auto threads = static_cast<std::size_t>(state.range(0));
+  const auto step = [&](const Points& positions) {
+    const forceshade_batch batch = batch_of(positions, to, threads);
+    benchmark::DoNotOptimize(forceshade_advance(subject, states.data(), &batch, nullptr));
+  };
+  step(at[0]);
+  step(at[1]);
+  std::size_t next = 2;  // to and fro
+  bool is_forth = true;
+  for (auto _ : state) {
+    step(at[next]);
+    if (next == 1 || next == kSteps) is_forth = next == 1;
+    next = is_forth ? next + 1 : next - 1;
+  }
+  per_position(state, kPaths);
 }
 
 const bool registered = [] {
-  for (const LawId id : {LawId::wall, LawId::bump_2p, LawId::bump_3p_shaded}) {
+  const auto by_threads = [](const std::string& name, const auto& work) {
+    benchmark::RegisterBenchmark(name.c_str(), work)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+  };
+  by_threads("copy", copy);
+  for (const LawId id : {LawId::wall, LawId::bump_2p, LawId::bump_3p_shaded, LawId::cylinder}) {
     const std::string name(name_of(id));
     benchmark::RegisterBenchmark((name + "/one/cpp").c_str(), one_in_cpp, id);
     benchmark::RegisterBenchmark((name + "/one/c").c_str(), one_in_c, id);
@@ -147,9 +223,12 @@ const bool registered = [] {
     benchmark::RegisterBenchmark((name + "/step/c").c_str(), step_in_c, id);
     benchmark::RegisterBenchmark((name + "/batch/cpp").c_str(), batch_in_cpp, id, kOutOfCache);
     benchmark::RegisterBenchmark((name + "/batch/cpp_rows").c_str(), batch_of_rows_in_cpp, id, kOutOfCache);
-    benchmark::RegisterBenchmark((name + "/batch/c").c_str(), batch_in_c, id, kOutOfCache);
+    by_threads(name + "/batch/c", [id](benchmark::State& state) { batch_in_c(state, id); });
   }
-  benchmark::RegisterBenchmark("copy", copy, kOutOfCache);
+  for (const int f : {7, 71})
+    for (const Paths paths : {Paths{"contact", "none", true}, {"contact_shaded", "vertex", true}, {"free", "none", false}})
+      by_threads("advance/" + std::to_string(20 * f * f) + "/" + paths.name,
+                 [=](benchmark::State& state) { advance(state, f, paths); });
   return true;
 }();
 
