@@ -78,13 +78,11 @@ std::vector<Sort> sorts() {
       {"clients/study/tests/experiments/virtual_fit.cpp", stimuli},
       {"report/figures.cpp", figures},
       {"report/thesis_figures.cpp", figures},
-      {"tests/certificate/comparison_test.cpp", chosen},
       {"tests/certificate/refusal_test.cpp", chosen},
       {"tests/certificate/sweep_test.cpp", chosen},
       {"tests/fast/batch_doubt_test.cpp", "what each form leaves to later stages; a new form has a hazard of its own or none"},
       {"tests/fast/separation_test.cpp", "the separations of docs/proofs.md, law by law; it fails for a law without one"},
       {"tests/hard_cases/search.cpp", "extra places to aim at; it searches every law"},
-      {"tests/laws/errata_test.cpp", "the thesis's errata"},
       {"tests/properties/properties_test.cpp", chosen},
       {"tests/properties/witness_test.cpp", chosen},
       {"tests/properties/work_test.cpp", chosen},
@@ -105,8 +103,7 @@ std::vector<Sort> sorts() {
       {"tests/reference/profile_test.cpp", maps},
       {"tests/report/side_view_test.cpp", maps},
   };
-  const std::string some = "it tests what the schemes that it names have; mesh_subject_test.cpp runs every scheme",
-                    paths = "the schemes of the stored paths";
+  const std::string some = "it tests what the schemes that it names have; mesh_subject_test.cpp runs every scheme";
   const std::string chosen_rules = "it tests chosen rules, while mesh_subject_test.cpp runs every rule";
   rules.exceptions = {
       {"include/forceshade.h", in_words},
@@ -114,6 +111,7 @@ std::vector<Sort> sorts() {
       {"tests/bench/friction_bench.cpp", "the rules that are timed"},
       {"tests/bindings/c_materials_test.cpp", chosen_rules},
       {"tests/conformance/hello_test.cpp", chosen_rules},
+      {"tests/meshes/god_object_golden_test.cpp", "the rules of the stored paths"},
       {"tests/meshes/friction_test.cpp", chosen_rules},
       {"tests/subjects/materials_test.cpp", chosen_rules},
       {"tests/subjects/scene_file_test.cpp", chosen_rules},
@@ -123,10 +121,8 @@ std::vector<Sort> sorts() {
       {"tests/bench/mesh_bench.cpp", "the schemes that are timed"},
       {"properties/mesh_subject.cpp", "what only one scheme has: a turn that is bounded, a texture to draw"},
       {"tests/fast/same_bits_meshes.h", "the schemes of the stored hashes"},
-      {"tests/meshes/god_object_test.cpp", some},
       {"tests/meshes/mesh_contract_test.cpp", some},
       {"tests/meshes/random_paths.h", "the places of a state, two of which are called as schemes are"},
-      {"tests/meshes/texture_golden_test.cpp", paths},
       {"tests/meshes/texture_scheme_test.cpp", some},
       {"tests/subjects/scene_file_test.cpp", some},
   };

@@ -34,14 +34,8 @@ inline MeshRendering rendering_of(const mesh::TriangleMesh& triangles, mesh::Sid
   return {checked(triangles, allowed), look.normals, sides, look.shading, kStiffness, look.texture};
 }
 
-inline fast::Mesh built(const mesh::TriangleMesh& triangles, mesh::Sides sides, mesh::SelfIntersections allowed,
-                        const Look& look = {}) {
-  return fast_mesh(rendering_of(triangles, sides, allowed, look));
-}
-
-inline reference::GodObject defined(const mesh::TriangleMesh& triangles, mesh::Sides sides, mesh::SelfIntersections allowed,
-                                    const Look& look = {}) {
-  return built(reference::GodObject::build(rendering_of(triangles, sides, allowed, look)));
+inline MeshRendering crossing(const mesh::TriangleMesh& triangles, mesh::Sides sides = mesh::Sides::front) {
+  return rendering_of(triangles, sides, mesh::SelfIntersections::allowed, {});
 }
 
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;

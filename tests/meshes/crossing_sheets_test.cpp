@@ -2,40 +2,25 @@
 // The god-object on meshes that intersect themselves: the two sides against each other and against a judge that shares nothing
 // with them, and what docs/god-object.md, "Meshes that intersect themselves", promises.
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <string>
 
-#include "fast/meshes/session.h"
 #include "forceshade/meshes.h"
-#include "forceshade/reference.h"
-#include "properties/mesh_path.h"
-#include "properties/mesh_source.h"
 #include "tests/meshes/allowed_crossings.h"
-#include "tests/meshes/god_object_paths.h"
-#include "tests/meshes/rendering.h"
-#include "tests/meshes/steps.h"
-#include "tests/support/allocations.h"
-#include "tests/support/drawn.h"
+#include "tests/meshes/both_sides.h"
 
 namespace forceshade {
 namespace {
 
 using mesh::Sides;
 using mesh::TriangleMesh;
-using tests::built;
-using tests::defined;
+using tests::BothSides;
 using tests::Exact;
 using tests::exact;
 using tests::Integer;
 using tests::kStiffness;
-using tests::Look;
-using tests::look_of;
-using tests::point_of;
+using tests::Occasions;
 
 constexpr std::array<const char*, 5> kKinds{"crossing sheets", "crossing tubes", "twisted strip", "pair of meshes",
                                             "three sheets"};
@@ -194,7 +179,7 @@ class Source {
 };
 
 TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
-  std::map<std::string, std::size_t> reached;
+  Occasions reached;
   Source source(71);
   properties::MeshSource looks(71);
   constexpr std::size_t kTicks = 250;
@@ -204,45 +189,33 @@ TEST(crossing_sheets, fast_is_the_reference_in_every_bit) {
     const Sides sides = seed % 3 == 0 ? Sides::both : Sides::front;
     const auto shading = static_cast<mesh::Shading>(seed % mesh::kShadingNames.size());
     const std::string shaded = "turned by the shading: " + std::string(name_of(shading));
-    const Look look = look_of(made.mesh, shading, looks);
-    const fast::Mesh mesh = built(made.mesh, sides, mesh::SelfIntersections::allowed, look);
-    reference::GodObjectSession session(defined(made.mesh, sides, mesh::SelfIntersections::allowed, look));
+    const auto look = tests::look_of(made.mesh, shading, looks);
+    BothSides both(tests::rendering_of(made.mesh, sides, mesh::SelfIntersections::allowed, look));
     properties::MeshPath path(made.mesh, seed);
-    mesh::GodObject state;
     for (std::size_t i = 0; i < kTicks; ++i) {
       const std::array<float, 3> p = path.next();
-      const mesh::Tick expected = session.step(p);
-      const std::size_t allocated = tests::allocations();
-      const mesh::Tick found = fast::step(mesh, state, p, kStiffness, shading);
-      ASSERT_EQ(tests::allocations(), allocated);
-      const mesh::Tick exact = fast::step(mesh, state, p, kStiffness, shading, fast::ExactStages());
-      ASSERT_TRUE(tests::is_same(found, expected) && tests::is_same(exact, expected))
-          << "mesh " << seed << ", " << kKinds[made.kind] << ", " << name_of(shading) << ", tick " << i << ": expected "
-          << tests::show(expected) << ", found " << tests::show(found) << ", in integers " << tests::show(exact);
-      const mesh::Tick without = fast::walk_through_sheets(mesh, state, p);
-      const bool is_blocked = found.moves != without.moves || found.after != without.after,
-                 is_turned = found.force != fast::step(mesh, state, p, kStiffness, mesh::Shading::none).force;
+      const mesh::GodObject before = both.state();
+      const mesh::Tick tick = both.step(p, "mesh " + std::to_string(seed) + ", " + kKinds[made.kind] + ", " +
+                                               std::string(name_of(shading)) + ", tick " + std::to_string(i));
+      if (testing::Test::HasFailure()) return;
+
+      const mesh::Tick without = fast::walk_through_sheets(both.mesh(), before, p);
+      const bool is_blocked = tick.moves != without.moves || tick.after != without.after,
+                 is_turned = tick.force != fast::step(both.mesh(), before, p, kStiffness, mesh::Shading::none).force;
       reached["a way that is blocked"] += is_blocked;
       reached[shaded] += is_turned;
       reached[shaded + ", where a way is blocked"] += is_turned && is_blocked;
-      reached["a rest where a way is blocked"] += found.status == Status::contact && found.after != without.after;
-      reached["a move onto another part"] += found.moves > 1 && found.after.place == mesh::Place::triangle &&
-                                             state.place == mesh::Place::triangle && is_blocked &&
-                                             found.after.index != state.index;
-      state = found.after;
+      reached["a rest where a way is blocked"] += tick.status == Status::contact && tick.after != without.after;
+      reached["a move onto another part"] += tick.moves > 1 && tick.after.place == mesh::Place::triangle &&
+                                             before.place == mesh::Place::triangle && is_blocked &&
+                                             tick.after.index != before.index;
       ++reached[made.is_embedded ? "embedded" : kKinds[made.kind]];
-      ++reached[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(found.status)])];
-      reached["more than one move"] += found.moves > 1;
-      reached["free and unfinished"] += found.status == Status::unfinished && found.after.place == mesh::Place::free;
-      auto& most = reached["most moves"];
-      most = std::max<std::size_t>(most, found.moves);
+      reached.note(tick);
     }
   }
-  for (const auto& [name, count] : reached) std::printf("  %8zu %s\n", count, name.c_str());
-  for (const char* kind : kKinds) EXPECT_GT(reached[kind], 0U) << kind;
-  for (const char* name : {"a way that is blocked", "a rest where a way is blocked", "a move onto another part"})
-    EXPECT_GT(reached[name], 0U) << name;
-  for (const auto& [name, count] : reached) {
+  reached.expect_all({kKinds.begin(), kKinds.end()});
+  reached.expect_all({"a way that is blocked", "a rest where a way is blocked", "a move onto another part"});
+  for (const auto& [name, count] : reached.reached) {
     if (!name.starts_with("turned by the shading")) continue;
     EXPECT_EQ(count == 0, name.starts_with("turned by the shading: none")) << name;
   }
@@ -255,8 +228,8 @@ TEST(crossing_sheets, an_embedded_mesh_is_rendered_as_ever_in_every_bit) {
   const std::size_t ticks = tests::drawn(11000);
   for (std::uint64_t seed = 0; seed * 500 < ticks; ++seed) {
     const properties::RandomMesh made = source.next();
-    const fast::Mesh plain = built(made.mesh, made.sides, mesh::SelfIntersections::refused),
-                     tested = built(made.mesh, made.sides, mesh::SelfIntersections::allowed);
+    const fast::Mesh plain = tests::fast_mesh(tests::unshaded(made.mesh, made.sides)),
+                     tested = tests::fast_mesh(tests::crossing(made.mesh, made.sides));
     properties::MeshPath path(made.mesh, seed);
     mesh::GodObject state;
     for (std::size_t i = 0; i < 500; ++i) {
@@ -306,12 +279,12 @@ int times_around(const TriangleMesh& mesh, std::size_t first, std::size_t last, 
 }
 
 TEST(crossing_sheets, a_god_object_that_begins_outside_is_never_inside_a_part) {
-  std::map<std::string, std::size_t> reached;
+  Occasions reached;
   Source source(73);
   const std::size_t ticks = tests::drawn(1500);
   for (std::uint64_t seed = 0, done = 0; done < ticks; ++seed) {
     const Closed made = source.next_closed();
-    const fast::Mesh mesh = built(made.mesh, Sides::front, mesh::SelfIntersections::allowed);
+    const fast::Mesh mesh = tests::fast_mesh(tests::crossing(made.mesh));
     properties::MeshPath path(made.mesh, seed);
     mesh::GodObject state = fast::step(mesh, {}, {40, 41, 42}, kStiffness, mesh::Shading::none).after;
     for (std::size_t i = 0; i < 300; ++i, ++done) {
@@ -319,7 +292,7 @@ TEST(crossing_sheets, a_god_object_that_begins_outside_is_never_inside_a_part) {
       const mesh::Tick tick = fast::step(mesh, state, p, kStiffness, mesh::Shading::none);
       state = tick.after;
       if (tick.status != Status::contact) continue;
-      const Exact point = point_of(made.mesh, state);
+      const Exact point = tests::point_of(made.mesh, state);
       const std::size_t triangles = made.mesh.triangles.size();
       const bool is_in_second = made.is_of_second(state);
       const int others = is_in_second ? times_around(made.mesh, 0, made.second, point)
@@ -332,10 +305,7 @@ TEST(crossing_sheets, a_god_object_that_begins_outside_is_never_inside_a_part) {
       reached["the device is in both"] += is_in_both;
     }
   }
-  for (const char* name : {"on the first part", "on the second part", "the device is in both"}) {
-    std::printf("  %8zu %s\n", reached[name], name);
-    EXPECT_GT(reached[name], 0U) << name;
-  }
+  reached.expect_all({"on the first part", "on the second part", "the device is in both"});
 }
 
 }  // namespace

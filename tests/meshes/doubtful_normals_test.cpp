@@ -155,16 +155,19 @@ Normal normal_by_mpfi(const std::vector<TrianglePoints>& triangles) {
   return normal;
 }
 
-void expect_the_same(const std::vector<TrianglePoints>& triangles, const std::string& where) {
-  const Normal ours = normal_in_intervals(triangles), theirs = normal_by_mpfi(triangles);
+void expect_the_same(const Normal& ours, const Normal& theirs, const std::string& where) {
   for (std::size_t i = 0; i < 3; ++i) {
     ASSERT_EQ(ours[i], theirs[i]) << where << ' ' << i;
     ASSERT_FALSE(ours[i] == 0 && std::signbit(ours[i])) << where;
   }
 }
+void expect_the_same(const std::vector<TrianglePoints>& triangles, const std::string& where) {
+  expect_the_same(normal_in_intervals(triangles), normal_by_mpfi(triangles), where);
+}
 
-// All triangles around each vertex, whatever binary64 leaves in doubt.
+// All triangles around each vertex, whatever binary64 leaves in doubt; and what comes of it, which binary64 mostly decides.
 TEST(doubtful_normals, of_meshes_are_those_of_mpfi) {
+  std::uint64_t decided = 0, doubtful = 0;
   std::mt19937 random(4);
   std::uniform_real_distribution<float> small(-0.4F, 0.4F);
   const auto noise = [&](double, double) { return static_cast<double>(small(random)); };
@@ -186,8 +189,22 @@ TEST(doubtful_normals, of_meshes_are_those_of_mpfi) {
     for (const Triangle& t : mesh.triangles)
       for (std::size_t k = 0; k < 3; ++k)
         around[t[k]].push_back({mesh.vertices[t[k]], mesh.vertices[t[(k + 1) % 3]], mesh.vertices[t[(k + 2) % 3]]});
-    for (std::size_t i = 0; i < around.size(); ++i) expect_the_same(around[i], name + ' ' + std::to_string(i));
+    std::vector<Normal> expected;
+    for (const std::vector<TrianglePoints>& triangles : around) {
+      expected.push_back(normal_by_mpfi(triangles));
+      expect_the_same(normal_in_intervals(triangles), expected.back(), name);
+    }
+    const ComputedNormals computed = corner_normals(std::get<CheckedMesh>(check(mesh, SelfIntersections::allowed)));
+    decided += computed.stages.binary64;
+    doubtful += computed.stages.intervals;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        expect_the_same(computed.normals[t][k], expected[mesh.triangles[t][k]], name + " " + std::to_string(t));
   }
+  std::printf("  binary64 %llu, intervals %llu\n", static_cast<unsigned long long>(decided),
+              static_cast<unsigned long long>(doubtful));
+  EXPECT_GT(decided, 100U);
+  EXPECT_GT(doubtful, 10U);
 }
 
 // Corners of a mesh: of any size that one may have, or on a coarse grid; the last bit of a coordinate is 2^-53 mm or more.

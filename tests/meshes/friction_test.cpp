@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Friction in real time: the paths of the Python program, the reference on random meshes with random materials, and the usual
-// rule where nothing is rough.
+// Friction in real time: the reference on random meshes with random materials, and the usual rule where nothing is rough.
 
 #include <cmath>
 
@@ -18,29 +17,6 @@ MeshRendering with_friction(MeshRendering rendering, mesh::Materials materials, 
   return rendering;
 }
 
-TEST(mesh_friction, the_real_time_path_meets_every_column_of_the_paths_of_the_python_program) {
-  const std::string golden = FORCESHADE_SOURCE_DIR "/tests/golden/";
-  tests::Occasions occasions;
-  for (const std::string& name : tests::friction_paths_in(golden + "friction")) {
-    const tests::GodObjectPath path = tests::read_friction_path(golden + "god_object", golden + "friction", name);
-    for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme}) {
-      const MeshRendering rendering =
-          with_friction(tests::shaded(path.mesh, path.normals, path.sides, path.stiffness), path.materials, shading);
-      const auto session = tests::built(fast::GodObject::build(rendering)).open();
-      for (const tests::PathTick& row : path.ticks) {
-        mesh::Tick expected = row.tick;
-        if (shading != mesh::Shading::none) expected.force = row.shaded;
-        const mesh::Tick found = session->tick(row.position);
-        ASSERT_TRUE(tests::is_same(found, expected))
-            << row.place << ": " << tests::show(found) << ", expected " << tests::show(expected);
-        ++occasions["ticks"];
-        occasions["slipping"] += expected.after.is_slipping;
-      }
-    }
-  }
-  occasions.expect_all({"ticks", "slipping"});
-}
-
 TEST(mesh_friction, is_the_reference_in_every_bit_on_random_meshes_with_random_materials) {
   tests::Occasions occasions;
   tests::expect_reference(
@@ -50,11 +26,11 @@ TEST(mesh_friction, is_the_reference_in_every_bit_on_random_meshes_with_random_m
                              source.materials_of(made.mesh), shading);
       },
       [&](const tests::ComparedTick& tick) {
-        const bool was_touching = fast::is_touching(fast::spot_of(tick.mesh, tick.before));
-        const mesh::Tick direct = fast::step(tick.mesh, tick.before, tick.position, kStiffness, tick.shading);
+        const fast::Mesh& mesh = tick.both.mesh();
+        const bool was_touching = fast::is_touching(fast::spot_of(mesh, tick.before));
+        const mesh::Tick direct = fast::step(mesh, tick.before, tick.position, kStiffness, tick.rendering.shading);
         occasions["friction keeps it back"] += was_touching && !(direct.after == tick.expected.after);
         occasions["held"] += was_touching && tick.expected.moves == 0 && direct.moves > 0;
-        occasions["slipping"] += tick.expected.after.is_slipping;
         occasions["slips no more"] += tick.before.is_slipping && !tick.expected.after.is_slipping;
       });
   occasions.expect_all({"friction keeps it back", "held", "slipping", "slips no more", "decided in binary64",
@@ -120,18 +96,11 @@ TEST(mesh_friction, a_slip_that_ends_where_the_edge_does_goes_on) {
       if (is_mirrored) v[0] = 16 - v[0];
     for (mesh::Triangle& triangle : mesh.triangles)
       if (is_mirrored) std::swap(triangle[1], triangle[2]);
-    const MeshRendering rendering = with_friction(tests::unshaded(mesh, mesh::Sides::both), materials, mesh::Shading::none);
-    const auto session = tests::built(fast::GodObject::build(rendering)).open();
-    const auto reference = tests::built(reference::GodObject::build(rendering));
-    mesh::GodObject state;
-    for (const auto& [x, z] : {std::pair{4.0F, 1.0F}, {4.0F, -8.0F}, {12.0F, -8.0F}}) {
-      const std::array<float, 3> p{is_mirrored ? 16 - x : x, 0, z};
-      const mesh::Tick expected = reference.step(state, p), found = session->tick(p);
-      EXPECT_TRUE(tests::is_same(found, expected)) << tests::show(found) << ", expected " << tests::show(expected);
-      state = expected.after;
-    }
-    EXPECT_EQ(state.place, beyond == 1 ? mesh::Place::edge : mesh::Place::vertex);
-    EXPECT_EQ(state.index[0], 1U);
+    tests::BothSides both(with_friction(tests::unshaded(mesh, mesh::Sides::both), materials, mesh::Shading::none));
+    for (const auto& [x, z] : {std::pair{4.0F, 1.0F}, {4.0F, -8.0F}, {12.0F, -8.0F}})
+      both.step({is_mirrored ? 16 - x : x, 0, z});
+    EXPECT_EQ(both.state().place, beyond == 1 ? mesh::Place::edge : mesh::Place::vertex);
+    EXPECT_EQ(both.state().index[0], 1U);
   }
 }
 

@@ -20,8 +20,8 @@ template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<f
                          const ExactStages&, mesh::Contact) noexcept;
 
 template void arrive(const Mesh&, Arrival&, const std::array<float, 3>&, float, mesh::Shading, const CountedStages&,
-                     mesh::Tick&) noexcept;
+                     mesh::Tick&, mesh::Contact) noexcept;
 template void arrive(const Mesh&, Arrival&, const std::array<float, 3>&, float, mesh::Shading, const FilteredStages&,
-                     mesh::Tick&) noexcept;
+                     mesh::Tick&, mesh::Contact) noexcept;
 
 }  // namespace forceshade::fast

@@ -18,11 +18,11 @@ struct CountedStages {
   void note(Stage) const noexcept { ++*in_integers; }
 };
 
-// advance() by the usual contact rule.
+// advance(), by a contact rule that the mesh has.
 template <class Stages>
 void arrive(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, float stiffness, mesh::Shading shading,
-            const Stages& stages, mesh::Tick& tick) noexcept {
-  advance(mesh, at, p, stiffness, shading, stages, tick);
+            const Stages& stages, mesh::Tick& tick, mesh::Contact contact = mesh::kUsualContact) noexcept {
+  advance(mesh, at, p, stiffness, shading, stages, tick, contact);
 }
 
 // Moves a god-object by one position. position: mm; stiffness: N/mm. A state that is not one of this mesh counts as none.
@@ -46,8 +46,8 @@ extern template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::
                                 const ExactStages&, mesh::Contact) noexcept;
 
 extern template void arrive(const Mesh&, Arrival&, const std::array<float, 3>&, float, mesh::Shading, const CountedStages&,
-                            mesh::Tick&) noexcept;
+                            mesh::Tick&, mesh::Contact) noexcept;
 extern template void arrive(const Mesh&, Arrival&, const std::array<float, 3>&, float, mesh::Shading, const FilteredStages&,
-                            mesh::Tick&) noexcept;
+                            mesh::Tick&, mesh::Contact) noexcept;
 
 }  // namespace forceshade::fast

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact rule of Ruspini, Kolarov and Khatib: both sides against the paths of the Python program and each other, and what
-// the rule is for: a hand that is held still feels the interpolated normal.
+// The contact rule of Ruspini, Kolarov and Khatib: both sides against each other, and what the rule is for: a hand that is held
+// still feels the interpolated normal.
 
 #include <gtest/gtest.h>
 
@@ -24,30 +24,6 @@ MeshRendering by_sub_goal(MeshRendering rendering, mesh::Shading shading) {
 
 using Counts = tests::Occasions;
 
-TEST(sub_goal, both_sides_meet_every_column_of_the_paths_of_the_python_program) {
-  const std::string folder = FORCESHADE_SOURCE_DIR "/tests/golden/sub_goal_god_object";
-  Counts counts;
-  for (const std::string& name : tests::god_object_paths_in(folder)) {
-    const tests::GodObjectPath path = tests::read_god_object_path(folder, name);
-    const MeshRendering made = tests::shaded(path.mesh, path.normals, path.sides, path.stiffness);
-    for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme}) {
-      const MeshRendering rendering = by_sub_goal(made, shading);
-      reference::GodObjectSession definition(tests::built(reference::GodObject::build(rendering)));
-      const auto session = tests::built(fast::GodObject::build(rendering)).open();
-      for (const tests::PathTick& row : path.ticks) {
-        mesh::Tick expected = row.tick;
-        if (shading != mesh::Shading::none) expected.force = row.shaded;
-        for (const mesh::Tick& tick : {definition.step(row.position), session->tick(row.position)})
-          ASSERT_TRUE(tests::is_same(tick, expected))
-              << row.place << ": " << tests::show(tick) << ", expected " << tests::show(expected);
-        ++counts["ticks"];
-        ++counts["at " + std::string(mesh::kPlaceNames[static_cast<std::size_t>(expected.after.place)])];
-      }
-    }
-  }
-  counts.expect_all({"ticks", "at free", "at vertex", "at edge", "at triangle"});
-}
-
 TEST(sub_goal, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   Counts counts;
   tests::expect_reference(
@@ -57,7 +33,7 @@ TEST(sub_goal, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
       },
       [&](const tests::ComparedTick& tick) {
         const bool was_inside = tick.before.place == mesh::Place::triangle;
-        const mesh::Tick direct = fast::step(tick.mesh, tick.before, tick.position, kStiffness, tick.shading);
+        const mesh::Tick direct = fast::step(tick.both.mesh(), tick.before, tick.position, kStiffness, tick.rendering.shading);
         const bool is_same = direct.after == tick.expected.after;
         counts["a rest that the rule moves"] += was_inside && !is_same;
         counts["a rest that it leaves"] += was_inside && is_same;
@@ -125,15 +101,10 @@ TEST(sub_goal, a_sub_goal_off_the_surface_does_not_let_go_of_it) {
 // A sub-goal is limited to the domain of positions. Here its end is the floor's rim, from which the way to the sub-goal is
 // open: the hand's position is the goal again.
 TEST(sub_goal, beyond_the_domain_is_at_its_end) {
-  MeshRendering rendering = floor_with({0.8F, 0, 0.6F}, 10000);
-  const auto session = tests::built(fast::GodObject::build(rendering)).open();
-  reference::GodObjectSession definition(tests::built(reference::GodObject::build(rendering)));
+  tests::BothSides both(floor_with({0.8F, 0, 0.6F}, 10000));
   const Position above{9990, 1, 100}, below{9990, 1, -900};
-  for (const Position& p : {above, below, below, below, below}) {
-    const mesh::Tick expected = definition.step(p), found = session->tick(p);
-    EXPECT_TRUE(tests::is_same(found, expected)) << tests::show(found) << ", expected " << tests::show(expected);
-  }
-  EXPECT_EQ(definition.state().place, mesh::Place::triangle);
+  for (const Position& p : {above, below, below, below, below}) both.step(p);
+  EXPECT_EQ(both.state().place, mesh::Place::triangle);
 }
 
 // On a slope of 45° a goal at the end of the domain has its foot far inside: the limit moves that.
@@ -142,19 +113,13 @@ TEST(sub_goal, is_limited_coordinate_by_coordinate) {
                            {{0, 1, 2}, {0, 2, 3}}};
   const double half = std::sqrt(0.5);  // of the slope's normal (-1, 0, 1) and the way up it (1, 0, 1)
   const mesh::Normal N{static_cast<float>(half * (0.6 - 0.8)), 0, static_cast<float>(half * (0.6 + 0.8))};
-  const MeshRendering rendering = by_sub_goal(
-      tests::shaded(std::move(slope), mesh::CornerNormals(2, {N, N, N}), mesh::Sides::front, kStiffness), mesh::Shading::none);
-  const auto session = tests::built(fast::GodObject::build(rendering)).open();
-  reference::GodObjectSession definition(tests::built(reference::GodObject::build(rendering)));
+  tests::BothSides both(by_sub_goal(
+      tests::shaded(std::move(slope), mesh::CornerNormals(2, {N, N, N}), mesh::Sides::front, kStiffness), mesh::Shading::none));
   constexpr double kDepth = 6000;
   const Position above{4000, 1, 6000},
       below{static_cast<float>(5000 + kDepth * half), 1, static_cast<float>(5000 - kDepth * half)};
   mesh::Tick tick;
-  for (const Position& p : {above, below, below}) {
-    tick = session->tick(p);
-    const mesh::Tick expected = definition.step(p);
-    EXPECT_TRUE(tests::is_same(tick, expected)) << tests::show(tick) << ", expected " << tests::show(expected);
-  }
+  for (const Position& p : {above, below, below}) tick = both.step(p);
   const double z = 5000 - kDepth * half + kDepth * 0.48 * half, foot = (10000 + z) / 2;  // x would be 11279
   EXPECT_NEAR(static_cast<double>(tick.force[0]), 0.3 * (foot - (5000 + kDepth * half)), 0.01);
 }

@@ -14,9 +14,7 @@
 #include "forceshade/reference.h"
 #include "rendering/meshes/texture.h"
 #include "tests/height_maps/height_maps_file.h"
-#include "tests/meshes/god_object_paths.h"
-#include "tests/meshes/rendering.h"
-#include "tests/meshes/steps.h"
+#include "tests/meshes/both_sides.h"
 
 namespace forceshade {
 namespace {
@@ -64,7 +62,7 @@ std::map<std::string, Options> read_options() {
 
 TEST(texture_golden, corners_and_ticks_are_those_of_the_python_program_on_both_sides) {
   const auto maps = tests::height_maps_in(kFolder + "/maps.csv");
-  std::map<std::string, int> reached;
+  tests::Occasions reached;
   for (const auto& [name, options] : read_options()) {
     const tests::GodObjectPath path = tests::read_god_object_path(kFolder, name);
     const Corners corners = read_corners(name);
@@ -82,34 +80,21 @@ TEST(texture_golden, corners_and_ticks_are_those_of_the_python_program_on_both_s
     constexpr auto kScheme = mesh::Shading::texture_scheme;
     const MeshRendering rendering{checked, path.normals,   path.sides,
                                   kScheme, path.stiffness, {corners.textures, maps.at(name)}};
-    const auto definition = tests::built(reference::GodObject::build(rendering));
-    const fast::Mesh rendered = tests::fast_mesh(rendering);
-    mesh::GodObject state;
+    tests::BothSides both(rendering);
     for (const tests::PathTick& row : path.ticks) {
       mesh::Tick expected = row.tick;
       expected.force = row.shaded;
-      for (const auto& [side, tick] :
-           {std::pair("reference", definition.step(state, row.position)),
-            std::pair("fast", step(rendered, state, row.position, path.stiffness, kScheme)),
-            std::pair("fast, in integers", step(rendered, state, row.position, path.stiffness, kScheme, fast::ExactStages()))})
-        ASSERT_TRUE(tests::is_same(tick, expected))
-            << row.place << ": " << side << " gives " << tests::show(tick) << ", expected " << tests::show(expected);
-      state = expected.after;
-      ++reached["ticks"];
-      ++reached[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(expected.status)])];
-      if (expected.status != Status::contact) continue;
-      ++reached[std::string(mesh::kPlaceNames[static_cast<std::size_t>(state.place)])];
-      ++reached[std::string(mesh::kSideNames[static_cast<std::size_t>(state.side)])];
-      ++reached[row.shaded == row.tick.force ? "unshaded" : "turned"];
+      const mesh::Tick tick = both.step(row.position, row.place);
+      ASSERT_TRUE(tests::is_same(tick, expected))
+          << row.place << ": " << tests::show(tick) << ", expected " << tests::show(expected);
+      reached.note(tick);
+      if (tick.status == Status::contact) ++reached[row.shaded == row.tick.force ? "unshaded" : "turned"];
     }
     ++reached["meshes"];
   }
-  for (const char* what : {"meshes", "ticks", "free", "touching", "invalid", "vertex", "edge", "triangle", "front", "back",
-                           "unshaded", "turned"}) {
-    std::printf("  %7d %s\n", reached[what], what);
-    EXPECT_GT(reached[what], 0) << what;
-  }
-  EXPECT_EQ(reached["meshes"], static_cast<int>(maps.size()));
+  reached.expect_all(tests::kEverywhere);
+  reached.expect_all({"meshes", "invalid", "unshaded", "turned"});
+  EXPECT_EQ(reached["meshes"], maps.size());
 }
 
 }  // namespace

@@ -23,11 +23,7 @@
 #include "properties/mesh_source.h"
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/texture.h"
-#include "tests/meshes/god_object_paths.h"
-#include "tests/meshes/rendering.h"
-#include "tests/meshes/steps.h"
-#include "tests/support/allocations.h"
-#include "tests/support/drawn.h"
+#include "tests/meshes/both_sides.h"
 #include "tests/support/words.h"
 
 namespace forceshade {
@@ -36,16 +32,6 @@ namespace {
 using Position = std::array<float, 3>;
 
 constexpr float kStiffness = 0.3F;  // N/mm
-
-std::map<std::string, std::size_t> counts;
-
-void expect_all(const std::vector<const char*>& names) {
-  for (const char* name : names) {
-    std::printf("  %9zu %s\n", counts[name], name);
-    EXPECT_GT(counts[name], 0U) << name;
-  }
-  counts.clear();
-}
 
 HeightMap random_map(std::uint64_t seed) {
   return {properties::any_height_map().draw(seed).map.parts};
@@ -56,6 +42,7 @@ const char* name_of_stage(fast::Stage stage) {
 }
 
 TEST(texture_scheme, slopes_are_the_reference_s_in_every_bit_on_random_maps_and_with_every_filter) {
+  tests::Occasions counts;
   const std::uint64_t maps = tests::drawn(200);
   std::mt19937_64 random(5);
   for (std::uint64_t seed = 0; seed < maps; ++seed) {
@@ -83,7 +70,7 @@ TEST(texture_scheme, slopes_are_the_reference_s_in_every_bit_on_random_maps_and_
       counts["a slope other than 0"] += expected[0] != 0 || expected[1] != 0;
     }
   }
-  expect_all({"binary64", "double-double", "a slope of 0", "a slope other than 0"});
+  counts.expect_all({"binary64", "double-double", "a slope of 0", "a slope other than 0"});
 }
 
 // 1/3 + 2/3 and a little: only exact numbers see that the slope is midway between two binary32 numbers; or that it is not, by
@@ -118,6 +105,7 @@ TEST(texture_scheme, a_slope_that_is_a_tie_is_rounded_to_even_and_one_beside_it_
 }
 
 TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
+  tests::Occasions counts;
   constexpr std::size_t kTicksOfAMesh = 250;
   const std::size_t ticks = tests::drawn(24000);
   properties::MeshSource source(33);
@@ -127,21 +115,15 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
     const mesh::Texture texture{source.textures_of(made.mesh), random_map(seed)};
     const MeshRendering rendering{tests::checked(made.mesh),     normals,    made.sides,
                                   mesh::Shading::texture_scheme, kStiffness, texture};
-    const fast::Mesh mesh = tests::fast_mesh(rendering);
-    reference::GodObjectSession definition(tests::built(reference::GodObject::build(rendering)));
+    tests::BothSides both(rendering);
+    const fast::Mesh& mesh = both.mesh();
     properties::MeshPath path(made.mesh, seed);
-    mesh::GodObject state;
     for (std::size_t i = 0; i < kTicksOfAMesh; ++i) {
       const Position p = path.next();
-      const mesh::Tick expected = definition.step(p);
-      const std::size_t allocated = tests::allocations();
-      step(mesh, state, p, kStiffness, mesh::Shading::texture_scheme);
-      ASSERT_EQ(tests::allocations(), allocated);
-      for (const mesh::Tick& found : {step(mesh, state, p, kStiffness, mesh::Shading::texture_scheme),
-                                      step(mesh, state, p, kStiffness, mesh::Shading::texture_scheme, fast::ExactStages())})
-        ASSERT_TRUE(tests::is_same(found, expected))
-            << "mesh " << seed << ", " << properties::kMeshFamilies[made.family] << ", tick " << i << ": expected "
-            << tests::show(expected) << ", found " << tests::show(found);
+      const mesh::GodObject state = both.state();
+      const mesh::Tick expected = both.step(p, "mesh " + std::to_string(seed) + ", tick " + std::to_string(i));
+      if (testing::Test::HasFailure()) return;
+
       fast::Arrival arrival{spot_of(mesh, state), fast::Rest::none, 0, true};
       if (fast::in_domain(p)) {
         const Position read = fast::quantised(p);
@@ -165,12 +147,11 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
           counts["turned on an edge"] += expected.after.place == mesh::Place::edge && untilted != expected.force;
         }
       }
-      state = expected.after;
     }
   }
-  expect_all({"force from binary64", "force from integers, rounded", "force from wide numbers",
-              "a slope in double-double at most", "at vertex", "at edge", "at triangle", "front", "back",
-              "turned by the texture", "not turned by the texture", "turned on an edge"});
+  counts.expect_all({"force from binary64", "force from integers, rounded", "force from wide numbers",
+                     "a slope in double-double at most", "at vertex", "at edge", "at triangle", "front", "back",
+                     "turned by the texture", "not turned by the texture", "turned on an edge"});
 }
 
 // A mesh with points of a texture in mm, its normals and its gradients.
@@ -206,6 +187,7 @@ HeightMap bilinear_samples() {
 
 // The thesis's force-shaded height map is a flat polygon with a texture. Only that the slopes are rounded is different.
 TEST(texture_scheme, on_a_plane_the_force_is_that_of_the_force_shaded_height_map) {
+  tests::Occasions counts;
   const mesh::TriangleMesh plane = mesh::thin_wall(60, 60, 7, 5);
   std::mt19937_64 random(8);
   for (const HeightMap& map : {cylinder_cap(), bilinear_samples()}) {
@@ -227,11 +209,12 @@ TEST(texture_scheme, on_a_plane_the_force_is_that_of_the_force_shaded_height_map
     // Roundings: of two slopes, each turns the direction by 2^-25 of the slope/(1 + slope²) at most; of three components twice.
     EXPECT_LE(largest, 2 * 0x1p-25 + 4 * 0x1p-24);
   }
-  expect_all({"upright", "tilted"});
+  counts.expect_all({"upright", "tilted"});
 }
 
 // A chart is the triangles whose normals are longest along the same axis, on the same side.
 TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_seams) {
+  tests::Occasions counts;
   const mesh::TriangleMesh sphere = mesh::icosphere(7, 20);
   const auto points = mesh::texture_from_box(sphere);
   constexpr float kHeight = 4, kSigma = 12;  // mm
@@ -308,7 +291,7 @@ TEST(texture_scheme, the_direction_is_continuous_within_a_chart_and_jumps_at_sea
   std::printf("  within a chart at most %.2f of the bound, %.3f a mm; over a seam at most %.3f\n", largest_share, most,
               largest_jump);
   EXPECT_GT(largest_jump, 0.1);
-  expect_all({"within a triangle", "over an edge of a chart", "over a seam"});
+  counts.expect_all({"within a triangle", "over an edge of a chart", "over a seam"});
 }
 
 std::vector<std::array<mesh::TexturePoint, 3>> scaled(std::vector<std::array<mesh::TexturePoint, 3>> points, float scale) {

@@ -13,11 +13,8 @@
 #include "fast/domain.h"
 #include "forceshade/reference.h"
 #include "reference/meshes/crossings.h"
+#include "tests/meshes/both_sides.h"
 #include "tests/meshes/costly_meshes.h"
-#include "tests/meshes/god_object_paths.h"
-#include "tests/meshes/rendering.h"
-#include "tests/meshes/steps.h"
-#include "tests/support/drawn.h"
 
 namespace forceshade {
 namespace {
@@ -95,20 +92,12 @@ TEST(tick_budget, both_sides_count_the_same_boxes_on_a_way) {
 // The same path on both sides, and in integers alone. How many ticks are unfinished.
 std::size_t compare(const tests::CostlyMesh& one, int repeats) {
   const MeshRendering rendering{tests::checked(one.mesh), {}, one.sides, mesh::Shading::none, 1, {}};
-  const fast::Mesh mesh = tests::fast_mesh(rendering);
-  reference::GodObjectSession definition(tests::built(reference::GodObject::build(rendering)));
-  mesh::GodObject state;
+  tests::BothSides both(rendering);
   std::size_t unfinished = 0;
   for (const Position& p : one.positions)
     for (int i = 0; i < repeats; ++i) {
-      const mesh::Tick expected = definition.step(p), found = fast::step(mesh, state, p, 1, mesh::Shading::none);
-      EXPECT_TRUE(tests::is_same(found, expected)) << one.family << ": " << tests::show(expected) << ", " << tests::show(found);
-      if (i == 0) {
-        const mesh::Tick exact = fast::step(mesh, state, p, 1, mesh::Shading::none, fast::ExactStages());
-        EXPECT_TRUE(tests::is_same(exact, expected)) << one.family << ", in integers";
-      }
-      state = found.after;
-      unfinished += found.status == Status::unfinished && found.moves < 256;
+      const mesh::Tick tick = both.step(p, one.family);
+      unfinished += tick.status == Status::unfinished && tick.moves < 256;
     }
   return unfinished;
 }
@@ -159,17 +148,9 @@ TEST(tick_budget, is_two_to_the_fourteenth_triangles) {
       tests::add_vertex(one.mesh, 0, 9, i / 1024.0);
       one.mesh.triangles.push_back(i < below ? mesh::Triangle{k, k + 1, k + 2} : mesh::Triangle{k, k + 2, k + 1});
     }
-    const MeshRendering rendering = tests::unshaded(one.mesh, one.sides);
-    reference::GodObjectSession definition(tests::built(reference::GodObject::build(rendering)));
-    const fast::Mesh mesh = tests::fast_mesh(rendering);
-    mesh::GodObject state;
+    tests::BothSides both(tests::unshaded(one.mesh, one.sides));
     std::vector<mesh::Tick> ticks;
-    for (const Position& p : one.positions) {
-      ticks.push_back(fast::step(mesh, state, p, 1, mesh::Shading::none));
-      state = ticks.back().after;
-      const mesh::Tick expected = definition.step(p);
-      EXPECT_TRUE(tests::is_same(ticks.back(), expected)) << tests::show(expected) << ", " << tests::show(ticks.back());
-    }
+    for (const Position& p : one.positions) ticks.push_back(both.step(p));
     const bool is_over = below + 1 == kMostLooks;
     EXPECT_EQ(ticks[1].status, is_over ? Status::unfinished : Status::contact);
     EXPECT_EQ(ticks[1].moves, is_over ? 1 : 2);

@@ -3,18 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <limits>
 #include <memory>
 #include <numbers>
 
 #include "fast/meshes/session.h"
 #include "forceshade/meshes.h"
 #include "rendering/meshes/make.h"
-#include "tests/meshes/loaded.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade {
@@ -32,11 +28,6 @@ std::shared_ptr<const fast::Mesh> built(const mesh::TriangleMesh& triangles, Sid
                                         const mesh::CornerNormals& normals = {}) {
   return std::make_shared<const fast::Mesh>(
       tests::fast_mesh(normals.empty() ? tests::unshaded(triangles, sides) : tests::shaded(triangles, normals, sides)));
-}
-
-bool is_same(const mesh::Tick& a, const mesh::Tick& b) {
-  return a.status == b.status && a.moves == b.moves && a.after == b.after &&
-         std::memcmp(a.force.data(), b.force.data(), sizeof a.force) == 0;
 }
 
 double length(const std::array<double, 3>& a) {
@@ -126,150 +117,6 @@ TEST(usual_faults, the_force_does_not_turn_to_and_fro_on_a_sphere) {
     // A sawtooth goes back at every second change. A smooth path goes back only where it cuts a corner of a triangle twice.
     EXPECT_LT(10 * turns_back, facets);
   }
-}
-
-TEST(usual_faults, a_hand_that_is_held_still_has_the_same_force_for_ever) {
-  MeshSession session(built(mesh::icosphere(22, 50), Sides::front), kStiffness, Shading::none);
-  session.tick({60, 0, 0});
-  int stills = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Position p = around_the_sphere(0.01 * i);
-    const mesh::Tick first = session.tick(p);
-    for (int k = 0; k < 5; ++k) {
-      const mesh::Tick again = session.tick(p);
-      ASSERT_EQ(again.after, first.after) << i;
-      ASSERT_EQ(std::memcmp(again.force.data(), first.force.data(), sizeof again.force), 0) << i;
-    }
-    stills += first.status == Status::contact;
-  }
-  EXPECT_EQ(stills, 2000);
-}
-
-// ---- The unit of length.
-
-// All digits of a binary32 number of moderate size, with what stands behind them.
-std::string decimal(float number, const char* behind) {
-  std::array<char, 64> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed).ptr;
-  return std::string(text.data(), end) + behind;
-}
-std::string off_text(const mesh::TriangleMesh& mesh, const char* behind) {
-  std::string text = "OFF\n" + std::to_string(mesh.vertices.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
-  for (const mesh::Vertex& v : mesh.vertices)
-    text += decimal(v[0], behind) + " " + decimal(v[1], behind) + " " + decimal(v[2], behind) + "\n";
-  for (const mesh::Triangle& t : mesh.triangles)
-    text += "3 " + std::to_string(t[0]) + " " + std::to_string(t[1]) + " " + std::to_string(t[2]) + "\n";
-  return text;
-}
-template <class Number>
-void append(std::string& bytes, Number number) {
-  char raw[sizeof number];
-  std::memcpy(raw, &number, sizeof number);
-  bytes.append(raw, sizeof number);
-}
-// Little-endian, as this machine is.
-std::string binary_stl(const mesh::TriangleMesh& mesh, double unit) {
-  std::string bytes(80, ' ');
-  append(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (const mesh::Triangle& t : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) append(bytes, 0.0F);
-    for (const std::uint32_t v : t)
-      for (const float coordinate : mesh.vertices[v]) append(bytes, static_cast<float>(static_cast<double>(coordinate) / unit));
-    append(bytes, std::uint16_t{0});
-  }
-  return bytes;
-}
-
-TEST(usual_faults, a_text_in_m_gives_the_same_bits_as_the_same_text_in_mm) {
-  const mesh::TriangleMesh sphere = mesh::icosphere(9, 50);
-  const mesh::Loaded in_mm = mesh::of_text("ball.off", off_text(sphere, ""), mesh::Unit::mm),
-                     in_m = mesh::of_text("ball.off", off_text(sphere, "e-3"), mesh::Unit::m);
-  ASSERT_EQ(in_mm.refusal + in_m.refusal, "");
-  EXPECT_EQ(in_mm.mesh.mesh.vertices, in_m.mesh.mesh.vertices);
-  EXPECT_EQ(in_mm.mesh.mesh.triangles, in_m.mesh.mesh.triangles);
-  EXPECT_EQ(in_mm.mesh.mesh.vertices, sphere.vertices);
-  MeshSession a(built(in_mm.mesh.mesh, Sides::front), kStiffness, Shading::none),
-      b(built(in_m.mesh.mesh, Sides::front), kStiffness, Shading::none);
-  a.tick({60, 0, 0});
-  b.tick({60, 0, 0});
-  int touching = 0;
-  for (int i = 0; i < 5000; ++i) {
-    const Position p = around_the_sphere(1e-3 * i);
-    const mesh::Tick in_a = a.tick(p), in_b = b.tick(p);
-    ASSERT_TRUE(is_same(in_a, in_b)) << i;
-    touching += in_a.status == Status::contact;
-  }
-  EXPECT_EQ(touching, 5000);
-}
-
-// A binary32 number of m is not the same rational as the one of mm beside it: whoever wrote the file has rounded it, by up to
-// half a unit in its last place. Reading rounds the product with 1000 once more. These two roundings are all.
-TEST(usual_faults, a_binary_file_in_m_differs_by_the_rounding_of_its_numbers_alone) {
-  const mesh::TriangleMesh sphere = mesh::icosphere(22, 50);
-  const mesh::Loaded in_mm = mesh::of_text("ball.stl", binary_stl(sphere, 1), mesh::Unit::mm),
-                     in_m = mesh::of_text("ball.stl", binary_stl(sphere, 1000), mesh::Unit::m);
-  ASSERT_EQ(in_mm.refusal + in_m.refusal, "");
-  ASSERT_EQ(in_mm.mesh.mesh.triangles.size(), in_m.mesh.mesh.triangles.size());
-  int same = 0, other = 0;
-  for (std::size_t t = 0; t < sphere.triangles.size(); ++t)
-    for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const float mm = in_mm.mesh.mesh.vertices[in_mm.mesh.mesh.triangles[t][c]][i],
-                    m = in_m.mesh.mesh.vertices[in_m.mesh.mesh.triangles[t][c]][i];
-        const float expected = sphere.vertices[sphere.triangles[t][c]][i];
-        EXPECT_EQ(mm, expected);
-        // The product has 34 bits, so binary64 holds it and it is rounded once here.
-        const auto in_file = static_cast<float>(static_cast<double>(expected) / 1000);
-        const auto product = static_cast<float>(1000 * static_cast<double>(in_file));
-        EXPECT_EQ(m, std::fabs(product) < 0x1p-30F ? 0 : product);
-        EXPECT_LE(std::fabs(static_cast<double>(m) - static_cast<double>(mm)), 0x1p-23 * std::fabs(static_cast<double>(mm)));
-        ++(m == mm ? same : other);
-      }
-  std::printf("  %d coordinates are the same, %d are not\n", same, other);
-  EXPECT_GT(same, 0);
-  EXPECT_GT(other, 0);
-}
-
-// ---- Numbers that are no positions.
-
-TEST(usual_faults, nan_infinity_and_1e26_change_nothing_in_contact_and_in_free_space) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinity = std::numeric_limits<float>::infinity();
-  const auto mesh = built(mesh::icosphere(7, 50), Sides::front);
-  MeshSession disturbed(mesh, kStiffness, Shading::none), quiet(mesh, kStiffness, Shading::none);
-  int in_contact = 0, in_free_space = 0;
-  for (int i = 0; i < 400; ++i) {
-    // 5 mm above, then in contact, by turns of 100 ticks: long enough for an empty ball to be found.
-    const bool is_above = i / 100 % 2 == 0;
-    Position p = around_the_sphere(1e-3 * i);
-    if (is_above)
-      for (float& coordinate : p) coordinate *= 1.125F;
-    ASSERT_TRUE(is_same(disturbed.tick(p), quiet.tick(p))) << i;
-    ++(is_above ? in_free_space : in_contact);
-    for (const float wrong : {kNan, -kNan, kInfinity, -kInfinity, 1e26F, -1e26F, std::nextafter(1e4F, kInfinity)})
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        Position off = p;
-        off[axis] = wrong;
-        const mesh::GodObject before = disturbed.state();
-        const mesh::Tick tick = disturbed.tick(off);
-        ASSERT_EQ(tick.status, Status::invalid) << i << ": " << wrong;
-        ASSERT_EQ(tick.force, (Position{0, 0, 0}));
-        ASSERT_EQ(tick.moves, 0);
-        ASSERT_EQ(tick.after, before);
-        ASSERT_EQ(disturbed.state(), before);
-      }
-  }
-  EXPECT_EQ(in_contact, 200);
-  EXPECT_EQ(in_free_space, 200);
-}
-
-TEST(usual_faults, a_vertex_at_1e26_is_refused_in_words) {
-  mesh::TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1e26F, 0}}, {{0, 1, 2}}};
-  const auto refused = mesh::check(triangle);
-  ASSERT_TRUE(std::holds_alternative<mesh::Findings>(refused));
-  EXPECT_EQ(std::get<mesh::Findings>(refused).words(), "vertex 2 has a coordinate that is no number within 10000 mm\n");
-  const mesh::Loaded loaded = mesh::of_text("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1e26 0\nf 1 2 3\n");
-  EXPECT_TRUE(loaded.refusal.starts_with("line 3: ")) << loaded.refusal;
-  EXPECT_NE(loaded.refusal.find("10000"), std::string::npos) << loaded.refusal;
 }
 
 // ---- Passing through.
