@@ -125,18 +125,6 @@ TEST(height_certificate, is_none_if_stopped_while_the_energy_of_loops_is_compute
   EXPECT_GT(last, 0.93);
 }
 
-TEST(height_certificate, reads_back_what_it_wrote_whatever_the_number_of_threads) {
-  Certificate one = certificate_of({cone()}, 10000, 1), four = certificate_of({cone()}, 10000, 4);
-  one.seconds = four.seconds = 0;
-  one.date = four.date;
-  const std::string text = to_json(one);
-  EXPECT_EQ(text, to_json(four));
-  EXPECT_EQ(to_json(from_json(text, "here.json")), text);
-  std::string other = text;
-  other.replace(other.find("\"height-map\""), 12, "\"height-mop\"");
-  EXPECT_THROW(from_json(other, "here.json"), Error);
-}
-
 TEST(height_certificate, covers_the_map_that_was_checked) {
   const Certificate certificate = certificate_of({cone()});
   EXPECT_EQ(refusal(certificate, current_build(), identity_of("cone.toml", cone().map, Mode::true_height, 0.5F)),

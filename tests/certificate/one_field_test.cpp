@@ -108,12 +108,16 @@ std::vector<OneField> fields_of_points() {
   std::vector<OneField> all{
       {[](Certificate& c) { c.build.version = "0.2.0"; }, {"/build/version"}},
       {[](Certificate& c) { c.build.revision = "decade"; }, {"/build/revision"}},
-      {[](Certificate& c) { c.build.compiler = "Clang"; }, {"/build/compiler"}, "the certificate is for another compiler"},
-      {[](Certificate& c) { c.build.flags = "-O1"; }, {"/build/flags"}, "the certificate is for other compiler flags"},
+      {[](Certificate& c) { c.build.compiler = "Clang"; },
+       {"/build/compiler"},
+       "the certificate is for another compiler: expected GNU 12.2.0, got Clang"},
+      {[](Certificate& c) { c.build.flags = "-O1"; },
+       {"/build/flags"},
+       "the certificate is for other compiler flags: expected -O3 -ffp-contract=off, got -O1"},
       {[](Certificate& c) { c.build.instruction_set = "scalar"; }, {"/build/instruction_set"}},
       {[](Certificate& c) { c.build.library_digest = std::string(64, 'b'); },
        {"/build/library_digest"},
-       "the certificate is for another build of the renderer"},
+       "the certificate is for another build of the renderer: expected digest aaaa"},
       {of_first([](SubjectResult& s) { s.seeds = {8}; }), {"/subjects/0/seeds/0"}},
       {of_first([](SubjectResult& s) {
          s.seeds = {7, 8};

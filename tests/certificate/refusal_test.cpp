@@ -55,22 +55,6 @@ TEST(refusal, names_another_law_or_other_parameters) {
                  "covers bump-2p with other parameters: expected");
 }
 
-TEST(refusal, names_another_build_compiler_or_flags) {
-  const Certificate certificate = tests::made_certificate();
-  Build build = tests::made_build();
-  build.library_digest = std::string(64, 'b');
-  for (const std::string& said : {of_law(certificate, build), of_map(certificate, build)})
-    expect_words(said, "another build of the renderer: expected digest bbbb");
-  build = tests::made_build();
-  build.compiler = "Clang 14.0.6";
-  for (const std::string& said : {of_law(certificate, build), of_map(certificate, build)})
-    expect_words(said, "another compiler: expected Clang 14.0.6, got GNU 12.2.0");
-  build = tests::made_build();
-  build.flags = "-O1";
-  for (const std::string& said : {of_law(certificate, build), of_map(certificate, build)})
-    expect_words(said, "other compiler flags: expected -O1, got -O3 -ffp-contract=off");
-}
-
 // The code of each set is compared where it runs, or not at all.
 TEST(refusal, names_an_instruction_set_that_was_not_compared) {
   const Certificate certificate = tests::made_certificate();

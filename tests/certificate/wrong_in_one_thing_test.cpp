@@ -165,7 +165,11 @@ TEST(wrong_in_one_thing, a_component_of_one_set_s_batch_call) {
           const Certificate certificate = checked_alone(subject, kPoints, 1);
           const std::string what = subject->identity().name + ", " + std::string(name_of(set)) + ", component " +
                                    std::to_string(component) + " at " + std::to_string(at);
-          EXPECT_EQ(certificate.subjects[0].mismatches, at == 0 ? 2U : 1U) << what;
+          const SubjectResult& found = certificate.subjects[0];
+          EXPECT_EQ(found.mismatches, at == 0 ? 2U : 1U) << what;
+          EXPECT_EQ(found.spread.mismatches > 0, at == 0 && found.identity.kind != "law") << what;
+          const std::string words = "the batch call (" + std::string(name_of(set)) + "): at ";
+          EXPECT_NE(found.counterexamples.at(0).find(words), std::string::npos) << found.counterexamples.at(0);
           expect_refused(certificate, what);
         }
       }
@@ -189,6 +193,8 @@ TEST(wrong_in_one_thing, the_number_of_invalid_positions_of_one_set_s_batch_call
                     }),
           kPoints, 1);
       EXPECT_EQ(certificate.subjects[0].mismatches, 2U) << "one for each chunk";
+      const std::string said = certificate.subjects[0].counterexamples.at(0);
+      EXPECT_NE(said.find("invalid positions of 4096; expected "), std::string::npos) << said;
       expect_refused(certificate, std::string(name_of(wrong)) + (too_many ? ", too many" : ", too few"));
     }
   }
