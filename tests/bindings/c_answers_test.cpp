@@ -16,21 +16,15 @@
 #include "bindings/c/table.h"
 #include "forceshade.h"
 #include "tests/bindings/batches.h"
-#include "tests/bindings/tetrahedron.h"
+#include "tests/bindings/subjects.h"
 
 namespace forceshade {
 namespace {
 
+using tests::beginning;
 using tests::bits_of;
 
 constexpr std::size_t kCount = 1300;  // more than two blocks
-
-forceshade_subject bump() {
-  const forceshade_law parameters{sizeof parameters, 15.24F, 25.4F, 0.5F};
-  forceshade_subject made{};
-  EXPECT_EQ(forceshade_law_new("bump-3p-shaded", &parameters, &made), FORCESHADE_OK);
-  return made;
-}
 
 forceshade_subject map() {
   static constexpr std::array<float, 16> kHeights{0, 1, 0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0, 1, 0};
@@ -45,25 +39,6 @@ forceshade_subject map() {
   forceshade_subject made{};
   EXPECT_EQ(forceshade_height_map_new(&its, &made), FORCESHADE_OK) << forceshade_message();
   return made;
-}
-
-forceshade_subject rough_mesh() {
-  forceshade_material rough{};
-  rough.size = sizeof rough;
-  rough.static_friction = 0.6F;
-  rough.dynamic_friction = 0.3F;
-  forceshade_mesh mesh = tests::tetrahedron_mesh();
-  mesh.materials = &rough;
-  mesh.material_count = 1;
-  forceshade_subject made{};
-  EXPECT_EQ(forceshade_mesh_new(&mesh, &made), FORCESHADE_OK) << forceshade_message();
-  return made;
-}
-
-forceshade_state beginning() {
-  forceshade_state state{};
-  state.size = sizeof state;
-  return state;
 }
 
 // A path about the tetrahedron, and some positions of any bits at all.
@@ -86,21 +61,23 @@ struct Layout {
   std::size_t between, component;  // positions and forces
   bool in_place, has_statuses;
   std::size_t status_stride, threads;
+  bool is_backwards = false;  // of positions alone
 };
 
-constexpr std::array<Layout, 9> kLayouts{{{"without gaps", 3, 1, false, true, 1, 1},
-                                          {"in place", 3, 1, true, true, 1, 1},
-                                          {"in place, by three threads", 3, 1, true, true, 1, 3},
-                                          {"with gaps", 4, 1, false, true, 1, 1},
-                                          {"with gaps, in place", 5, 1, true, true, 1, 1},
-                                          {"in columns, in place", 1, kCount, true, true, 1, 1},
-                                          {"with gaps between statuses", 3, 1, false, true, 3, 1},
-                                          {"in place, with gaps between statuses", 3, 1, true, true, 2, 1},
-                                          {"in place, without statuses", 3, 1, true, false, 1, 1}}};
+constexpr std::array<Layout, 10> kLayouts{{{"without gaps", 3, 1, false, true, 1, 1},
+                                           {"in place", 3, 1, true, true, 1, 1},
+                                           {"in place, by three threads", 3, 1, true, true, 1, 3},
+                                           {"with gaps", 4, 1, false, true, 1, 1},
+                                           {"with gaps, in place", 5, 1, true, true, 1, 1},
+                                           {"in columns, in place", 1, kCount, true, true, 1, 1},
+                                           {"with gaps between statuses", 3, 1, false, true, 3, 1},
+                                           {"in place, with gaps between statuses", 3, 1, true, true, 2, 1},
+                                           {"in place, without statuses", 3, 1, true, false, 1, 1},
+                                           {"positions backwards, in rows with gaps", 5, 1, false, true, 2, 1, true}}};
 
 TEST(c_answers, are_the_same_wherever_they_are_written) {
   const std::vector<float> at = path();
-  const std::array<forceshade_subject, 3> subjects{bump(), map(), rough_mesh()};
+  const std::array<forceshade_subject, 3> subjects{tests::law_of("bump-3p-shaded"), map(), tests::tetrahedron("none", true)};
   for (const forceshade_subject subject : subjects) {
     forceshade_session one{}, many{};
     ASSERT_EQ(forceshade_session_open(subject, &one), FORCESHADE_OK);
@@ -120,15 +97,20 @@ TEST(c_answers, are_the_same_wherever_they_are_written) {
         if (!is_path && subject.handle == subjects[2].handle) continue;  // whose forces depend on the path
         SCOPED_TRACE(std::string(its.what) + (is_path ? ", steps" : ", forces"));
         const auto place = [&](std::size_t i, std::size_t axis) { return i * its.between + axis * its.component; };
-        std::vector<float> from(std::max(its.between, std::size_t{3}) * kCount), apart(from.size());
+        std::vector<float> from(std::max(its.between, std::size_t{3}) * kCount, -1), apart(from.size(), -1);
         for (std::size_t i = 0; i < kCount; ++i)
-          for (std::size_t axis = 0; axis < 3; ++axis) from[place(i, axis)] = at[3 * i + axis];
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            from[place(its.is_backwards ? kCount - 1 - i : i, axis)] = at[3 * i + axis];
         std::vector<float>& to = its.in_place ? from : apart;
         std::vector<forceshade_status> given(its.status_stride * kCount, 99);
         forceshade_batch batch = tests::batch_of(from, to, given);
         batch.count = kCount;
         batch.position_stride = batch.force_stride = 4 * static_cast<std::ptrdiff_t>(its.between);
         batch.position_component = batch.force_component = 4 * static_cast<std::ptrdiff_t>(its.component);
+        if (its.is_backwards) {
+          batch.positions = &from[place(kCount - 1, 0)];
+          batch.position_stride = -batch.position_stride;
+        }
         batch.status_stride = static_cast<std::ptrdiff_t>(its.status_stride);
         batch.threads = its.threads;
         if (!its.has_statuses) batch.statuses = nullptr;
@@ -141,6 +123,9 @@ TEST(c_answers, are_the_same_wherever_they_are_written) {
         for (std::size_t i = 0; i < kCount; ++i) {
           const std::array<float, 3> force{to[place(i, 0)], to[place(i, 1)], to[place(i, 2)]};
           ASSERT_EQ(bits_of(force.data()), bits_of(&forces[3 * i])) << i;
+          if (its.between == 5) {
+            ASSERT_EQ(to[place(i, 3)], -1) << "what lies between is not touched";
+          }
           for (std::size_t k = 0; k < its.status_stride; ++k)
             ASSERT_EQ(given[i * its.status_stride + k], k == 0 && its.has_statuses ? statuses[i] : 99) << i;
         }
@@ -153,10 +138,17 @@ TEST(c_answers, are_the_same_wherever_they_are_written) {
 
 TEST(c_answers, of_a_session_that_was_resumed_or_reset_are_those_of_its_state) {
   const std::vector<float> at = path();
-  const forceshade_subject mesh = rough_mesh();
-  forceshade_session first{}, second{};
-  ASSERT_EQ(forceshade_session_open(mesh, &first), FORCESHADE_OK);
-  ASSERT_EQ(forceshade_session_open(mesh, &second), FORCESHADE_OK);
+  const forceshade_subject mesh = tests::tetrahedron("none", true);
+  forceshade_session first{}, second{}, fresh{};
+  for (forceshade_session* session : {&first, &second, &fresh})
+    ASSERT_EQ(forceshade_session_open(mesh, session), FORCESHADE_OK);
+  forceshade_subject_free(mesh);  // sessions stay
+  forceshade_state state = beginning();
+  const auto expect_nowhere = [&] {
+    ASSERT_EQ(forceshade_session_state(first, &state), FORCESHADE_OK);
+    EXPECT_EQ(state.place, FORCESHADE_NOWHERE);
+  };
+  expect_nowhere();
   const auto step = [&](forceshade_session session, std::size_t i) {
     std::array<float, 3> force{};
     forceshade_status status = 99;
@@ -165,7 +157,7 @@ TEST(c_answers, of_a_session_that_was_resumed_or_reset_are_those_of_its_state) {
   };
   int slipping = 0;
   for (std::size_t i = 0; i < kCount; ++i) {
-    forceshade_state state = beginning(), resumed = beginning();
+    forceshade_state resumed = beginning();
     ASSERT_EQ(forceshade_session_state(first, &state), FORCESHADE_OK);
     ASSERT_EQ(forceshade_session_resume(second, &state), FORCESHADE_OK);
     ASSERT_EQ(forceshade_session_state(second, &resumed), FORCESHADE_OK);
@@ -175,11 +167,9 @@ TEST(c_answers, of_a_session_that_was_resumed_or_reset_are_those_of_its_state) {
   }
   EXPECT_GT(slipping, 50);
   ASSERT_EQ(forceshade_session_reset(first), FORCESHADE_OK);
-  forceshade_session fresh{};
-  ASSERT_EQ(forceshade_session_open(mesh, &fresh), FORCESHADE_OK);
+  expect_nowhere();
   for (std::size_t i = 1; i < 100; ++i) ASSERT_EQ(step(first, i), step(fresh, i)) << i;
   for (const forceshade_session session : {first, second, fresh}) forceshade_session_close(session);
-  forceshade_subject_free(mesh);
 }
 
 TEST(c_answers, of_an_unfinished_tick_say_so) {
@@ -216,7 +206,7 @@ TEST(c_handles, are_each_given_once_and_are_none_before_and_after) {
 }
 
 TEST(c_handles, of_sessions_end_in_a_sentence_and_come_back) {
-  const forceshade_subject subject = bump();
+  const forceshade_subject subject = tests::law_of("bump-3p-shaded");
   std::vector<forceshade_session> sessions;
   forceshade_session session{};
   forceshade_result result = FORCESHADE_OK;

@@ -16,7 +16,7 @@
 #include "forceshade/fast.h"
 #include "forceshade/law.h"
 #include "tests/bindings/batches.h"
-#include "tests/bindings/tetrahedron.h"
+#include "tests/bindings/subjects.h"
 #include "tests/support/allocations.h"
 #include "tests/support/temporary_directory.h"
 
@@ -25,16 +25,11 @@ namespace {
 
 using tests::batch_of;
 using tests::bits_of;
+using tests::law_of;
 using tests::positions;
+using tests::tetrahedron;
 
 constexpr Parameters kBump{15.24F, 25.4F, 0.5F};
-
-forceshade_subject law_of(const std::string& name) {
-  const forceshade_law parameters{sizeof parameters, kBump.radius, kBump.width, kBump.stiffness};
-  forceshade_subject made{};
-  EXPECT_EQ(forceshade_law_new(name.c_str(), &parameters, &made), FORCESHADE_OK) << forceshade_message();
-  return made;
-}
 
 TEST(c_interface, gives_the_bits_and_the_status_of_each_law_for_one_position_many_and_a_path) {
   constexpr std::size_t kCount = 4000;
@@ -70,43 +65,6 @@ TEST(c_interface, gives_the_bits_and_the_status_of_each_law_for_one_position_man
     EXPECT_EQ(forceshade_session_close(session), FORCESHADE_OK);
     EXPECT_EQ(forceshade_subject_free(subject), FORCESHADE_OK);
   }
-}
-
-// Columns instead of rows, backwards, every other one, and in the place of the positions.
-TEST(c_interface, takes_positions_and_forces_wherever_they_lie) {
-  constexpr std::size_t kCount = 1000;
-  const forceshade_subject subject = law_of("bump-3p-shaded");
-  const std::vector<float> at = positions(kCount, 3);
-  std::vector<float> expected(at.size());
-  std::vector<forceshade_status> statuses(kCount);
-  const forceshade_batch plain = batch_of(at, expected, statuses);
-  ASSERT_EQ(forceshade_forces(subject, &plain, nullptr), FORCESHADE_OK);
-
-  std::vector<float> columns(at.size()), forces(2 * at.size(), -1);
-  for (std::size_t i = 0; i < kCount; ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) columns[axis * kCount + i] = at[3 * i + axis];
-  forceshade_batch batch = batch_of(columns, forces, statuses);
-  std::vector<forceshade_status> backwards(2 * kCount, 99);
-  batch.count = kCount;
-  batch.positions = columns.data() + kCount - 1;
-  batch.position_stride = -4;
-  batch.position_component = 4 * static_cast<std::ptrdiff_t>(kCount);
-  batch.force_stride = 24;
-  batch.statuses = backwards.data();
-  batch.status_stride = 2;
-  ASSERT_EQ(forceshade_forces(subject, &batch, nullptr), FORCESHADE_OK) << forceshade_message();
-  for (std::size_t i = 0; i < kCount; ++i) {
-    ASSERT_EQ(bits_of(&forces[6 * i]), bits_of(&expected[3 * (kCount - 1 - i)]));
-    ASSERT_EQ(forces[6 * i + 3], -1) << "what lies between is not touched";
-    ASSERT_EQ(backwards[2 * i], statuses[kCount - 1 - i]);
-    ASSERT_EQ(backwards[2 * i + 1], 99);
-  }
-
-  std::vector<float> both = at;
-  const forceshade_batch in_place = batch_of(both, both, statuses);
-  ASSERT_EQ(forceshade_forces(subject, &in_place, nullptr), FORCESHADE_OK);
-  for (std::size_t i = 0; i < kCount; ++i) ASSERT_EQ(bits_of(&both[3 * i]), bits_of(&expected[3 * i]));
-  forceshade_subject_free(subject);
 }
 
 std::vector<float> hill(std::uint32_t columns, std::uint32_t rows) {
@@ -164,49 +122,6 @@ TEST(c_interface, makes_a_height_map_of_samples_however_they_lie) {
   EXPECT_GT(contacts, 100);
   EXPECT_GT(different, 10) << "a spline is another surface";
   for (const forceshade_subject subject : {rows, columns, spline}) forceshade_subject_free(subject);
-}
-
-forceshade_subject tetrahedron(const char* shading) {
-  forceshade_mesh mesh = tests::tetrahedron_mesh();
-  mesh.shading = shading;
-  forceshade_subject made{};
-  EXPECT_EQ(forceshade_mesh_new(&mesh, &made), FORCESHADE_OK) << forceshade_message();
-  return made;
-}
-
-// A session that goes on from the state of another one answers as that one does from there.
-TEST(c_interface, follows_a_path_on_a_mesh_and_goes_on_from_a_state) {
-  const forceshade_subject mesh = tetrahedron("vertex");
-  std::mt19937 random(4);
-  std::uniform_real_distribution<float> step(-1, 1);
-  forceshade_session first{}, second{};
-  ASSERT_EQ(forceshade_session_open(mesh, &first), FORCESHADE_OK);
-  ASSERT_EQ(forceshade_session_open(mesh, &second), FORCESHADE_OK);
-  forceshade_subject_free(mesh);  // sessions stay
-  std::array<float, 3> at{-1, 3, 3};
-  forceshade_state state{};
-  state.size = sizeof state;
-  ASSERT_EQ(forceshade_session_state(first, &state), FORCESHADE_OK);
-  EXPECT_EQ(state.place, FORCESHADE_NOWHERE);
-  int contacts = 0;
-  for (int i = 0; i < 2000; ++i) {
-    for (float& coordinate : at) coordinate = std::clamp(coordinate + step(random), -1.0F, 6.0F);
-    std::array<float, 3> force{}, again{};
-    forceshade_status status = 99, status_again = 99;
-    ASSERT_EQ(forceshade_session_state(first, &state), FORCESHADE_OK);
-    ASSERT_EQ(forceshade_session_resume(second, &state), FORCESHADE_OK) << forceshade_message();
-    ASSERT_EQ(forceshade_session_step(first, at.data(), force.data(), &status), FORCESHADE_OK);
-    ASSERT_EQ(forceshade_session_step(second, at.data(), again.data(), &status_again), FORCESHADE_OK);
-    ASSERT_EQ(bits_of(force.data()), bits_of(again.data()));
-    ASSERT_EQ(status, status_again);
-    contacts += status == FORCESHADE_CONTACT ? 1 : 0;
-  }
-  EXPECT_GT(contacts, 100);
-  EXPECT_EQ(forceshade_session_reset(first), FORCESHADE_OK);
-  ASSERT_EQ(forceshade_session_state(first, &state), FORCESHADE_OK);
-  EXPECT_EQ(state.place, FORCESHADE_NOWHERE);
-  forceshade_session_close(first);
-  forceshade_session_close(second);
 }
 
 std::string text_of(forceshade_subject subject, int what) {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "forceshade.h"
-#include "tests/bindings/tetrahedron.h"
+#include "tests/bindings/subjects.h"
 
 namespace forceshade {
 namespace {

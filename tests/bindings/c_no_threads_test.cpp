@@ -12,6 +12,7 @@
 
 #include "forceshade.h"
 #include "tests/bindings/batches.h"
+#include "tests/bindings/subjects.h"
 
 namespace {
 
@@ -33,9 +34,7 @@ extern "C" int pthread_join(pthread_t, void**) {
 namespace {
 
 TEST(c_threads, that_the_system_does_not_start_leave_the_work_to_the_calling_one) {
-  const forceshade_law wall{sizeof wall, 15.24F, 25.4F, 0.5F};
-  forceshade_subject subject{};
-  ASSERT_EQ(forceshade_law_new("bump-2p", &wall, &subject), FORCESHADE_OK);
+  const forceshade_subject subject = forceshade::tests::law_of("bump-2p");
   const std::vector<float> at = forceshade::tests::positions(6000, 8);
   std::vector<float> right(at.size());
   std::vector<forceshade_status> statuses(at.size() / 3);

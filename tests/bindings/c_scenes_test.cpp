@@ -8,6 +8,7 @@
 #include <string>
 
 #include "forceshade.h"
+#include "tests/bindings/subjects.h"
 #include "tests/support/allocations.h"
 
 namespace forceshade {
@@ -15,19 +16,12 @@ namespace {
 
 using Force = std::array<float, 3>;
 
-forceshade_subject law(const char* name) {
-  const forceshade_law its{sizeof its, 15.24F, 25.4F, 0.5F};
-  forceshade_subject made{};
-  EXPECT_EQ(forceshade_law_new(name, &its, &made), FORCESHADE_OK) << forceshade_message();
-  return made;
-}
-
 constexpr forceshade_pose kUnmoved{{0, 0, 0}, {1, 0, 0, 0}};
 // A quarter turn about y, which takes z to x.
 constexpr forceshade_pose kOnItsSide{{0, 0, 0}, {1, 0, 1, 0}};
 
 TEST(c_scenes, add_the_forces_of_their_objects_without_allocation) {
-  const std::array objects{law("wall"), law("wall")};
+  const std::array objects{tests::law_of("wall"), tests::law_of("wall")};
   forceshade_scene scene{};
   ASSERT_EQ(forceshade_scene_open(objects.data(), 2, &scene), FORCESHADE_OK) << forceshade_message();
   for (const forceshade_subject object : objects) EXPECT_EQ(forceshade_subject_free(object), FORCESHADE_OK);
@@ -52,7 +46,7 @@ TEST(c_scenes, add_the_forces_of_their_objects_without_allocation) {
 }
 
 TEST(c_scenes, refuse_what_is_wrong_with_the_reason) {
-  const forceshade_subject wall = law("wall");
+  const forceshade_subject wall = tests::law_of("wall");
   std::array<forceshade_subject, 33> many{};
   many.fill(wall);
   forceshade_scene scene{};

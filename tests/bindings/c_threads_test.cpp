@@ -12,43 +12,17 @@
 
 #include "forceshade.h"
 #include "tests/bindings/batches.h"
-#include "tests/bindings/tetrahedron.h"
+#include "tests/bindings/subjects.h"
 
 namespace {
 
 using forceshade::tests::batch_of;
+using forceshade::tests::beginning;
 using forceshade::tests::bits_of;
+using forceshade::tests::law_of;
 using forceshade::tests::positions;
 
 constexpr std::size_t kBatchWithoutThreads = offsetof(forceshade_batch, threads);
-
-forceshade_subject law_of(const char* name) {
-  const forceshade_law parameters{sizeof parameters, 15.24F, 25.4F, 0.5F};
-  forceshade_subject made{};
-  EXPECT_EQ(forceshade_law_new(name, &parameters, &made), FORCESHADE_OK) << forceshade_message();
-  return made;
-}
-
-forceshade_subject tetrahedron(bool has_friction) {
-  forceshade_material rough{};
-  rough.size = sizeof rough;
-  rough.static_friction = 0.6F;
-  rough.dynamic_friction = 0.3F;
-  forceshade_mesh mesh = forceshade::tests::tetrahedron_mesh();
-  if (has_friction) mesh.shading = "vertex";
-  mesh.materials = &rough;
-  mesh.material_count = has_friction ? 1 : 0;
-  forceshade_subject made{};
-  EXPECT_EQ(forceshade_mesh_new(&mesh, &made), FORCESHADE_OK) << forceshade_message();
-  return made;
-}
-
-// size: of the struct, as the program has it.
-forceshade_state beginning(std::size_t size = sizeof(forceshade_state)) {
-  forceshade_state state{};
-  state.size = size;
-  return state;
-}
 
 struct Answers {
   std::vector<float> forces;
@@ -117,7 +91,7 @@ class CThreads : public testing::TestWithParam<bool> {};
 
 TEST_P(CThreads, advance_each_path_as_a_session_of_its_own) {
   constexpr std::size_t kPaths = 3500, kTicks = 60;
-  const forceshade_subject subject = tetrahedron(GetParam());
+  const forceshade_subject subject = forceshade::tests::tetrahedron(GetParam() ? "vertex" : "none", GetParam());
   std::vector<forceshade_session> sessions(kPaths);
   for (auto& session : sessions) ASSERT_EQ(forceshade_session_open(subject, &session), FORCESHADE_OK);
   // The states of a program whose header is newer are longer.

@@ -23,6 +23,7 @@
 #include "forceshade_reference.h"
 #include "tests/bindings/batches.h"
 #include "tests/bindings/references.h"
+#include "tests/bindings/subjects.h"
 #include "tests/support/set_control_words.h"
 #include "tests/support/temporary_directory.h"
 
@@ -49,103 +50,37 @@ std::string decimals(forceshade_reference reference, const std::array<float, 3>&
   return text;
 }
 
-// A number in any notation as sign, digits and exponent: "-0.0120" is "-12e-3".
-std::string normalised(const std::string& number) {
-  const std::size_t e = number.find_first_of("eE");
-  int exponent = e == std::string::npos ? 0 : std::atoi(number.c_str() + e + 1);
-  std::string digits;
-  bool is_fraction = false;
-  for (const char c : number.substr(0, e)) {
-    if (c == '.') is_fraction = true;
-    if (c < '0' || c > '9') continue;
-    digits += c;
-    exponent -= is_fraction ? 1 : 0;
-  }
-  while (digits.size() > 1 && digits.back() == '0') {
-    digits.pop_back();
-    ++exponent;
-  }
-  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
-  return digits.empty() ? "0" : (number.front() == '-' ? "-" : "") + digits + "e" + std::to_string(exponent);
-}
+// The C++ calls have the golden digits (tests/laws/golden_test.cpp).
+TEST(reference_interface, has_every_digit_and_every_bit_that_cpp_has_of_laws_and_their_geometry) {
+  const std::vector<float> at = positions(100, 3);
+  for (const LawName& name : kLaws)
+    for (const Parameters& its : {Parameters{15.24F, 25.4F, 0.5F}, {1.25F, 1.5F, 3}}) {
+      const forceshade_reference law = parsed(law_file(std::string(name.name), its));
+      const auto right = std::get<reference::Law>(reference::Law::build(name.id, its));
+      std::vector<float> forces(at.size(), 7);
+      std::vector<forceshade_status> statuses(at.size() / 3, 99);
+      const forceshade_batch batch = batch_of(at, forces, statuses);
+      ASSERT_EQ(forceshade_reference_forces(law, &batch, nullptr), FORCESHADE_OK) << forceshade_reference_message();
+      int contacts = 0;
+      for (std::size_t i = 0; i < statuses.size(); ++i) {
+        const std::array<float, 3> p{at[3 * i], at[3 * i + 1], at[3 * i + 2]};
+        const reference::Rounded exact = right.round_to_binary32({p[0], p[1], p[2]});
+        EXPECT_EQ(bits_of(&forces[3 * i]), bits_of(exact.force.data())) << name.name;
+        EXPECT_EQ(statuses[i], static_cast<int>(exact.status)) << name.name;
+        const reference::DecimalForce digits = right.decimal({p[0], p[1], p[2]}, 40);
+        EXPECT_EQ(decimals(law, p, 40), digits.x + " 0 " + digits.z) << name.name;
+        contacts += exact.status == Status::contact ? 1 : 0;
+      }
+      EXPECT_GT(contacts, 0) << name.name;
+      EXPECT_EQ(forceshade_reference_free(law), FORCESHADE_OK);
 
-using Row = std::map<std::string, std::string>;
-
-std::vector<Row> golden(const std::string& name) {
-  std::ifstream file(std::string(FORCESHADE_SOURCE_DIR "/tests/golden/") + name);
-  const auto cells = [](const std::string& line) {
-    std::vector<std::string> all;
-    std::istringstream in(line);
-    for (std::string cell; std::getline(in, cell, ',');) all.push_back(cell);
-    return all;
-  };
-  std::string line;
-  std::getline(file, line);
-  const std::vector<std::string> names = cells(line);
-  std::vector<Row> rows;
-  while (std::getline(file, line)) {
-    const std::vector<std::string> values = cells(line);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (i == 0) rows.emplace_back();
-      rows.back()[names[i]] = values[i];
+      const reference::DecimalGeometry geometry = reference::geometry(its, 50);
+      std::array<char, 1000> text{};
+      std::size_t length = 0;
+      ASSERT_EQ(forceshade_reference_geometry(its.radius, its.width, 50, text.data(), text.size(), &length), FORCESHADE_OK);
+      EXPECT_EQ(std::string(text.data(), length),
+                geometry.d + '\n' + geometry.h + '\n' + geometry.w_prime + '\n' + geometry.h_prime + '\n' + geometry.theta);
     }
-  }
-  return rows;
-}
-
-float number(const Row& row, const char* name) {
-  return std::strtof(row.at(name).c_str(), nullptr);
-}
-
-TEST(reference_interface, has_every_digit_and_every_bit_of_the_golden_forces_of_laws) {
-  std::map<std::string, int> contacts;
-  const std::vector<Row> rows = golden("bump_forces.csv");
-  for (std::size_t i = 0; i < rows.size(); i += 13) {
-    const Row& row = rows[i];
-    const forceshade_reference law =
-        parsed(law_file(row.at("law"), {number(row, "R_mm"), number(row, "w_mm"), number(row, "K_N_per_mm")}));
-    std::vector<float> at{number(row, "x_mm"), number(row, "y_mm"), number(row, "z_mm")}, force(3, 7);
-    std::vector<forceshade_status> status(1, 99);
-    const forceshade_batch batch = batch_of(at, force, status);
-    ASSERT_EQ(forceshade_reference_forces(law, &batch, nullptr), FORCESHADE_OK) << forceshade_reference_message();
-    const std::array<float, 3> expected{number(row, "fx_binary32"), 0, number(row, "fz_binary32")};
-    EXPECT_EQ(bits_of(force.data()), bits_of(expected.data())) << row.at("law");
-    const std::array<std::string, 3> names{"free", "contact", "invalid"};
-    ASSERT_LT(status[0], names.size());
-    EXPECT_EQ(names[status[0]], row.at("status"));
-    std::istringstream digits(decimals(law, {at[0], at[1], at[2]}, 40));
-    std::string x, y, z;
-    ASSERT_TRUE(digits >> x >> y >> z);
-    EXPECT_EQ(normalised(x), normalised(row.at("fx_N")));
-    EXPECT_EQ(y, "0");
-    EXPECT_EQ(normalised(z), normalised(row.at("fz_N")));
-    contacts[row.at("law")] += status[0] == FORCESHADE_CONTACT ? 1 : 0;
-    EXPECT_EQ(forceshade_reference_free(law), FORCESHADE_OK);
-  }
-  EXPECT_EQ(contacts.size(), kLaws.size());
-  for (const auto& [law, count] : contacts) EXPECT_GT(count, 0) << law;
-}
-
-TEST(reference_interface, has_every_digit_of_the_golden_geometry) {
-  int found = 0;
-  for (const Row& row : golden("bump_geometry.csv")) {
-    std::array<char, 1000> text{};
-    std::size_t length = 0;
-    ASSERT_EQ(forceshade_reference_geometry(number(row, "R_mm"), number(row, "w_mm"), 50, text.data(), text.size(), &length),
-              FORCESHADE_OK)
-        << forceshade_reference_message();
-    EXPECT_EQ(length, std::string(text.data()).size());
-    std::istringstream lines(text.data());
-    for (const char* name : {"d_mm", "h_mm", "w_prime_mm", "h_prime_mm", "theta_rad"}) {
-      std::string line;
-      ASSERT_TRUE(std::getline(lines, line)) << name;
-      EXPECT_EQ(normalised(line), normalised(row.at(name))) << name;
-    }
-    std::string more;
-    EXPECT_FALSE(std::getline(lines, more));
-    ++found;
-  }
-  EXPECT_GT(found, 50);
 }
 
 TEST(reference_interface, writes_as_much_of_a_text_as_there_is_room_for) {
@@ -268,9 +203,7 @@ TEST(reference_interface, checks_rational_numbers_before_exact_ones_are_made_of_
 TEST(reference_interface, finds_what_differs_from_the_exact_forces_bit_for_bit) {
   constexpr std::size_t kCount = 1000;
   const forceshade_reference exact = parsed(kBump);
-  const forceshade_law parameters{sizeof parameters, 15.24F, 25.4F, 0.5F};
-  forceshade_subject fast{};
-  ASSERT_EQ(forceshade_law_new("bump-2p", &parameters, &fast), FORCESHADE_OK);
+  const forceshade_subject fast = tests::law_of("bump-2p");
   const std::vector<float> at = positions(kCount, 11);
   std::vector<float> forces(at.size());
   std::vector<forceshade_status> statuses(kCount);
