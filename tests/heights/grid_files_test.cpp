@@ -33,7 +33,10 @@ struct Loaded {
 
 Loaded loaded(const Source& from) {
   try {
-    return {load(from)->values, ""};
+    const auto grid = load(from);
+    EXPECT_EQ(grid->pitch, from.pitch);
+    EXPECT_EQ(grid->values.size(), std::size_t{grid->columns} * grid->rows);
+    return {grid->values, ""};
   } catch (const Error& error) {
     const std::string words = error.what(), place = from.file.string() + ": ";
     EXPECT_TRUE(words.starts_with(place)) << words;

@@ -57,31 +57,7 @@ std::string error_of(const std::filesystem::path& file) {
   return tests::without(file.string() + ": ", tests::thrown_by<Error>([&] { load(file); }));
 }
 
-// Top row 0 1 2, bottom row 3 4 5, doubled: the bottom row comes first.
-const std::vector<float> kNumbers{0, 1, 2, 3, 4, 5}, kHeights{6, 8, 10, 0, 2, 4};
-
-TEST_F(Heights, are_the_numbers_of_every_format) {
-  const auto reversed = [](std::vector<float> numbers) {
-    for (float& number : numbers) number = std::bit_cast<float>(__builtin_bswap32(std::bit_cast<std::uint32_t>(number)));
-    return numbers;
-  };
-  const std::vector<double> wide(kNumbers.begin(), kNumbers.end());
-  const std::vector<float> upwards{3, 4, 5, 0, 1, 2};
-  write("a.npy", npy_of("<f4", "(2, 3)", bytes(kNumbers)));
-  write("b.npy", npy_of(">f4", "(2, 3)", bytes(reversed(kNumbers))));
-  write("c.npy", npy_of("<f8", "(2, 3)", bytes(wide)));
-  write("d.pfm", "Pf\n3 2\n-1.0\n" + bytes(upwards));
-  write("e.pfm", "Pf 3 2 1\n" + bytes(reversed(upwards)));
-  write_tiff(path("f.tif"), 3, 2, kNumbers);
-  write_tiff(path("g.tif"), 3, 2, kNumbers, {.compression = COMPRESSION_ADOBE_DEFLATE});
-  for (const char* name : {"a.npy", "b.npy", "c.npy", "d.pfm", "e.pfm", "f.tif", "g.tif"}) {
-    const auto grid = load(path(name));
-    EXPECT_EQ(grid->columns, 3U) << name;
-    EXPECT_EQ(grid->rows, 2U) << name;
-    EXPECT_EQ(grid->pitch, 0.5F) << name;
-    EXPECT_EQ(grid->values, kHeights) << name;
-  }
-}
+const std::vector<float> kNumbers{0, 1, 2, 3, 4, 5};
 
 TEST_F(Heights, of_a_png_run_from_black_to_white) {
   const std::vector<std::uint8_t> eight{0, 51, 255, 102, 153, 204};
@@ -156,11 +132,8 @@ TEST_F(Heights, that_are_not_there_or_not_understood_say_why) {
   EXPECT_EQ(error_of(write("short.pfm", "Pf\n3")), "has no PFM header: expected a number of columns, got \"\"");
   EXPECT_EQ(error_of(write("3d.npy", npy_of("<f4", "(2, 3, 1)", bytes(kNumbers)))),
             "is of shape (2, 3, 1); expected two dimensions");
-  EXPECT_EQ(error_of(write("long.npy", npy_of("<f4", "(2, 3)", bytes(kNumbers) + "x"))), "goes on after its last number");
-  const std::vector<std::uint8_t> colours(2 * 2 * 3);
-  write_png(path("colour.png"), PNG_FORMAT_RGB, 2, 2, colours.data());
-  EXPECT_EQ(error_of(path("colour.png")), "is not 8 or 16 bit greyscale");
-  write_png(path("one.png"), PNG_FORMAT_GRAY, 1, 12, colours.data());
+
+  write_png(path("one.png"), PNG_FORMAT_GRAY, 1, 12, "twelve bytes");
   EXPECT_EQ(error_of(path("one.png")), "declares 1 x 12 samples; expected 2 to 32768 each way");
 }
 
@@ -178,20 +151,6 @@ TEST_F(Heights, that_a_file_only_declares_are_not_allocated) {
             "declares 30000 x 30000 samples; expected 67108864 in all at most");
   EXPECT_EQ(error_of(write("wide.npy", npy_of("<f4", "(3000, 3000)", "xxxx"))),
             "declares 3000 x 3000 samples, more than its 132 bytes can hold");
-  write_tiff(path("large.tif"), 3, 2, kNumbers);
-  std::string tiff = read("large.tif");
-  for (const int tag : {TIFFTAG_IMAGEWIDTH, TIFFTAG_IMAGELENGTH}) {  // tag, type, count 1, value
-    const std::string entry{static_cast<char>(tag % 256), static_cast<char>(tag / 256)};
-    for (std::size_t i = 0; i + 12 <= tiff.size(); ++i)
-      if (tiff.compare(i, 2, entry) == 0 && tiff[i + 4] == 1 && tiff[i + 5] == 0 && (tiff[i + 2] == 3 || tiff[i + 2] == 4))
-        tiff.replace(i + 2, 10, std::string("\4\0\1\0\0\0\0\0\0\x7F", 10));
-  }
-  EXPECT_NE(error_of(write("large.tif", tiff)), "") << "libtiff refuses it itself";
-  // A PNG of 2^31 - 1 by 2^31 - 1, its header's checksum put right: libpng refuses it itself.
-  write_png(path("large.png"), PNG_FORMAT_GRAY, 3, 2, "abcdef");
-  std::string png = read("large.png");
-  png.replace(16, 8, std::string("\0\0\x7F\xFF\0\0\x7F\xFF", 8));
-  EXPECT_NE(error_of(write("wrong-crc.png", png)), "");
   EXPECT_LT(memory() - before, 20000);
 }
 
