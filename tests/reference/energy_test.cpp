@@ -130,15 +130,6 @@ TEST(energy, bounds_equal_independent_quadrature) {
   }
 }
 
-TEST(energy, laws_of_the_page_give_what_it_says) {
-  const auto generated = [](LawId id) { return low(loop_bound(build(id), 2).anywhere); };
-  EXPECT_NEAR(generated(LawId::bump_2p), 0.1189, 5e-5);
-  EXPECT_NEAR(generated(LawId::bump_3p), 0.4160, 5e-5);
-  EXPECT_NEAR(generated(LawId::bump_1p_shaded), 5.2917, 5e-5);
-  EXPECT_NEAR(generated(LawId::bump_2p_shaded), 3.6675, 5e-5);
-  EXPECT_NEAR(generated(LawId::bump_3p_shaded), 2.7236, 5e-5);
-}
-
 TEST(energy, a_law_has_a_potential_exactly_where_its_bound_is_zero) {
   for (const LawName& name : kLaws)
     for (const Parameters& p : {kBump, {10, 20, 1}, {10000, 0.001F, 0.001F}, {10000, 20000, 1}}) {

@@ -143,52 +143,6 @@ TEST(height_energy, polygons_shaded_by_a_ridge_are_the_law_bump_2p_shaded) {
   }
 }
 
-// The bound of 20 000 columns, each of which takes in what generates energy, with the slopes of the second program's heights.
-std::array<double, 2> bound_by_columns(const HeightExample& example, Mode mode, const Slice& slice, double D) {
-  constexpr int kColumns = 20000;
-  const auto [along, at, from, to] = slice;
-  const bool is_x = along == Along::x;
-  const double c = static_cast<double>(at), start = static_cast<double>(from),
-               step = (static_cast<double>(to) - start) / kColumns;
-  const auto slope = [&](double s, bool across) {
-    constexpr double kStep = 2e-7;
-    const auto U = [&](double ds, double dc) { return is_x ? example.U(s + ds, c + dc) : example.U(c + dc, s + ds); };
-    return across ? (U(0, kStep) - U(0, -kStep)) / (2 * kStep) : (U(kStep, 0) - U(-kStep, 0)) / (2 * kStep);
-  };
-  const auto upright = [&](double s) { return 1 / std::hypot(1, slope(s, false), slope(s, true)); };
-  std::array<double, 2> generated{};
-  double left = upright(start + 0.25 * step);
-  for (int i = 0; i < kColumns; ++i) {
-    const double middle = start + (i + 0.75) * step, right = upright(start + (i + 1.25) * step);
-    const double rise = right - left, excess = mode == Mode::true_height ? 0 : -slope(middle, false) * upright(middle) * step;
-    left = right;
-    // K·(depth·rise + excess), its positive and its negative part over the depth.
-    constexpr int kDepths = 32;
-    for (int k = 0; k < kDepths; ++k) {
-      const double given = D * (k + 0.5) / kDepths * rise + excess;
-      generated[given > 0 ? 0 : 1] += std::fabs(given) * D / kDepths;
-    }
-  }
-  return generated;
-}
-
-TEST(height_energy, bounds_equal_columns_summed) {
-  double worst = 0;
-  for (const HeightExample& example : height_examples())
-    for (const Mode mode : kActive)
-      for (const Slice& slice : {Slice{Along::x, 1.3F, -7, 6}, {Along::y, 0.7F, -5, 6}})
-        for (const float depth : {0.25F, 2.0F}) {
-          const SliceBound bound = loop_bound(build(example.map, mode), slice, depth);
-          const auto columns = bound_by_columns(example, mode, slice, static_cast<double>(depth));
-          const double most = bound.most().high.convert_to<double>(), allowed = 3e-3 * most + 1e-5;
-          EXPECT_NEAR(low(bound.counter_clockwise), columns[0], allowed) << example.name;
-          EXPECT_NEAR(low(bound.clockwise), columns[1], allowed) << example.name;
-          EXPECT_LE(width(bound.most()), 1e-6 * most) << example.name;
-          if (most > 0) worst = std::max(worst, std::fabs(low(bound.counter_clockwise) - columns[0]) / most);
-        }
-  std::printf("  worst difference %.1e of the bound\n", worst);
-}
-
 TEST(height_energy, no_simple_loop_generates_more_than_the_bound) {
   std::mt19937 random(4);
   double best = 0;
