@@ -40,17 +40,14 @@ float number(const std::string& text) {
 
 using Rows = std::vector<std::pair<float, float>>;
 
-TEST(csv, reads_named_columns_in_any_order_and_ignores_others) {
-  EXPECT_EQ(rows_of("b,note,a\n2,x,1\n4,y,3\n"), (Rows{{1, 2}, {3, 4}}));
-}
-
-TEST(csv, accepts_crlf_a_byte_order_mark_blank_lines_and_a_missing_last_newline) {
-  EXPECT_EQ(rows_of(std::string("\xEF\xBB\xBF") + "a,b\r\n\r\n1,2\r\n \t\r\n\r\n3,4"), (Rows{{1, 2}, {3, 4}}));
-  EXPECT_EQ(rows_of("a,b\r\n1,2\r"), (Rows{{1, 2}}));
-}
-
-TEST(csv, accepts_spaces_and_quotes_around_a_field) {
-  EXPECT_EQ(rows_of("\"a\" , b\n \"1\",\t2 \n"), (Rows{{1, 2}}));
+// In any order of the columns, with others between them, CRLF, a byte-order mark, blank lines, no last newline, spaces and
+// quotes.
+TEST(csv, reads_named_columns_however_they_are_written) {
+  for (const char* text : {"b,note,a\n2,x,1\n4,y,3\n",
+                           "\xEF\xBB\xBF"
+                           "a,b\r\n\r\n1,2\r\n \t\r\n\r\n3,4",
+                           "a,b\r\n1,2\r\n3,4\r", "\"a\" , b\n \"1\",\t2 \n3,4"})
+    EXPECT_EQ(rows_of(text), (Rows{{1, 2}, {3, 4}})) << text;
 }
 
 TEST(csv, keeps_quoted_commas_quotes_and_newlines) {
@@ -64,33 +61,28 @@ TEST(csv, keeps_quoted_commas_quotes_and_newlines) {
   EXPECT_FALSE(reader.next());
 }
 
-TEST(csv, reads_decimals_and_hexfloats) {
-  EXPECT_EQ(number("+1.5"), 1.5F);
-  EXPECT_EQ(number("-2e-3"), -2e-3F);
-  EXPECT_EQ(number(".5"), 0.5F);
-  EXPECT_EQ(number("0x1.8p+3"), 12.0F);
-  EXPECT_EQ(number("-0x1p-3"), -0.125F);
-  EXPECT_EQ(number("+0XAp0"), 10.0F);
+TEST(csv, reads_decimals_and_hexfloats_and_rounds_to_nearest_with_ties_to_even) {
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  for (const auto& [text, expected] : {std::pair{"+1.5", 1.5F},
+                                       {"-2e-3", -2e-3F},
+                                       {".5", 0.5F},
+                                       {"0x1.8p+3", 12.0F},
+                                       {"-0x1p-3", -0.125F},
+                                       {"+0XAp0", 10.0F},
+                                       {"1.000000059604644775390625", 1.0F},
+                                       {"1.000000059604644775390626", 0x1.000002p0F},
+                                       {"0x1.000003p0", 0x1.000004p0F},
+                                       {"0x5.fbdaa4p-131", 0x1.7ef6ap-129F},
+                                       {"1e-45", std::numeric_limits<float>::denorm_min()},
+                                       {"1e-60", 0.0F},
+                                       {"0x1p-150", 0.0F},
+                                       {"-1e39", -kInfinite},
+                                       {"0x1p128", kInfinite},
+                                       {"-inf", -kInfinite},
+                                       {"+Infinity", kInfinite}})
+    EXPECT_EQ(number(text), expected) << text;
   EXPECT_TRUE(std::signbit(number("-0")));
-}
-
-TEST(csv, rounds_to_nearest_with_ties_to_even) {
-  EXPECT_EQ(number("1.000000059604644775390625"), 1.0F);
-  EXPECT_EQ(number("1.000000059604644775390626"), 0x1.000002p0F);
-  EXPECT_EQ(number("0x1.000003p0"), 0x1.000004p0F);
-  EXPECT_EQ(number("0x5.fbdaa4p-131"), 0x1.7ef6ap-129F);
-  EXPECT_EQ(number("1e-45"), std::numeric_limits<float>::denorm_min());
-  EXPECT_EQ(number("1e-60"), 0.0F);
-  EXPECT_EQ(number("0x1p-150"), 0.0F);
-  EXPECT_EQ(number("-1e39"), -std::numeric_limits<float>::infinity());
-  EXPECT_EQ(number("0x1p128"), std::numeric_limits<float>::infinity());
-}
-
-TEST(csv, reads_nan_and_infinity) {
-  EXPECT_TRUE(std::isnan(number("nan")));
-  EXPECT_TRUE(std::isnan(number("NaN")));
-  EXPECT_EQ(number("-inf"), -std::numeric_limits<float>::infinity());
-  EXPECT_EQ(number("+Infinity"), std::numeric_limits<float>::infinity());
+  for (const char* nan : {"nan", "NaN"}) EXPECT_TRUE(std::isnan(number(nan)));
 }
 
 TEST(csv, reads_binary64) {
@@ -116,40 +108,32 @@ TEST(csv, shows_a_long_value_in_short) {
   EXPECT_TRUE(shown.ends_with("xxx...\"")) << shown;
 }
 
-TEST(csv, names_what_is_wrong_with_the_header) {
-  EXPECT_EQ(error_of(""), "f.csv:1: expected a header row with columns a, b, got an empty file");
-  EXPECT_EQ(error_of("\n \n"), "f.csv:1: expected a header row with columns a, b, got an empty file");
-  EXPECT_EQ(error_of("\na,c\n"), "f.csv:2: no column b: expected columns a, b, got \"a, c\"");
-  EXPECT_EQ(error_of("a,b,c,a\n"), "f.csv:1: columns 1 and 4 are both called a");
+// The lines are counted as an editor does; C1 control characters are text to UTF-8, and commands to a terminal.
+TEST(csv, names_the_place_of_what_is_wrong) {
+  const std::string header = "expected a header row with columns a, b, got an empty file",
+                    quote = "expected quotes around a whole field and doubled inside it, got a stray one";
+  for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
+           {"", "1: " + header},
+           {"\n \n", "1: " + header},
+           {"\na,c\n", "2: no column b: expected columns a, b, got \"a, c\""},
+           {"a,b,c,a\n", "1: columns 1 and 4 are both called a"},
+           {"a,x,b\n1,2,3\n\n4,5\n", "4: expected 3 fields, got 2: column 3 (b) is missing"},
+           {"a,b\n1,2,3\n", "2: expected 2 fields, got 3: column 3 has no name in the header"},
+           {"a,b,note\r\n1,2,\"two\r\nlines\"\r\n\r\nx,2,\r\n", "5: column 1 (a): expected a number, got \"x\""},
+           {"a,b\n1,2\n3,\"4\n5,6\n", "3: expected a closing quote in the row that begins here, got the end of the file"},
+           {"a,b\n1,2\"3\n", "2: column 2: " + quote},
+           {"a,b\n\"1\"2,3\n", "2: column 1: " + quote},
+           {"a,b\n1,\xFF\n", "2: byte 3: expected UTF-8 text, got 0xff"},
+           {std::string("a,b\n1\0,2\n", 9), "2: byte 2: expected text, got the control character 0x00"},
+           {"a,b\r1,2\r", "1: byte 4: expected text, got the control character 0x0d"},
+           {"a,b\n1,\xC2\x9B"
+            "31mred\n",
+            "2: column 2 (b): expected a number, got \"\\xc2\\x9b31mred\""}})
+    EXPECT_EQ(error_of(text), "f.csv:" + words);
   EXPECT_EQ(error_of("a,b,c,c\n"), "");
-}
-
-TEST(csv, names_the_line_of_a_row_with_too_few_or_too_many_fields) {
-  EXPECT_EQ(error_of("a,x,b\n1,2,3\n\n4,5\n"), "f.csv:4: expected 3 fields, got 2: column 3 (b) is missing");
-  EXPECT_EQ(error_of("a,b\n1,2,3\n"), "f.csv:2: expected 2 fields, got 3: column 3 has no name in the header");
-}
-
-TEST(csv, counts_lines_as_an_editor_does) {
-  EXPECT_EQ(error_of("a,b,note\r\n1,2,\"two\r\nlines\"\r\n\r\nx,2,\r\n"),
-            "f.csv:5: column 1 (a): expected a number, got \"x\"");
-}
-
-TEST(csv, names_the_place_of_a_misused_quote) {
-  EXPECT_EQ(error_of("a,b\n1,2\n3,\"4\n5,6\n"),
-            "f.csv:3: expected a closing quote in the row that begins here, got the end of the file");
-  EXPECT_EQ(error_of("a,b\n1,2\"3\n"),
-            "f.csv:2: column 2: expected quotes around a whole field and doubled inside it, got a stray one");
-  EXPECT_EQ(error_of("a,b\n\"1\"2,3\n"),
-            "f.csv:2: column 1: expected quotes around a whole field and doubled inside it, got a stray one");
-}
-
-TEST(csv, refuses_bytes_that_are_no_text) {
-  EXPECT_EQ(error_of("a,b\n1,\xFF\n"), "f.csv:2: byte 3: expected UTF-8 text, got 0xff");
   for (const char* text : {"\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\x80", "\xF0\x8F\xBF\xBF"})
     EXPECT_NE(error_of("a,b,c\n1,2," + std::string(text) + "\n").find("expected UTF-8 text"), std::string::npos);
   EXPECT_EQ(error_of("a,b,c\n1,2,\xC2\xB5 \xE2\x82\xAC \xF0\x9F\x98\x80\n"), "");
-  EXPECT_EQ(error_of(std::string("a,b\n1\0,2\n", 9)), "f.csv:2: byte 2: expected text, got the control character 0x00");
-  EXPECT_EQ(error_of("a,b\r1,2\r"), "f.csv:1: byte 4: expected text, got the control character 0x0d");
 }
 
 TEST(csv, refuses_an_endless_row) {
@@ -180,13 +164,6 @@ TEST(csv, shortest_reads_back_the_same) {
     if (std::isnan(value)) continue;
     ASSERT_EQ(std::bit_cast<std::uint32_t>(std::strtof(shortest(value).c_str(), nullptr)), bits) << shortest(value);
   }
-}
-
-// C1 control characters are text to UTF-8, and commands to a terminal.
-TEST(csv, errors_quote_fields_without_control_characters) {
-  EXPECT_EQ(error_of("a,b\n1,\xC2\x9B"
-                     "31mred\n"),
-            "f.csv:2: column 2 (b): expected a number, got \"\\xc2\\x9b31mred\"");
 }
 
 }  // namespace

@@ -36,17 +36,6 @@ TEST(output_folder, appears_whole_at_commit) {
   EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(directory.file("made"))), 1);
 }
 
-TEST(output_folder, leaves_nothing_without_commit) {
-  const TemporaryDirectory directory;
-  std::filesystem::create_directory(directory.file("there"));
-  for (const char* name : {"new", "there"}) {
-    const OutputFolder folder(directory.file(name));
-    folder.write("a.svg", "a");
-  }
-  EXPECT_EQ(directory.entries(), 1);
-  EXPECT_TRUE(std::filesystem::is_empty(directory.file("there")));
-}
-
 TEST(output_folder, keeps_the_other_files_of_a_folder_that_is_there) {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory.file("there"));

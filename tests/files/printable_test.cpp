@@ -22,12 +22,8 @@ TEST(printable, leaves_text_alone) {
 TEST(printable, shows_what_would_command_a_terminal) {
   EXPECT_EQ(printable("\x1b[2J\r\n\t\x7f"), "\\x1b[2J\\x0d\\n\\x09\\x7f");
   EXPECT_EQ(printable(std::string("a\0b", 3)), "a\\x00b");
-  EXPECT_EQ(printable("\xC2\x9B"
-                      "31m"),
-            "\\xc2\\x9b31m");
-  EXPECT_EQ(printable("\xE2\x80\xAE"
-                      "gpj.exe"),
-            "\\xe2\\x80\\xaegpj.exe");
+  EXPECT_EQ(printable("\xC2\x9B 31m"), "\\xc2\\x9b 31m");
+  EXPECT_EQ(printable("\xE2\x80\xAE gpj.exe"), "\\xe2\\x80\\xae gpj.exe");
   EXPECT_EQ(printable("\xFF\xC2"), "\\xff\\xc2");
 }
 
