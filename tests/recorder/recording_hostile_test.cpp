@@ -192,17 +192,6 @@ TEST(recording, of_the_format_with_fewer_columns_is_read_with_zeros_for_the_othe
   EXPECT_EQ(samples, kSamples);
 }
 
-TEST(recording, with_a_chunk_twice_counts_nothing_below_zero) {
-  const Hostile recording;
-  recording.execute("INSERT INTO chunk SELECT id + 1000, first_tick, last_tick, samples, sha256, data FROM chunk");
-  const auto extent = Recording(recording.path()).extent();
-  EXPECT_EQ(extent.samples, 2 * kSamples);
-  EXPECT_EQ(extent.missing, 0U);
-  EXPECT_EQ(extent.repeated, kSamples);
-  EXPECT_EQ(extent.last_tick, kSamples - 1);
-  EXPECT_EQ(recording.problem(), "twice or too late: tick 0");
-}
-
 // The extent of chunks, as their table says it, against a count tick by tick.
 TEST(recording, counts_missing_and_repeated_ticks_of_any_chunks) {
   std::mt19937 random(17);
