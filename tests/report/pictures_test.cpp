@@ -86,14 +86,10 @@ void expect_whole(SideView view) {
   }
 }
 
-TEST(pictures, of_laws_hold_their_words_whole) {
-  // An ordinary bump, and one whose numbers are small.
-  const auto expect = [](LawId law, const Parameters& parameters) { expect_whole(side_view(Drawn(law, parameters))); };
-  expect(LawId::bump_3p_shaded, {15.24F, 25.4F, 0.5F});
-  expect(LawId::bump_2p, {0.1F, 0.15F, 1000});
-}
-
-TEST(pictures, of_a_height_map_hold_their_words_whole) {
+// An ordinary bump, one whose numbers are small, and a height map.
+TEST(pictures, of_laws_and_a_height_map_hold_their_words_whole) {
+  expect_whole(side_view(Drawn(LawId::bump_3p_shaded, {15.24F, 25.4F, 0.5F})));
+  expect_whole(side_view(Drawn(LawId::bump_2p, {0.1F, 0.15F, 1000})));
   const HeightMap hill{{{height::Gaussian{0, 0, 3, 5}}}};
   expect_whole(side_view(std::get<RenderedHeightMap>(fast_rendering(hill, height::Mode::force_shaded, 0.5F)), "map",
                          {0, -1234.5F, 1345.6F}));
@@ -138,23 +134,19 @@ TEST(pictures, of_a_mesh_hold_their_words_whole_and_divide_the_path_into_seen_an
   for (const char* words : {"device", "ticks:", "at most"}) EXPECT_FALSE(has(alone, words)) << words;
 }
 
-TEST(pictures, of_the_thesis_hold_their_words_whole) {
+// An XML attribute that is given twice makes the whole file unreadable.
+TEST(pictures, of_the_thesis_hold_their_words_whole_and_name_each_attribute_once) {
   for (const ThesisFigure& figure : thesis_figures()) {
     const std::string svg = svg_file(figure.picture);
     expect_nothing_cut_off(figure.picture, svg);
     EXPECT_TRUE(has(svg, "Figure " + figure.name.substr(std::string("figure-").size()))) << figure.name;
+    const std::string opening = svg.substr(svg.find("<svg"), svg.find('>', svg.find("<svg")) - svg.find("<svg"));
+    std::vector<std::string> names;
+    const std::regex name("\\s([A-Za-z:-]+)=");
+    for (std::sregex_iterator at(opening.begin(), opening.end(), name), end; at != end; ++at) names.push_back((*at)[1]);
+    EXPECT_GE(names.size(), 5U) << opening;
+    for (const std::string& one : names) EXPECT_EQ(std::count(names.begin(), names.end(), one), 1) << one;
   }
-}
-
-// An XML attribute that is given twice makes the whole file unreadable.
-TEST(pictures, as_files_name_each_attribute_once) {
-  const std::string svg = svg_file(thesis_figures().back().picture);
-  const std::string opening = svg.substr(svg.find("<svg"), svg.find('>', svg.find("<svg")) - svg.find("<svg"));
-  std::vector<std::string> names;
-  const std::regex name("\\s([A-Za-z:-]+)=");
-  for (std::sregex_iterator at(opening.begin(), opening.end(), name), end; at != end; ++at) names.push_back((*at)[1]);
-  EXPECT_GE(names.size(), 5U) << opening;
-  for (const std::string& one : names) EXPECT_EQ(std::count(names.begin(), names.end(), one), 1) << one;
 }
 
 TEST(plot_text, is_read_by_gnuplot_as_it_is_meant) {

@@ -21,14 +21,15 @@ namespace {
 
 using tests::has;
 
-std::vector<std::vector<double>> numbers_of(const std::string& csv, std::string* header = nullptr) {
-  std::vector<std::vector<double>> rows;
+using Rows = std::vector<std::vector<double>>;
+
+Rows rows_of(const std::string& csv, const std::string& header) {
+  Rows rows;
   std::istringstream in(csv);
-  for (std::string line; std::getline(in, line);) {
-    if (header != nullptr && header->empty()) {
-      *header = line;
-      continue;
-    }
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, header);
+  while (std::getline(in, line)) {
     std::vector<double>& row = rows.emplace_back();
     std::istringstream fields(line);
     for (std::string field; std::getline(fields, field, ',');) row.push_back(std::stod(field));
@@ -43,9 +44,7 @@ TEST(thesis_figures, have_the_numbers_of_their_geometry) {
   for (const ThesisFigure& figure : all) names += figure.name + ' ' + figure.picture.frame.id + ' ';
   EXPECT_EQ(names,
             "figure-2-3 figure-2-3 figure-4-2 figure-4-2 figure-5-1 figure-5-1 figure-5-4 figure-5-4 figure-5-5 figure-5-5 ");
-  std::string header;
-  auto rows = numbers_of(all[0].csv, &header);
-  EXPECT_EQ(header, "x_mm,y_mm,u_mm");
+  Rows rows = rows_of(all[0].csv, "x_mm,y_mm,u_mm");
   ASSERT_EQ(rows.size(), 41U * 41);
   EXPECT_EQ(rows.front()[0], -10);
   EXPECT_EQ(rows.front()[1], -10);
@@ -58,9 +57,7 @@ TEST(thesis_figures, have_the_numbers_of_their_geometry) {
     EXPECT_NEAR(row[2], hill(-3, -3, 4, 3) - hill(4, 3, 3, 2.5), 1e-8);
   }
 
-  header.clear();
-  rows = numbers_of(all[1].csv, &header);
-  EXPECT_EQ(header, "x_mm,cylinder_mm,one_polygon_mm,two_polygons_mm,three_polygons_mm");
+  rows = rows_of(all[1].csv, "x_mm,cylinder_mm,one_polygon_mm,two_polygons_mm,three_polygons_mm");
   EXPECT_EQ(rows.size(), 405U);
   const double R = 15.24, alpha = std::asin(12.7 / R), d = R * std::cos(alpha), h = R - d;
   const double corner = R * std::sin(alpha / 3), top = R * std::cos(alpha / 3) - d;
@@ -76,9 +73,7 @@ TEST(thesis_figures, have_the_numbers_of_their_geometry) {
     EXPECT_NEAR(row[4], !is_inside ? 0 : x < corner ? top : top * (12.7 - x) / (12.7 - corner), 1e-5) << x;
   }
 
-  header.clear();
-  rows = numbers_of(all[2].csv, &header);
-  EXPECT_EQ(header, "theta_deg,radius_mm,centre_z_mm,x_mm,z_mm");
+  rows = rows_of(all[2].csv, "theta_deg,radius_mm,centre_z_mm,x_mm,z_mm");
   ASSERT_EQ(rows.size(), 3U * 121);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& row = rows[i];
@@ -91,9 +86,8 @@ TEST(thesis_figures, have_the_numbers_of_their_geometry) {
   }
 
   for (const std::size_t figure : {3U, 4U}) {
-    header.clear();
-    rows = numbers_of(all[figure].csv, &header);
-    EXPECT_EQ(header, figure == 3 ? "radius_mil,height_mm" : "radius_mil,one_polygon_deg,two_polygons_deg,three_polygons_deg");
+    rows = rows_of(all[figure].csv,
+                   figure == 3 ? "radius_mil,height_mm" : "radius_mil,one_polygon_deg,two_polygons_deg,three_polygons_deg");
     ASSERT_EQ(rows.size(), 5U);
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_EQ(rows[i][0], 600 + 200.0 * static_cast<double>(i));
