@@ -126,15 +126,11 @@ TEST(drive_window, friction_holds_the_god_object_where_it_touched_and_without_it
   EXPECT_EQ(ring_moves("2"), 0);
 }
 
-TEST(drive_window, ends_when_the_window_is_closed) {
+TEST(drive_window, ends_when_the_window_is_closed_or_the_time_is_up) {
   Drive closed({{"law", "wall"}});
   closed.person().at(1).close();
-  const run::Outcome outcome = closed.run();
-  EXPECT_EQ(outcome.result.end_reason, EndReason::stopped);
+  EXPECT_EQ(closed.run().result.end_reason, EndReason::stopped);
   EXPECT_EQ(closed.person().frames(), 60);
-}
-
-TEST(drive_window, ends_when_the_time_is_up) {
   Drive timed({{"law", "wall"}});
   const run::Outcome outcome = timed.run("", 1);
   EXPECT_EQ(outcome.result.end_reason, EndReason::time_up);

@@ -12,6 +12,7 @@
 
 #include "display.h"
 #include "screenshots.h"
+#include "tests/support/words.h"
 #include "tests/window/filled.h"
 #include "window/layout.h"
 #include "window/section.h"
@@ -168,12 +169,7 @@ TEST_F(window_smoke, closing_it_ends_drawing_and_loses_no_key) {
 }
 
 std::string refusal_of(const Settings& settings) {
-  try {
-    const Canvas canvas(settings);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return tests::thrown_by<Error>([&] { const Canvas canvas(settings); });
 }
 
 TEST_F(window_smoke, what_cannot_be_shown_is_refused_with_words) {
