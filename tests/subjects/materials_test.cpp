@@ -11,23 +11,14 @@
 #include "forceshade/error.h"
 #include "forceshade/identity.h"
 #include "forceshade/renderer.h"
-#include "forceshade/subjects.h"
 #include "subjects/file.h"
-#include "subjects/read.h"
-#include "tests/support/temporary_directory.h"
-#include "tests/support/words.h"
+#include "tests/subjects/scene_folder.h"
 
 namespace forceshade::subjects {
 namespace {
 
-class Materials : public testing::Test {
+class Materials : public SceneFolder {
  protected:
-  Materials() {
-    folder.write(
-        "its.obj",
-        "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nusemtl rubber\ng tyre\nf 1 3 2\nusemtl steel\nf 1 2 4\ng\nf 1 4 3\nf 2 3 4\n");
-  }
-
   Options options(std::initializer_list<Option> others) const {
     Options all{{"mesh", folder.file("its.obj")}, {"unit", "mm"}, {"shading", "none"}};
     for (const Option& one : others) all.add(one);
@@ -44,8 +35,6 @@ class Materials : public testing::Test {
   static void expect_refusal(const std::string& words, const Read& read) {
     tests::expect_words(tests::thrown_by<Error>(read), {words});
   }
-
-  tests::TemporaryDirectory folder;
 };
 
 TEST_F(Materials, of_the_whole_mesh_have_one_coefficient_or_two) {

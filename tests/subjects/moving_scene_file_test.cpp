@@ -10,9 +10,7 @@
 #include "forceshade/identity.h"
 #include "forceshade/renderer.h"
 #include "subjects/motion.h"
-#include "subjects/read.h"
-#include "tests/support/temporary_directory.h"
-#include "tests/support/words.h"
+#include "tests/subjects/scene_folder.h"
 
 namespace forceshade::subjects {
 namespace {
@@ -21,27 +19,13 @@ const std::string kTranslations = "time_s,x_mm,y_mm,z_mm\n", kPoses = "time_s,x_
                   kRisingWall = "[[object]]\nname = \"wall\"\nmotion = \"up.csv\"\nlaw = \"wall\"\n",
                   kStillPlate = "[[object]]\nname = \"plate\"\nmesh = \"plate.off\"\nunit = \"mm\"\n";
 
-class MovingScenes : public testing::Test {
+class MovingScenes : public SceneFolder {
  protected:
-  MovingScenes() {
-    folder.write("plate.off", "OFF\n4 2 0\n-4 -4 0\n4 -4 0\n4 4 0\n-4 4 0\n3 0 1 2\n3 0 2 3\n");
-    folder.write("up.csv", kTranslations + "0,0,0,0\n0.01,0,0,1\n");
-  }
+  MovingScenes() { folder.write("up.csv", kTranslations + "0,0,0,0\n0.01,0,0,1\n"); }
 
   scene::Motion motion_of(const std::string& text, bool repeats = false, double rate = 1000) {
     return read_motion(folder.write("poses.csv", text), rate, repeats);
   }
-  Description read_scene_of(const std::string& text, std::initializer_list<Option> others = {}) {
-    Options all{{"scene", folder.write("table.toml", text)}};
-    for (const Option& one : others) all.add(one);
-    return read_one(all);
-  }
-  void expect_refusal(const std::string& text, const std::string& words, std::initializer_list<Option> others = {}) {
-    const std::string refused = tests::thrown_by<Error>([&] { read_scene_of(text, others); });
-    EXPECT_NE(refused.find(words), std::string::npos) << "of:\n" << text << "got: " << refused << "\nexpected: " << words;
-  }
-
-  tests::TemporaryDirectory folder;
 };
 
 TEST_F(MovingScenes, have_the_pose_of_a_row_in_its_tick_and_the_way_between_rows) {
