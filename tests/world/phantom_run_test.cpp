@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A PHANToM that runs: what it gives, what it obeys, and how it ends. The forces of its frames, one by one, are those of
-// phantom_frames_forces_test; stalls, and frames that end, are those of phantom_world_test.
+// A PHANToM that runs: what it gives, what it obeys, and how it ends. Its frames, one by one, are those of phantom_frames_test;
+// stalls, and frames that end, are those of phantom_world_test.
 
 #include <gtest/gtest.h>
 
@@ -68,40 +68,26 @@ IN_WORLD(obeys_what_is_commanded_after_the_start_within_its_highest_force_and_wh
   }
 }
 
-IN_WORLD(slow_frames_within_the_timeout_are_no_fault) {
-  Phantom device = opened(kPatient);
-  ASSERT_FALSE(device.start(1000));
-  tell({.frame_time = 20ms});
-  const std::size_t frames = seen().frames.size();
-  wait_until([&] {
-    EXPECT_TRUE(std::holds_alternative<Reading>(device.read()));
-    return seen().frames.size() >= frames + 5;
-  });
-}
-
-struct Failure {
-  Orders orders;
-  std::vector<std::string> words;
-};
-
-// Those that only a frame can see are tried in phantom_frames_test; here, the way from a frame to the user's words.
+// The way from a frame to the user's words; that of one which has lasted is in the next run's.
 IN_WORLD(trouble_while_it_runs_ends_it_in_words_and_without_force) {
-  const std::vector<Failure> failures{
-      {{.end = {hdapi::kWarmMotors}}, {"ending a frame", "the motors are too warm", "0x0200", "cool"}},
-      {{.end = {hdapi::kDeviceFault, hdapi::kFrame, hdapi::kForceError}}, {"0x0300", "power"}},  // the first of several
-      {{.end = {0x9999}}, {"0x9999", "vendor's reference"}},
-      {{.position = Eigen::Vector3d(0, -110, -35)}, {"uncalibrated"}},
-      {{.temperature = std::nan("")}, {"motor temperatures that are no numbers"}},
+  struct Failure {
+    Orders orders;
+    std::vector<std::string> words;
   };
-  for (const Failure& failure : failures) {
-    SCOPED_TRACE(failure.words.front());
+  for (const auto& [orders, words] :
+       {Failure{{.end = {hdapi::kWarmMotors}}, {"ending a frame", "the motors are too warm", "0x0200", "cool"}},
+        Failure{{.end = {hdapi::kDeviceFault, hdapi::kFrame, hdapi::kForceError}},
+                {"0x0300", "power"}},  // the first of several
+        Failure{{.end = {0x9999}}, {"0x9999", "vendor's reference"}},
+        Failure{{.comm_lost = true}, {"communication with the device failed", "0x0302", "Ethernet"}}}) {
+    SCOPED_TRACE(words.front());
     tell({});
     Phantom device = opened(kPatient);
     ASSERT_FALSE(device.start(1000));
     device.command({0, 0, 1});
     wait_until([] { return !last_force().isZero(0); });
-    tell(failure.orders);
-    expect_words(fault_of(device), failure.words);
+    tell(orders);
+    expect_words(fault_of(device), words);
     EXPECT_FALSE(device.state().forces_on);
     wait_until([] { return last_force().isZero(0) && !seen().output; });
     // Also when the driver has come to.
@@ -110,26 +96,13 @@ IN_WORLD(trouble_while_it_runs_ends_it_in_words_and_without_force) {
     const std::size_t frames = seen().frames.size();
     wait_until([&] { return seen().frames.size() >= frames + 3; });
     EXPECT_TRUE(last_force().isZero(0));
-    expect_words(fault_of(device), failure.words);
-  }
-}
-
-// The driver reports it once to each process; the position stands still from then on.
-IN_WORLD(lost_connection_ends_the_run_and_is_said_again_by_the_next) {
-  {
-    Phantom device = opened(kPatient);
-    ASSERT_FALSE(device.start(1000));
-    device.command({0, 0, 1});
-    wait_until([] { return !last_force().isZero(0); });
-    tell({.comm_lost = true});
-    expect_words(fault_of(device), {"communication with the device failed", "0x0302", "Ethernet"});
+    expect_words(fault_of(device), words);
   }
   tell({.comm_lost = true});
   Phantom again = opened(kPatient);
   const auto fault = again.start(1000);
   ASSERT_TRUE(fault);
   expect_words(fault->words, {"check cable and power"});
-  EXPECT_TRUE(last_force().isZero(0));
   EXPECT_FALSE(seen().output);
 }
 
@@ -142,17 +115,6 @@ IN_WORLD(words_of_a_fault_outlive_the_device) {
   }
   expect_words(words[0], {"0x0501"});
   expect_words(words[1], {"0x0300"});
-}
-
-// Closed in the middle of a push: TearDown and the stand-in want zero sent, then the output off, then the scheduler stopped.
-IN_WORLD(closed_under_force_sends_zero_first) {
-  {
-    Phantom device = opened(kPatient);
-    ASSERT_FALSE(device.start(1000));
-    device.command({0, 0, 1});
-    wait_until([] { return !last_force().isZero(0); });
-  }
-  EXPECT_TRUE(last_force().isZero(0));
 }
 
 // Keeps the loop waiting between its two calls, so that a frame begins there.

@@ -25,22 +25,6 @@ namespace {
 
 constexpr Ns kMillisecond = 1'000'000;
 
-TEST(world, outside_a_thread_takes_no_time_but_what_it_is_told) {
-  World world;
-  const Ns begin = system::now();
-  EXPECT_EQ(system::now(), begin);
-  world.pass(2);
-  system::sleep_until(begin + 5 * kMillisecond);
-  EXPECT_EQ(system::now(), begin + 5 * kMillisecond);
-  world.compute(1);
-  EXPECT_EQ(system::now(), begin + 6 * kMillisecond);
-  world.interrupt(1);
-  EXPECT_FALSE(system::sleep_until(begin + 9 * kMillisecond));
-  world.oversleep(1);
-  EXPECT_TRUE(system::sleep_until(begin + 9 * kMillisecond));
-  EXPECT_EQ(system::now(), begin + 10 * kMillisecond);
-}
-
 TEST(world, goes_on_to_the_next_time_for_which_a_thread_waits) {
   World world;
   std::vector<std::string> order;
@@ -78,27 +62,6 @@ TEST(world, ends_where_everyone_waits_for_ever_or_its_time_is_up) {
                 },
                 kMillisecond),
             World::End::never);
-}
-
-TEST(world, wakes_who_waits_for_a_number) {
-  World world;
-  system::Number number = 0;
-  Ns woken = 0;
-  world.run(
-      [&] {
-        system::Thread waits("waits", [&] {
-          while (number == 0) system::wait_for_change(number, 0, system::kForever);
-          woken = system::now();
-        });
-        system::sleep_until(system::now() + 3 * kMillisecond);
-        number = 1;
-        const Ns begin = system::now();
-        system::wake(number);
-        waits.join();
-        EXPECT_LT(woken - begin, kMillisecond / 100);
-      },
-      system::kSecond);
-  EXPECT_GT(woken, 0);
 }
 
 // Each fiber has its own of what each thread of the system has of its own.
@@ -172,7 +135,7 @@ Plan random_plan(std::uint64_t seed) {
 }
 
 TEST(world, a_session_is_the_same_in_every_run_and_replayed_from_its_list) {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Plan plan = random_plan(seed);
     const Outcome first = session(plan, framed_arm().open), again = session(plan, framed_arm().open);
     EXPECT_EQ(first.digest, again.digest);
