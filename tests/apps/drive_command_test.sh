@@ -109,6 +109,12 @@ expect 3 "before the end    201 ticks kept" -- \
 expect 3 "mm/s; force 0.000 N, one tick before " -- \
   "$forceshade" drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv
 grep -q '"rule": "velocity"' torn.json || { echo "FAILED: torn.json has no trip"; exit 1; }
+# A place that is no number has no force where a hand is replayed, and ends the run of a simulated one.
+printf 't_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.01,0,0,3\n0.02,nan,0,3\n0.03,0,0,3\n' > lost.csv
+expect 0 "invalid positions 1 (zero force)" -- \
+  "$forceshade" drive --law wall --uncertified --free-run --rate 100 --device replay:lost.csv
+expect 3 "the simulated arm's position is no longer finite" -- \
+  "$forceshade" drive --law wall --uncertified --free-run --device simulated:omni:lost.csv
 expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --uncertified --device simulated:teapot
 # A PHANToM: no driver library, one found by its name, one named, and a licence that is missing.
 phantom() { env LD_LIBRARY_PATH= FORCESHADE_HD_LIBRARY= "$@" "$forceshade" drive --law wall --uncertified --device phantom --seconds 0.1; }

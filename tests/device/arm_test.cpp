@@ -179,20 +179,6 @@ TEST(arm, mass_rate_less_twice_coriolis_is_skew) {
   });
 }
 
-TEST(arm, coriolis_with_the_printed_sign_of_c32_is_caught_by_the_skew_test) {
-  const Arm arm = premium_1_5().arm;
-  Random random;
-  for (int i = 0; i < 100; ++i) {
-    const Joints angles = random.angles(), velocity = random.velocity();
-    Eigen::Matrix3d c = arm.coriolis(angles, velocity);
-    const double half = 0.5 * arm.inertia.coupling * std::cos(angles[1] - angles[2]);
-    EXPECT_NEAR(c(2, 1), -half * velocity[1], 1e-18);
-    EXPECT_NEAR(c(1, 2), half * velocity[2], 1e-18);
-    c(2, 1) = -c(2, 1);
-    EXPECT_GT(unskewness(mass_rate_less(arm, angles, velocity, 2 * c)), 1e-6);
-  }
-}
-
 TEST(arm, gravity_is_the_slope_of_the_potential) {
   for_each_model([](const Model& model) {
     Random random;

@@ -67,23 +67,5 @@ TEST(motor, gives_less_when_warm) {
   EXPECT_EQ(torque_limit(kMotor, {0.5, 0.6}), 0);
 }
 
-// For an hour it is asked for all it can give. Without derating it would reach the square of stall over continuous, 20.
-TEST(motor, derated_never_overheats_and_ends_at_its_continuous_torque) {
-  Heat heat, heedless;
-  double hottest = 0, first_limited = 0, torque = 0;
-  for (int tick = 0; tick < 3'600'000; ++tick) {
-    torque = torque_limit(kMotor, heat);
-    heat = heated(kMotor, heat, torque, 1e-3);
-    heedless = heated(kMotor, heedless, kMotor.stall, 1e-3);
-    hottest = std::max(hottest, heat.total());
-    if (first_limited == 0 && torque < kMotor.stall) first_limited = tick * 1e-3;
-  }
-  std::printf("  stall torque for %.1f s, then less; hottest %.4f of the highest\n", first_limited, hottest);
-  EXPECT_LE(hottest, 1.01);
-  EXPECT_GT(first_limited, 1);
-  EXPECT_NEAR(torque, kMotor.continuous, 0.02 * kMotor.continuous);
-  EXPECT_GT(heedless.total(), 19);
-}
-
 }  // namespace
 }  // namespace forceshade::device

@@ -112,34 +112,5 @@ TEST(phantom_limits, without_a_workspace_that_is_a_box_take_the_smallest_of_all_
   EXPECT_EQ(limits_of(narrow).words, "");
 }
 
-// All at once, in every combination: never wider than the right ones, or refused.
-TEST(phantom_limits, are_never_wider_than_the_right_ones) {
-  std::vector<std::optional<double>> answers = kWrong;
-  const auto with_right = [&](std::optional<double> right) {
-    auto all = answers;
-    all.push_back(right);
-    return all;
-  };
-  int driven = 0, refused = 0;
-  for (const auto& peak : with_right(kRight.peak))
-    for (const auto& continuous : with_right(kRight.continuous))
-      for (const auto& speed : with_right(kRight.speed))
-        for (const auto& impulse : with_right(kRight.impulse)) {
-          const auto limits = phantom_limits({.peak = peak, .continuous = continuous, .speed = speed, .impulse = impulse});
-          if (std::holds_alternative<std::string>(limits)) {
-            ++refused;
-            continue;
-          }
-          ++driven;
-          const auto& it = std::get<PhantomLimits>(limits);
-          EXPECT_TRUE(it.peak > 0 && it.peak < *kRight.peak);
-          EXPECT_TRUE(it.continuous > 0 && it.continuous <= *kRight.continuous);
-          EXPECT_TRUE(it.speed > 0 && it.slew > 0);
-          EXPECT_NE(it.words, "") << "there was no workspace";
-        }
-  EXPECT_EQ(driven, 1000);
-  EXPECT_EQ(refused, 9000);
-}
-
 }  // namespace
 }  // namespace forceshade::device

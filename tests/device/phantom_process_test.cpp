@@ -226,24 +226,6 @@ TEST_F(phantom, whose_stopped_process_is_resumed_and_sends_zero) {
   EXPECT_TRUE(has_no_child());
 }
 
-TEST_F(phantom, that_is_closed_in_order_tells_the_user_nothing) {
-  Listener listener;
-  auto device = std::make_unique<Phantom>("", kPatient, listener);
-  ASSERT_FALSE(device->start(1000));
-  listener.heard.clear();
-  device.reset();
-  EXPECT_EQ(listener.heard, "");
-  EXPECT_TRUE(has_no_child());
-}
-
-TEST_F(phantom, closed_while_no_frames_run_is_off) {
-  auto device = std::make_unique<Phantom>("", kPatient);
-  ASSERT_FALSE(device->start(1000));
-  tell({.hung = true});
-  device.reset();
-  EXPECT_FALSE(seen().output);
-}
-
 // Each with a driver of its own: the second's stand-in shares no memory with anyone.
 TEST_F(phantom, is_driven_beside_another_by_one_program) {
   tell({.position = Eigen::Vector3d(1, 2, 3)});

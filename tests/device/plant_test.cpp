@@ -44,22 +44,6 @@ TEST(plant, keeps_the_energy_of_the_free_arm_to_1e_9_for_ten_seconds) {
   EXPECT_LE(lost, 1e-9);
 }
 
-// The same with a tenth of the steps, which shows what the test can see.
-TEST(plant, energy_kept_depends_on_the_step) {
-  EXPECT_GT(energy_lost(free_arm(), kSteps / 10), 20 * energy_lost(free_arm(), kSteps));
-}
-
-TEST(plant, energy_without_coriolis_forces_is_not_kept) {
-  const Plant plant = free_arm();
-  Motion motion = thrown();
-  const double begin = plant.arm.energy(motion.angles, motion.velocity);
-  for (int step = 0; step < 2000; ++step) {
-    const Joints cancelled = plant.arm.coriolis(motion.angles, motion.velocity) * motion.velocity;
-    motion = plant.advanced(motion, cancelled, {}, kTick / kSteps, 1);
-  }
-  EXPECT_GT(std::abs(plant.arm.energy(motion.angles, motion.velocity) - begin), 1e-3 * std::abs(begin));
-}
-
 TEST(plant, a_motor_gives_the_work_of_its_torque) {
   Plant plant = free_arm();
   Motion motion{.angles = {0, 0.1, -0.1}};
@@ -165,15 +149,6 @@ TEST(plant, follows_a_target_along_the_cubic_through_its_ends) {
   EXPECT_LE((whole.hand - halves.hand).norm(), 1e-12);
   EXPECT_LE((whole.hand_velocity - halves.hand_velocity).norm(), 1e-11);
   EXPECT_LE((whole.angles - halves.angles).norm(), 1e-11);
-}
-
-TEST(plant, gives_the_same_bits_again) {
-  const Model model = premium_1_5();
-  const Plant plant{model.arm, model.coulomb, model.viscous, Grip{}};
-  const HermiteStep way{.to = {0.01, 0.02, 0.005}, .to_velocity = {0.1, 0, 0}};
-  const Motion a = plant.advanced(thrown(), {0.1, 0.05, 0}, way, 1, 20'000);
-  const Motion b = plant.advanced(thrown(), {0.1, 0.05, 0}, way, 1, 20'000);
-  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
 }
 
 }  // namespace

@@ -123,12 +123,8 @@ TEST(replay, is_invalid_only_between_the_neighbours_of_an_invalid_position) {
   for (std::size_t k = 0; k < readings.size(); ++k) EXPECT_EQ(std::isnan(readings[k].position.z()), k > 190 && k < 210) << k;
 }
 
-TEST(replay, gives_nothing_before_it_is_started) {
-  Replay replay(at_100_hz(0));
-  EXPECT_TRUE(std::holds_alternative<Fault>(replay.read()));
-}
-
-TEST(replay, of_one_row_gives_one_reading) {
+TEST(replay, gives_nothing_before_it_is_started_and_one_reading_of_one_row) {
+  EXPECT_TRUE(std::holds_alternative<Fault>(Replay(at_100_hz(0)).read()));
   EXPECT_EQ(played(Replay({Reading{}}), 1000).size(), 1U);
 }
 
@@ -156,36 +152,25 @@ TEST(replay, keeps_the_last_command) {
   EXPECT_EQ(replay.last_command(), Eigen::Vector3f(4, 5, 6));
 }
 
-TEST(replay, refuses_a_time_that_does_not_increase_or_is_not_finite) {
-  EXPECT_EQ(error_of(std::string(kHeader) + "0,0,0,0\n0.5,0,0,0\n0.25,0,0,0\n"),
-            "hand.csv:4: column 1 (t_s): expected a time after 0.5, got \"0.25\"");
-  EXPECT_EQ(error_of(std::string(kHeader) + "0,0,0,0\n\n0.5,0,0,0\n0.5,0,0,0\n"),
-            "hand.csv:5: column 1 (t_s): expected a time after 0.5, got \"0.5\"");
-  EXPECT_EQ(error_of(std::string(kHeader) + "nan,0,0,0\n"), "hand.csv:2: column 1 (t_s): expected a finite time, got \"nan\"");
-  EXPECT_EQ(error_of(std::string(kHeader) + "1e999,0,0,0\n"),
-            "hand.csv:2: column 1 (t_s): expected a finite time, got \"1e999\"");
+TEST(replay, refuses_a_time_that_does_not_increase_or_is_not_finite_and_no_positions) {
+  const std::string time = ": column 1 (t_s): expected a ";
+  for (const auto& [rows, words] : {std::pair{"0,0,0,0\n0.5,0,0,0\n0.25,0,0,0\n", ":4" + time + "time after 0.5, got \"0.25\""},
+                                    {"0,0,0,0\n\n0.5,0,0,0\n0.5,0,0,0\n", ":5" + time + "time after 0.5, got \"0.5\""},
+                                    {"nan,0,0,0\n", ":2" + time + "finite time, got \"nan\""},
+                                    {"1e999,0,0,0\n", ":2" + time + "finite time, got \"1e999\""},
+                                    {"0,0,here,0\n", ":2: column 3 (y_mm): expected a number, got \"here\""},
+                                    {"", ": expected at least one recorded position, got none"}})
+    EXPECT_EQ(error_of(std::string(kHeader) + rows), "hand.csv" + words);
   EXPECT_THROW(Replay({{{0, 0, 0}, 1}, {{0, 0, 0}, 1}}), std::invalid_argument);
   EXPECT_THROW(Replay({{{0, 0, 0}, std::nan("")}}), std::invalid_argument);
   EXPECT_THROW(Replay({}), std::invalid_argument);
 }
 
-TEST(replay, refuses_an_empty_recording) {
-  EXPECT_EQ(error_of(kHeader), "hand.csv: expected at least one recorded position, got none");
-}
-
-TEST(replay, names_the_field_that_is_no_number) {
-  EXPECT_EQ(error_of(std::string(kHeader) + "0,0,here,0\n"), "hand.csv:2: column 3 (y_mm): expected a number, got \"here\"");
-}
-
-TEST(open_device, opens_a_replay) {
+TEST(open_device, opens_a_replay_and_a_device_that_is_none) {
   const TemporaryDirectory directory;
-  const std::string path = directory.write("hand.csv", std::string(kHeader) + "0,1,2,3\n");
-  const auto device = open_device("replay:" + path);
-  device->start(1000);
-  EXPECT_EQ(device->readings_left(), 1U);
-}
-
-TEST(open_device, opens_a_device_that_is_none) {
+  const auto replay = open_device("replay:" + directory.write("hand.csv", std::string(kHeader) + "0,1,2,3\n"));
+  replay->start(1000);
+  EXPECT_EQ(replay->readings_left(), 1U);
   const auto device = open_device("null");
   EXPECT_EQ(device->capabilities().model, "null");
   device->start(500);

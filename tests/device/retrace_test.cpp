@@ -135,7 +135,7 @@ TEST(retrace, gives_every_command_of_a_run_with_a_dead_man_button) {
 // Late ticks too: how late each was is part of the recording.
 TEST(retrace, gives_a_run_in_real_time_to_the_bit) {
   const auto device = open_device("simulated");
-  const ServoOptions options{.max_seconds = 1.5, .watchdog_timeout = 10};
+  const ServoOptions options{.max_seconds = 0.3, .watchdog_timeout = 10};
   const Kept run(*device, law_of(LawId::bump_cylinder, 0.5F), options);
   EXPECT_EQ(differences(safety_settings(device->capabilities(), options), run), 0U);
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The servo loop and its thread: processor, privileges, pace, deadlines and rounding mode.
+// The servo loop and its thread: processor, privileges, pace and deadlines.
 
 #include <gtest/gtest.h>
 #include <pthread.h>
 #include <sched.h>
 
-#include <cfenv>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -13,10 +12,6 @@
 #include "forceshade/device.h"
 #include "forceshade/servo_loop.h"
 #include "tests/device/servo_loop_fixture.h"
-
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
 
 namespace forceshade::device {
 namespace {
@@ -128,47 +123,6 @@ TEST(servo_loop, refuses_a_rate_duration_or_watchdog_timeout_out_of_range) {
     EXPECT_THROW(run_servo_loop(device, wall(), {.watchdog_timeout = timeout}, kNeverStop), std::invalid_argument) << timeout;
   EXPECT_TRUE(device.commands.empty());
 }
-
-TEST(servo_loop, ends_when_the_rounding_mode_changes_under_it) {
-  struct Careless final : Still {
-    ReadResult at(std::size_t reading) noexcept override {
-      if (reading == 3) std::fesetround(FE_UPWARD);
-      return here();
-    }
-  } device;
-  const auto law = wall();
-  const Kept run(device, law, unpaced());
-  std::fesetround(FE_TONEAREST);
-  EXPECT_EQ(run.end_reason, EndReason::device_fault);
-  EXPECT_STREQ(run.fault, "rounding other than to nearest");
-  EXPECT_EQ(run.ticks, 3U);
-  expect_ends_at_zero_force(run);
-}
-
-TEST(servo_loop, refuses_a_rounding_mode_that_is_not_to_nearest) {
-  Endless device;
-  const auto law = wall();
-  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
-    std::fesetround(mode);
-    EXPECT_THROW(run_servo_loop(device, law, unpaced(), kNeverStop), Error) << mode;
-    std::fesetround(FE_TONEAREST);
-  }
-  EXPECT_TRUE(device.commands.empty());
-}
-
-#if defined(__SSE2__)
-TEST(servo_loop, refuses_flushed_subnormals_and_a_rounding_mode_that_only_sse_has) {
-  Endless device;
-  const auto law = wall();
-  const unsigned mode = _mm_getcsr();
-  for (const unsigned bit : {0x8000U, 0x0040U, 0x2000U, 0x4000U}) {
-    _mm_setcsr(mode | bit);
-    EXPECT_THROW(run_servo_loop(device, law, unpaced(), kNeverStop), Error) << bit;
-    _mm_setcsr(mode);
-  }
-  EXPECT_TRUE(device.commands.empty());
-}
-#endif
 
 }  // namespace
 }  // namespace forceshade::device

@@ -17,48 +17,30 @@ namespace {
 
 using tests::vector;
 
-TEST(servo_loop, supervises_a_device_that_can_push) {
-  Pushing device;
-  const Kept run(device, wall(), {.max_seconds = 0.8, .paced = false});
-  EXPECT_EQ(run.end_reason, EndReason::time_up);
-  EXPECT_TRUE(run.supervised);
-  EXPECT_EQ(run.passivity, Passivity::damping);
-  // The gentle start: 50 free ticks, then half a second in which the force grows to the law's.
-  const auto limited = [&](const Sample& sample) { return (sample.limited >> static_cast<int>(Rule::gentle_start) & 1) != 0; };
-  EXPECT_FALSE(limited(run.samples[99]));
-  EXPECT_TRUE(limited(run.samples[100]));
-  EXPECT_LT(run.samples[100].force[2], run.samples[100].law_force[2]);
-  EXPECT_TRUE(limited(run.samples[548]));
-  EXPECT_FALSE(limited(run.samples[549]));
-  EXPECT_EQ(run.samples[549].force, run.samples[549].law_force);
-  EXPECT_EQ(run.limited_ticks[static_cast<std::size_t>(Rule::gentle_start)], 449U);
-  EXPECT_EQ(device.commands[100], vector(run.samples[100].force));
-  EXPECT_FALSE(run.trip);
-}
-
-// Thrown half a metre a tick at tick 300, under force.
-TEST(servo_loop, trip_means_zero_in_the_same_tick_and_the_end) {
-  struct Thrown final : Pushing {
-    ReadResult at(std::size_t reading) noexcept override {
-      Reading there = place(reading);
-      if (reading >= 300) there.position.x() += 500;
-      return there;
-    }
-  } device;
-  const Kept run(device, wall(), unpaced());
-  EXPECT_EQ(run.end_reason, EndReason::tripped);
-  ASSERT_TRUE(run.trip);
-  EXPECT_EQ(name_of(run.trip->rule), "jump");
-  EXPECT_EQ(run.trip->tick, 300U);
-  EXPECT_EQ(run.ticks, 301U);
-  EXPECT_GT(device.commands[299].z(), 0);
-  EXPECT_EQ(device.commands[300], Eigen::Vector3f(0, 0, 0));
-  EXPECT_EQ(device.commands[301], Eigen::Vector3f(0, 0, 0));
-  EXPECT_EQ(device.commands.size(), 302U);
-  EXPECT_EQ(run.samples[300].tripped, 1 + static_cast<int>(Rule::jump));
-  EXPECT_EQ(run.samples[299].tripped, 0);
-  EXPECT_EQ(run.limited_ticks[static_cast<std::size_t>(Rule::jump)], 0U);
-  expect_ends_at_zero_force(run);
+// The gentle start: 50 ms of free space, then half a second in which the force grows to the law's, whatever the rate is; and a
+// step of the energy account is what a hand goes in one period. The device is free for its first hundred readings.
+TEST(servo_loop, supervises_a_device_that_can_push_and_counts_seconds_at_its_own_rate) {
+  for (const auto& [rate, last_limited] : {std::pair{1000.0, 548U}, {2000.0, 1098U}}) {
+    Pushing device;
+    const Kept run(device, wall(), {.rate_hz = rate, .max_seconds = 0.8, .paced = false});
+    EXPECT_EQ(run.end_reason, EndReason::time_up);
+    ASSERT_EQ(static_cast<double>(run.ticks), 0.8 * rate);
+    EXPECT_TRUE(run.supervised);
+    EXPECT_EQ(run.passivity, Passivity::damping);
+    EXPECT_EQ(run.passivity_settings.longest_step, passivity_settings(device.capabilities(), rate).longest_step);
+    const auto limited = [&](std::size_t k) {
+      return (run.samples[k].limited >> static_cast<int>(Rule::gentle_start) & 1) != 0;
+    };
+    EXPECT_FALSE(limited(99));
+    EXPECT_TRUE(limited(100));
+    EXPECT_LT(run.samples[100].force[2], run.samples[100].law_force[2]);
+    EXPECT_TRUE(limited(last_limited));
+    EXPECT_FALSE(limited(last_limited + 1));
+    EXPECT_EQ(run.samples[last_limited + 1].force, run.samples[last_limited + 1].law_force);
+    EXPECT_EQ(run.limited_ticks[static_cast<std::size_t>(Rule::gentle_start)], last_limited - 99);
+    EXPECT_EQ(device.commands[100], vector(run.samples[100].force));
+    EXPECT_FALSE(run.trip);
+  }
 }
 
 // A hand that comes down fast and presses far is given less force than the supervisor would allow, for want of energy; the arm
@@ -71,23 +53,6 @@ TEST(servo_loop, does_not_take_a_force_that_is_withheld_for_one_that_moves_nothi
   const Kept run(device, wall(), unpaced());
   EXPECT_EQ(run.end_reason, EndReason::end_of_data) << (run.trip ? name_of(run.trip->rule) : run.fault);
   EXPECT_GT(run.account.largest_change, 0.5);
-}
-
-TEST(servo_loop, gives_no_force_without_the_dead_man_button) {
-  struct Held final : Pushing {
-    ReadResult at(std::size_t reading) noexcept override {
-      Reading there = place(reading);
-      there.buttons = reading < 700 ? 2 : 1;
-      return there;
-    }
-  } device;
-  const Kept run(device, wall(), {.max_seconds = 0.8, .paced = false, .dead_man_button = 1});
-  EXPECT_GT(device.commands[699].z(), 0);
-  EXPECT_EQ(device.commands[700], Eigen::Vector3f(0, 0, 0));
-  EXPECT_EQ(run.samples[700].limited, 1 << static_cast<int>(Rule::dead_man));
-  Pushing same;
-  for (const int button : {-1, 2})
-    EXPECT_THROW(run_servo_loop(same, wall(), {.dead_man_button = button}, kNeverStop), std::invalid_argument) << button;
 }
 
 // Pressed in and let out a little higher, in turns, against a wall that the loop's hold makes active.
@@ -315,54 +280,20 @@ TEST(servo_loop, trips_where_a_hand_is_pushed_on_its_way_out_faster_than_any_may
   EXPECT_EQ(vector(run.samples[run.trip->tick - 1].law_force), Eigen::Vector3f(0, 0, 0)) << "nothing was commanded any more";
 }
 
-TEST(servo_loop, goes_by_what_a_device_reports_of_itself) {
-  struct Knowing final : Pushing {
-    State state() const noexcept override { return known; }
-    State known;
-  };
-  Knowing uncalibrated;
-  uncalibrated.known.calibrated = false;
-  const Kept none(uncalibrated, wall(), unpaced());
-  ASSERT_TRUE(none.trip);
-  EXPECT_EQ(none.trip->rule, Rule::uncalibrated);
-  EXPECT_EQ(none.ticks, 1U);
-  Knowing off;
-  off.known.forces_on = false;
-  const Kept limited(off, wall(), {.max_seconds = 0.8, .paced = false});
-  EXPECT_EQ(limited.peak_force_N, 0);
-  EXPECT_EQ(limited.limited_ticks[static_cast<std::size_t>(Rule::dead_man)], 700U) << "wherever the law has a force";
-}
-
-// The gentle start is 50 ms of free space and half a second of ramp, whatever the rate; and a step of the energy account is
-// what a hand goes in one period.
-TEST(servo_loop, counts_seconds_at_its_own_rate) {
-  Pushing device;
-  const Kept run(device, wall(), {.rate_hz = 2000, .max_seconds = 0.8, .paced = false});
-  ASSERT_EQ(run.ticks, 1600U);
-  // 100 free ticks, then a thousand of ramp.
-  EXPECT_NE(run.samples[100 + 998].force, run.samples[100 + 998].law_force);
-  EXPECT_EQ(run.samples[100 + 999].force, run.samples[100 + 999].law_force);
-  EXPECT_EQ(run.passivity_settings.longest_step, passivity_settings(device.capabilities(), 2000).longest_step);
-}
-
-TEST(servo_loop, refuses_a_device_that_does_not_know_its_limits) {
+// Its other limits are tried in the fault campaign.
+TEST(servo_loop, refuses_a_device_that_does_not_know_its_limits_or_lacks_the_button) {
   struct Unknowing final : Pushing {
     Capabilities capabilities() const noexcept override { return known; }
     Capabilities known = Pushing::capabilities();
-  };
-  const auto refuses = [](auto change) {
-    Unknowing device;
-    change(device.known);
-    EXPECT_THROW(run_servo_loop(device, wall(), unpaced(), kNeverStop), std::invalid_argument);
-    EXPECT_TRUE(device.commands.empty());
-  };
-  const float nan = std::nanf("");
-  refuses([=](Capabilities& c) { c.peak_force = nan; });
-  refuses([=](Capabilities& c) { c.continuous_force = nan; });
-  refuses([=](Capabilities& c) { c.resolution = nan; });
-  refuses([=](Capabilities& c) { c.friction = nan; });
-  refuses([=](Capabilities& c) { c.workspace_low.z() = nan; });
-  refuses([=](Capabilities& c) { c.workspace_high.x() = nan; });
+  } none, low;
+  none.known.friction = std::nanf("");
+  low.known.workspace_low.z() = std::nanf("");
+  for (Unknowing* device : {&none, &low})
+    EXPECT_THROW(run_servo_loop(*device, wall(), unpaced(), kNeverStop), std::invalid_argument);
+  Pushing device;
+  for (const int button : {-1, 2})
+    EXPECT_THROW(run_servo_loop(device, wall(), {.dead_man_button = button}, kNeverStop), std::invalid_argument) << button;
+  EXPECT_TRUE(device.commands.empty() && none.commands.empty());
 }
 
 }  // namespace

@@ -47,7 +47,6 @@ Reading read(Device& device) {
 TEST(model, resolves_what_its_sheet_says) {
   for_each_model([](const Model& model) {
     const Eigen::Array3d steps = model.arm.jacobian(kReset).colwise().norm().transpose().cwiseProduct(model.quantum);
-    std::printf("  %s: %.1f %.1f %.1f um\n", std::string(model.name).c_str(), 1e6 * steps[0], 1e6 * steps[1], 1e6 * steps[2]);
     const double sheet = model.sheet.resolution * kMillimetre;
     EXPECT_LE(steps.maxCoeff(), sheet * 1.0001);
     EXPECT_GE(steps.minCoeff(), 0.75 * sheet);
@@ -59,8 +58,6 @@ TEST(model, pushes_as_hard_as_its_sheet_says) {
     const Eigen::Array3d force_per_torque =
         model.gears.array() / model.arm.jacobian(kReset).colwise().norm().transpose().array();
     const Eigen::Array3d peak = model.motor.stall * force_per_torque, continuous = model.motor.continuous * force_per_torque;
-    std::printf("  %s: peak %.2f %.2f %.2f N, continuous %.2f %.2f %.2f N\n", std::string(model.name).c_str(), peak[0], peak[1],
-                peak[2], continuous[0], continuous[1], continuous[2]);
     EXPECT_NEAR(peak.maxCoeff(), model.sheet.peak_force, 0.01 * model.sheet.peak_force);
     EXPECT_GE(peak.minCoeff(), 0.79 * model.sheet.peak_force);
     EXPECT_GE(continuous.minCoeff(), 0.999 * model.sheet.continuous_force);
@@ -216,7 +213,6 @@ TEST(simulated, hand_goes_the_same_way_at_every_rate) {
   const Eigen::Vector3d fine = tip_after_a_second_at(4000);
   for (const double rate : {500.0, 1000.0}) {
     const double difference = (tip_after_a_second_at(rate) - fine).norm();
-    std::printf("  %.0f Hz: %.1e mm from where it is at 4000 Hz\n", rate, difference);
     EXPECT_LE(difference, 1e-5);
   }
 }
@@ -242,7 +238,6 @@ TEST(simulated, tires_when_pushed_at_its_limit) {
     if (tick == 500) fresh = device.tip().z();
   }
   EXPECT_NEAR(static_cast<double>(device.state().temperature), 1, 0.05);
-  std::printf("  the hand is pushed up %.1f mm when fresh, %.1f mm after a minute\n", fresh, device.tip().z());
   EXPECT_LT(device.tip().z(), 0.5 * fresh);
 }
 
@@ -257,7 +252,6 @@ TEST(simulated, surface_pushes_the_hand_back) {
   const double depth = -device.tip().z();
   const Grip grip;
   const double hand = kMillimetre / (1 / grip.flesh_stiffness + 1 / grip.arm_stiffness);  // N/mm
-  std::printf("  %.0f mm intended, %.3f mm reached at %.3f N\n", kIntended, depth, run.peak_force_N);
   // In balance but for what friction and one encoder count hide.
   EXPECT_NEAR(0.5 * depth, hand * (kIntended - depth), model.sheet.friction + 0.5 * model.sheet.resolution);
   EXPECT_LT(depth, 0.3 * kIntended);
@@ -273,31 +267,6 @@ std::vector<Sample> stroked(std::uint64_t seed) {
   return kept.samples;
 }
 
-// One stroke, 40 mm, across ridges 2 mm apart that are shaded on a flat plate: twenty times left and right, on a steady depth.
-TEST(simulated, hand_is_pushed_left_and_right_by_every_ridge_it_strokes) {
-  Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0), false});
-  const HeightMap ridges{{{height::Grating{0.1F, 3.14159265F, 0, 0}}}};
-  const auto map = std::get<fast::HeightMapField>(fast::HeightMapField::build(ridges, height::Mode::force_shaded, 0.5F));
-  const std::atomic<bool> never = false;
-  tests::KeptSamples kept;
-  const ServoResult run = run_servo_loop(device, map, {.max_seconds = 1.9, .paced = false, .sinks = {&kept}}, never);
-  EXPECT_EQ(run.end_reason, EndReason::time_up) << "nothing was tripped";
-  int turns = 0, before = 0;
-  double shallowest = HUGE_VAL, deepest = 0;
-  for (const Sample& sample : kept.samples) {
-    if (sample.device_time < 1.1 || std::fabs(sample.position[0]) > 18) continue;
-    const int side = sample.law_force[0] > 0 ? 1 : -1;
-    turns += before != 0 && side != before;
-    before = side;
-    shallowest = std::min(shallowest, static_cast<double>(-sample.position[2]));
-    deepest = std::max(deepest, static_cast<double>(-sample.position[2]));
-  }
-  std::printf("  %d turns at depths of %.2f to %.2f mm\n", turns, shallowest, deepest);
-  EXPECT_NEAR(turns, 36, 3);
-  EXPECT_GT(shallowest, 0.2);
-  EXPECT_LT(deepest - shallowest, 0.3);
-}
-
 TEST(simulated, run_is_repeated_to_the_bit) {
   const auto once = stroked(1), again = stroked(1), other = stroked(2);
   ASSERT_EQ(once.size(), 3001U);
@@ -310,32 +279,6 @@ TEST(simulated, run_is_repeated_to_the_bit) {
     differs = differs || once[k].position != other[k].position;
   }
   EXPECT_TRUE(differs);
-}
-
-// Each tick's least processor time in three identical runs, so that it is its own work and not an interrupt; slow builds are
-// excused.
-TEST(simulated, tick_takes_a_small_share_of_a_millisecond) {
-  constexpr std::size_t kTicks = 10'000;
-  std::vector<double> times(kTicks, HUGE_VAL);  // µs
-  for (int run = 0; run < 3; ++run) {
-    Simulated device(premium_1_5(), Operator{Grip{}, strokes(), Tremor(1, 0.03), false});
-    device.start(1000);
-    for (double& time : times) {
-      timespec begin{}, end{};
-      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begin);
-      const float z = read(device).position.z();
-      device.command({0, 0, std::max(0.0F, -0.5F * z)});
-      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &end);
-      time = std::min(
-          time, static_cast<double>(end.tv_sec - begin.tv_sec) * 1e6 + static_cast<double>(end.tv_nsec - begin.tv_nsec) / 1e3);
-    }
-  }
-  std::sort(times.begin(), times.end());
-  const double worst = times[kTicks - 2];  // 99.99 %
-  std::printf("  median %.1f us, 99.99 %% %.1f us\n", times[kTicks / 2], worst);
-#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-  EXPECT_LE(worst, 200);
-#endif
 }
 
 TEST(open_simulated, knows_its_models_and_makes_strokes_without_a_recording) {

@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <random>
 #include <thread>
 
@@ -59,7 +58,6 @@ TEST(stage, gives_each_side_the_force_of_its_own_bump) {
     expect_same(stage.step(at), expected);
     contacts[is_left ? 0 : 1] += expected.status == Status::contact ? 1 : 0;
   }
-  std::printf("  contacts: %d left, %d right\n", contacts[0], contacts[1]);
   EXPECT_GT(contacts[0], 1000);
   EXPECT_GT(contacts[1], 1000);
 }
@@ -98,7 +96,6 @@ TEST(stage, has_the_same_force_on_both_sides_of_the_seam_down_to_where_a_cylinde
       }
     }
   }
-  std::printf("  %d laws; %d places below the beginning of a cylinder\n", laws, deep);
   EXPECT_EQ(laws, 7);
   EXPECT_GT(deep, 20);
 }
@@ -133,7 +130,6 @@ TEST(stage, exchanges_only_where_the_force_does_not_change) {
       ++waited;
     }
   }
-  std::printf("  %d exchanges, %d of them in contact; %d ticks waited\n", exchanged, in_contact, waited);
   EXPECT_GT(exchanged, 1000);
   EXPECT_GT(in_contact, 100) << "on the plane that both have";
   EXPECT_GT(waited, 1000);

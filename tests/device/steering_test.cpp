@@ -87,31 +87,6 @@ TEST(steering, takes_the_models_that_can_be_simulated_and_no_other) {
   EXPECT_THROW(open_device("mouse:trackball", mouse), Error);
 }
 
-// The mouse goes 4 mm into a wall of 0.5 N/mm, and the stylus gives way to the wall as far as the hand's impedance allows.
-TEST(steering, pulls_the_stylus_through_the_hands_impedance) {
-  Mouse mouse;
-  const auto device = open_device("mouse", mouse);
-  ASSERT_FALSE(device->start(1000));
-  double deepest = 0, last = 0;
-  for (int tick = 0; tick < 3000; ++tick) {
-    if (tick == 500) mouse.hand.aim({10, 0, -4});
-    const auto reading = std::get<Reading>(device->read());
-    last = static_cast<double>(reading.position.z());
-    deepest = std::min(deepest, last);
-    device->command({0, 0, last < 0 ? static_cast<float>(-0.5 * last) : 0.0F});
-    if (tick == 499) {
-      EXPECT_NEAR(last, 20, 1.5);
-    }
-    if (tick == 2999) {
-      EXPECT_NEAR(reading.position.x(), 10, 1);
-    }
-  }
-  // Springs of 575 and 175 N/m in series, 134 N/m, against 500 N/m: about a fifth of the way is left.
-  EXPECT_LT(last, -0.3);
-  EXPECT_GT(last, -1.6);
-  EXPECT_GT(deepest, -3.9);
-}
-
 TEST(steering, by_another_thread_while_the_loop_runs_trips_nothing) {
   Mouse mouse;
   const auto device = open_device("simulated:premium-1.5:mouse", mouse);

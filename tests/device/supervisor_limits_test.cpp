@@ -26,11 +26,6 @@ TEST(supervisor, passes_what_no_rule_forbids_to_the_bit) {
   EXPECT_FALSE(hand.supervisor.tripped());
 }
 
-TEST(supervisor, names_every_rule_once) {
-  for (std::size_t i = 0; i < kRules; ++i)
-    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(name_of(static_cast<Rule>(i)), name_of(static_cast<Rule>(j)));
-}
-
 TEST(supervisor, takes_its_limits_from_the_device_and_the_rate) {
   const SupervisorLimits limits = supervisor_limits(Simulated(premium_1_5(), std::nullopt).capabilities(), 100);
   EXPECT_EQ(limits.peak_force, 8.5);
@@ -70,15 +65,14 @@ TEST(supervisor, allows_the_peak_shortly_and_the_continuous_force_for_ever) {
   SupervisorLimits limits = lenient();
   limits.peak_force = 8.5;
   limits.continuous_force = 1.4;
-  Hand at_most(limits), always(limits);
+  Hand at_most(limits, 100), always(limits, 100);
   int peak_ticks = 0;
   while (at_most.supervise({0, 0, 8.5F}).force.z() == 8.5F) ++peak_ticks;
-  std::printf("  peak force for %.2f s\n", peak_ticks * 1e-3);
-  EXPECT_NEAR(peak_ticks * 1e-3, 1.5, 0.15);
-  Verdict verdict = at_most.supervise_for(3'600'000, {0, 0, 8.5F});
+  EXPECT_NEAR(peak_ticks * 1e-2, 1.5, 0.15);
+  Verdict verdict = at_most.supervise_for(360'000, {0, 0, 8.5F});
   expect_only(verdict, Rule::continuous_force);
   EXPECT_NEAR(verdict.force.z(), 1.4, 0.02 * 1.4);
-  always.supervise_for(3'600'000, {0, 0, 1.4F});
+  always.supervise_for(360'000, {0, 0, 1.4F});
   EXPECT_EQ(always.supervisor.count(Rule::continuous_force), 0U);
 }
 
@@ -122,25 +116,6 @@ TEST(supervisor, forgets_an_oscillation_when_rearmed) {
   hand.supervisor.rearm();
   for (int tick = 0; tick < 3; ++tick) hand.supervise({0, 0, 0}, Status::free);
   EXPECT_EQ(hand.supervise({0, 0, 1}).force.z(), 1);
-}
-
-TEST(supervisor, derates_motors_that_say_they_are_warm) {
-  SupervisorLimits limits = lenient();
-  limits.peak_force = 8.5;
-  limits.continuous_force = 1.4;
-  Hand hand(limits);
-  const auto most_at = [&](float temperature) {
-    hand.state.temperature = temperature;
-    const Verdict verdict = hand.supervise({0, 0, 8.5F});
-    if (verdict.force.z() != 8.5F) expect_only(verdict, Rule::warm_motors);
-    return verdict.force.z();
-  };
-  EXPECT_EQ(most_at(0.9F), 8.5F);
-  EXPECT_LT(most_at(0.91F), 8.0F);
-  EXPECT_NEAR(most_at(1), 1.4, 1e-5);
-  EXPECT_EQ(most_at(1.1F), 0);
-  EXPECT_EQ(most_at(kNan), 0);
-  EXPECT_EQ(most_at(0), 8.5F);
 }
 
 // 1000 N/s at 1 kHz: a newton a tick when it grows or turns, at once when it falls.
@@ -255,14 +230,6 @@ TEST(supervisor, fades_the_force_outside_the_workspace) {
   EXPECT_FALSE(hand.supervisor.tripped());
 }
 
-TEST(supervisor, fades_the_force_over_ten_millimetres_unless_told_otherwise) {
-  SupervisorLimits limits = lenient();
-  limits.workspace_high.x() = 0;
-  Hand hand(limits);
-  hand.reading.position.x() = 5;
-  EXPECT_EQ(hand.supervise({0, 0, 2}).force.z(), 1);
-}
-
 TEST(supervisor, gives_no_force_before_free_space_was_felt_and_then_ramps_it_in) {
   SupervisorLimits limits = lenient();
   limits.felt_free = 0.05;
@@ -302,15 +269,6 @@ TEST(supervisor, gives_no_force_without_the_dead_man_button_and_starts_gently_wi
   hand.supervise({0, 0, 0}, Status::free);
   EXPECT_NEAR(hand.supervise({0, 0, 1}).force.z(), 0.01, 1e-6) << "gently again";
   EXPECT_FALSE(hand.supervisor.tripped());
-}
-
-TEST(supervisor, starts_gently_after_the_device_switched_its_forces_off) {
-  Hand hand(lenient());
-  EXPECT_EQ(hand.supervise({0, 0, 1}).force.z(), 1);
-  hand.state.forces_on = false;
-  expect_only(hand.supervise({0, 0, 1}), Rule::dead_man);
-  hand.state.forces_on = true;
-  expect_only(hand.supervise({0, 0, 1}), Rule::gentle_start);
 }
 
 }  // namespace

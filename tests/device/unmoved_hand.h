@@ -2,15 +2,21 @@
 #pragma once
 // A hand for tests of the passivity controller, which the force does not move.
 
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "device/passivity_controller.h"
 #include "forceshade/fast.h"
 #include "properties/passivity.h"
 #include "tests/device/chatter.h"
+#include "tests/support/drawn.h"
+#include "tests/support/silent.h"
 
 namespace forceshade::device {
 
@@ -95,6 +101,21 @@ class Hand {
 inline std::vector<properties::PathPoint> stroke(const Parameters& p, double depth) {
   const double edge = 0.5 * static_cast<double>(p.width) + 0.01;
   return {{0, 0}, {0, -depth}, {edge, -depth}, {edge, 0}};
+}
+
+// Draws the cases of a property; where one fails, the smallest that does so.
+template <class Property>
+void expect_for_all(const std::string& what, std::uint64_t seed, std::size_t cases, const Property& property) {
+  rc::detail::TestParams params;
+  params.seed = seed;
+  params.maxSuccess = static_cast<int>(tests::drawn(cases));
+  tests::Silent silent;
+  const auto result = rc::detail::checkTestable(property, rc::detail::TestMetadata{}, params, silent,
+                                                std::unordered_map<std::string, rc::detail::Reproduce>{});
+  rc::detail::FailureResult failure;
+  if (!result.match(failure)) return;
+  ADD_FAILURE() << what << ": " << failure.description;
+  for (const auto& [type, value] : failure.counterExample) ADD_FAILURE() << type << " " << value;
 }
 
 }  // namespace forceshade::device

@@ -4,71 +4,101 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
-#include "tests/device/command/hostile.h"
+#include "device/command/command.h"
 #include "tests/device/framed_device.h"
+#include "tests/support/temporary_directory.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device {
 namespace {
 
 using namespace std::chrono_literals;
 
-// Its words, or those of what did not open.
-std::string driven(const Program& program, const FramedOptions& options, Attendant& attendant) try {
-  return driven(*open_command(program.command(), options, attendant), kRate);
-} catch (const DeviceError& error) {
-  return error.what();
-}
+constexpr double kRate = 200;  // Hz
 
-struct Hostile {
-  const char *mode, *words;
+struct Listener final : Attendant {
+  void report(const std::string& said) noexcept override { words += said + '\n'; }
+  std::string words;
 };
 
-void expect_words_and_an_end(const Hostile& hostile, FramedOptions options) {
-  SCOPED_TRACE(hostile.mode);
-  const Program program(hostile.mode);
-  Listener listener;
-  const std::string words = driven(program, options, listener);
-  EXPECT_NE(words.find(hostile.words), std::string::npos) << words;
-  EXPECT_EQ(program.left(), 0);
+// hostile.py in this mode, and its log.
+struct Program {
+  explicit Program(const std::string& name) : mode(name), log(here.file("log")) {}
+
+  std::string command() const { return "exec python3 '" HOSTILE_PROGRAM "' " + mode + " '" + log + "'"; }
+
+  // The number of processes that have its log in their command line.
+  int left() const {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+      std::ifstream in(entry.path() / "cmdline");
+      std::string line;
+      std::getline(in, line);  // empty where the process ended meanwhile
+      count += line.find(log) != std::string::npos;
+    }
+    return count;
+  }
+
+  // The lines that it was sent, without their times.
+  std::vector<std::string> lines() const {
+    std::vector<std::string> all;
+    std::ifstream in(log);
+    for (std::string line; std::getline(in, line);) all.push_back(line.substr(line.find(' ') + 1));
+    return all;
+  }
+
+  tests::TemporaryDirectory here;
+  std::string mode, log;
+};
+
+// A program of the shell's does not open, in these words.
+void expect_words(const std::string& program, const FramedOptions& options, const std::string& words) {
+  Attendant nobody;
+  tests::expect_words(tests::thrown_by<DeviceError>([&] { open_command(program, options, nobody); }), {words});
 }
 
 TEST(command_device, names_what_is_wrong_with_a_hello) {
-  constexpr Hostile kHellos[]{
-      {"no-peak", "the program's hello has no key \"peak_force_N\"; expected a number of N"},
-      {"peak-text", "the program's hello has peak_force_N \"3 N\"; expected a number of N"},
-      {"peak-nan", "expected a JSON object in one line"},
-      {"other-version", "the program's hello has forceshade-device 2; expected 1, the version of the protocol"},
-      {"unknown-key", "the program's hello has the key \"peek_force_N\"; expected "},
-      {"workspace-turned", "the program's hello has workspace_mm [[100,0,0],[0,1,1]]; expected [[x, y, z], [x, y, z]] in mm"},
-      {"continuous-above-peak",
-       "the program's hello has continuous_force_N 4; expected a number of N from 0.001 to peak_force_N"},
-      {"half-a-button", "the program's hello has buttons 0.5; expected a whole number from 0 to 16"},
-      {"paces-by-number", "the program's hello has paces 1; expected true or false"},
-      {"no-hello", "the program wrote \"hello\"; expected a JSON object in one line"},
-      {"key-twice", "the key \"buttons\" twice"},
-      {"fails", "the program failed: \"no arm at /dev/ttyACM0\""},
-      {"exits",
-       "the program ended with exit code 1 without an answer; it wrote last on standard error: \"no arm is connected\""},
-      {"long-hello", "the program wrote a line of more than 65536 bytes"},
-  };
-  for (const Hostile& hostile : kHellos) expect_words_and_an_end(hostile, kPatient);
+  const std::string right =
+      R"({"forceshade-device":1,"name":"test arm","workspace_mm":[[-100,-100,-100],[100,100,100]],"peak_force_N":3,)"
+      R"("continuous_force_N":1,"resolution_mm":0.05,"buttons":2,"paces":false})";
+  const std::string its = "the program's hello has ";
+  for (const auto& [part, instead, words] : std::vector<std::array<std::string, 3>>{
+           {R"("peak_force_N":3,)", "", its + "no key \"peak_force_N\"; expected a number of N"},
+           {"N\":3,", "N\":\"3 N\",", its + "peak_force_N \"3 N\"; expected a number of N"},
+           {"N\":3,", "N\":NaN,", "expected a JSON object in one line"},
+           {"device\":1", "device\":2", its + "forceshade-device 2; expected 1, the version of the protocol"},
+           {"\"peak", "\"peek_force_N\":3,\"peak", its + "the key \"peek_force_N\"; expected "},
+           {"[[-100,-100,-100],[100,100,100]]", "[[100,0,0],[0,1,1]]",
+            its + "workspace_mm [[100,0,0],[0,1,1]]; expected [[x, y, z], [x, y, z]] in mm"},
+           {"N\":1,", "N\":4,", its + "continuous_force_N 4; expected a number of N from 0.001 to peak_force_N"},
+           {"buttons\":2", "buttons\":0.5", its + "buttons 0.5; expected a whole number from 0 to 16"},
+           {"paces\":false", "paces\":1", its + "paces 1; expected true or false"},
+           {"\"paces", "\"buttons\":3,\"paces", "the key \"buttons\" twice"},
+           {right, "hello", "the program wrote \"hello\"; expected a JSON object in one line"},
+           {right, R"({"failure":"no arm at /dev/ttyACM0"})", "the program failed: \"no arm at /dev/ttyACM0\""}}) {
+    std::string hello = right;
+    hello.replace(hello.find(part), part.size(), instead);
+    expect_words("echo '" + hello + "'", kPatient, words);
+  }
   FramedOptions hasty = kPatient;
   hasty.open = 300ms;
-  expect_words_and_an_end({"silent", "the program did not answer within 0.3 s"}, hasty);
+  expect_words("exec sleep 600", hasty, "the program did not answer within 0.3 s");
 }
 
 // Any other wrong answer, and one that is late, is tried in a simulated world (tests/world/arms_world_test.cpp).
-TEST(command_device, ends_a_run_in_words_where_the_program_ends) {
-  constexpr Hostile kAnswers[]{
-      {"exits-at",
-       "the program ended with exit code 1 without an answer; it wrote last on standard error: \"the arm was unplugged\""},
-      {"crashes", "the program was killed by signal 6"},
-  };
-  for (const Hostile& hostile : kAnswers) expect_words_and_an_end(hostile, kPatient);
+TEST(command_device, ends_a_run_in_words_where_the_program_crashes) {
+  const Program program("crashes");
+  Attendant nobody;
+  tests::expect_words(driven(*open_command(program.command(), kPatient, nobody), kRate),
+                      {"the program was killed by signal 6"});
+  EXPECT_EQ(program.left(), 0);
 }
 
 // The lines of a program that still reads end with a zero force and the end.
@@ -81,7 +111,7 @@ TEST(command_device, sends_zero_last) {
       const auto device = open_command(program.command(), kPatient, nobody);
       ASSERT_FALSE(device->start(kRate));
     } else {
-      driven(program, kPatient, nobody);
+      driven(*open_command(program.command(), kPatient, nobody), kRate);
     }
     const std::vector<std::string> lines = program.lines();
     ASSERT_GE(lines.size(), 2U);
@@ -114,7 +144,7 @@ TEST(command_device, says_what_calibrates_it) {
   FramedOptions options = kPatient;
   options.calibration = 1s;
   Listener listener;
-  EXPECT_EQ(driven(program, options, listener), "the device is not calibrated");
+  EXPECT_EQ(driven(*open_command(program.command(), options, listener), kRate), "the device is not calibrated");
   EXPECT_NE(listener.words.find("the calibration of the device: turn each joint to its stop"), std::string::npos)
       << listener.words;
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""hostile.py MODE LOG: a device's program (docs/command-device.md) that does wrong what MODE says, in its hello or at its answer 50 from
-the first that has a force. LOG gets a line for each line that it was sent, and "end of input"."""
+"""hostile.py MODE LOG: a device's program (docs/command-device.md) that does wrong what MODE says, at its answer 50 from the first that
+has a force, or at its end. LOG gets a line for each line that it was sent, and "end of input"."""
 
 import json
 import os
@@ -39,29 +39,7 @@ def fork_daemon():
         wait()
 
 
-HELLOS = {
-    "no-peak": lambda: write(json.dumps({key: value for key, value in HELLO.items() if key != "peak_force_N"})),
-    "peak-text": lambda: write(json.dumps({**HELLO, "peak_force_N": "3 N"})),
-    "peak-nan": lambda: write(json.dumps({**HELLO, "peak_force_N": float("nan")})),
-    "other-version": lambda: write(json.dumps({**HELLO, "forceshade-device": 2})),
-    "unknown-key": lambda: write(json.dumps({**HELLO, "peek_force_N": 3})),
-    "workspace-turned": lambda: write(json.dumps({**HELLO, "workspace_mm": [[100, 0, 0], [0, 1, 1]]})),
-    "continuous-above-peak": lambda: write(json.dumps({**HELLO, "continuous_force_N": 4})),
-    "half-a-button": lambda: write(json.dumps({**HELLO, "buttons": 0.5})),
-    "paces-by-number": lambda: write(json.dumps({**HELLO, "paces": 1})),
-    "no-hello": lambda: write("hello"),
-    "key-twice": lambda: write(json.dumps(HELLO)[:-1] + ', "buttons": 3}'),
-    "silent": wait,
-    "fails": lambda: write(json.dumps({"failure": "no arm at /dev/ttyACM0"})),
-    "exits": lambda: sys.exit("no arm is connected"),
-    "long-hello": lambda: write(" " * 100_000),
-    "uncalibrated": lambda: write(json.dumps({**HELLO, "to_calibrate": "turn each joint to its stop"})),
-}
-ANSWERS = {
-    "garbage": lambda: write("}{"),
-    "exits-at": lambda: sys.exit("the arm was unplugged"),
-    "crashes": lambda: os.abort(),
-}
+ANSWERS = {"garbage": lambda: write("}{"), "crashes": os.abort}
 
 
 def main():
@@ -70,7 +48,7 @@ def main():
     if mode in ("ignores-signals", "hangs-at-end"):
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             signal.signal(number, signal.SIG_IGN)
-    HELLOS.get(mode, lambda: write(json.dumps(HELLO)))()
+    write(json.dumps({**HELLO, "to_calibrate": "turn each joint to its stop"} if mode == "uncalibrated" else HELLO))
     count = 0
     for line in sys.stdin:
         print(time.monotonic(), line.strip(), file=log)

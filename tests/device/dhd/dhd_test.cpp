@@ -43,15 +43,6 @@ TEST_F(dhd_device, allocates_nothing_once_started) {
       << fault.words;
 }
 
-TEST_F(dhd_device, that_cannot_be_driven_is_refused_in_words) {
-  for (const auto& [name, settings, words] :
-       {std::tuple{"", "available=no", "another program uses the device"}, std::tuple{"99", "", "there is no such device"},
-        std::tuple{"#1", "", "an index below 1"}, std::tuple{"x", "", "expected a serial number"}}) {
-    StandIn stand_in(settings);
-    tests::expect_words(tests::thrown_by<DeviceError>([&, name = name] { open_dhd(name, kPatient, nobody); }), {words});
-  }
-}
-
 // Each by itself makes no difference to the client, so several are tried at once.
 TEST_F(dhd_device, is_driven_whatever_the_documents_leave_open_and_makes_no_fault) {
   for (const char* assumptions :

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Faults of a device, ticks that come late, and arithmetic that is not what the proofs assume.
 
+#include <atomic>
 #include <cfenv>
 #include <cmath>
 
@@ -79,6 +80,18 @@ Fault odd_arithmetic(std::string what, std::string reaction, std::function<void(
   Fault fault = at_start(device_fault(std::move(what), std::move(reaction), 0, {.tick = 0}, {.before = std::move(set)}));
   fault.kind = Kind::timing;
   return fault;
+}
+
+// The loop is asked to stop while it reads: that tick has its force, and the next is the end.
+Fault told_to_stop() {
+  return {.kind = Kind::device,
+          .what = "told to stop in contact",
+          .reaction = "ends: stopped",
+          .to_zero = 1,
+          .run = [](const Bench& bench) {
+            std::atomic<bool> stop = false;
+            return press({.read = [&](ReadResult&, Since) { stop = true; }}, bench, {.stop = &stop});
+          }};
 }
 
 std::function<void(State&, Since)> temperature(float value) {
@@ -166,6 +179,7 @@ std::vector<Fault> device_faults() {
                      {.read = reading([=](Reading& r, Since) { r.gimbal = Force::Constant(nan); })}),
         device_fault("the data ends in contact", "ends: end of data", 0,
                      {.read = [](ReadResult& result, Since) { result = EndOfData{}; }}),
+        told_to_stop(),
         device_fault("commands are taken and not obeyed", "goes on", std::nullopt,
                      {.command =
                           [](Force& force, Since) {

@@ -23,10 +23,9 @@ std::string name_of(Kind kind) {
   switch (kind) {
     case Kind::device: return "device";
     case Kind::timing: return "timing";
-    case Kind::disk: return "disk";
-    case Kind::input: break;
+    case Kind::disk: break;
   }
-  return "input";
+  return "disk";
 }
 
 Outcome tried(const Fault& fault, const Bench& bench) {
@@ -72,8 +71,7 @@ std::vector<std::string> complaints(const Fault& fault, const Outcome& outcome) 
 
 std::vector<Fault> catalogue() {
   std::vector<Fault> all;
-  for (const auto& part : {position_faults(), device_faults(), disk_faults(), command_faults()})
-    all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {position_faults(), device_faults(), disk_faults()}) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

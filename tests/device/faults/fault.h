@@ -10,7 +10,7 @@
 
 namespace forceshade::faults {
 
-enum class Kind { device, timing, disk, input };
+enum class Kind { device, timing, disk };
 std::string name_of(Kind kind);
 
 struct Outcome {
@@ -50,6 +50,5 @@ std::vector<Fault> catalogue();
 std::vector<Fault> position_faults();  // of device_faults.cpp, as the next
 std::vector<Fault> device_faults();
 std::vector<Fault> disk_faults();
-std::vector<Fault> command_faults();
 
 }  // namespace forceshade::faults

@@ -20,7 +20,7 @@ namespace forceshade::device::haply {
 namespace {
 
 void expect_refused(const std::string& words, const std::string& expected) {
-  EXPECT_NE(words.find(expected), std::string::npos) << '"' << words << "\" lacks \"" << expected << '"';
+  tests::expect_words(words, {expected});
 }
 
 std::string state(const std::string& position, const std::string& status = R"({"calibrated":true})") {

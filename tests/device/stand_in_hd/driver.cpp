@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "tests/device/stand_in_hd/memory.h"
 
@@ -29,7 +30,6 @@ namespace {
 using namespace hdapi;
 
 constexpr HHD kDevice = 7;
-constexpr double kPeakForce = 8.5;  // N
 
 // Guarded by the memory's lock, which is not held while a callback runs.
 struct Driver {
@@ -38,9 +38,7 @@ struct Driver {
   Memory& memory;
   Orders& orders = memory.orders;
   Memory::Noted& noted = memory.noted;
-  std::vector<std::pair<HDErrorInfo, std::thread::id>> errors;                 // with the threads that caused them
-  bool device = false, running = false, calibrated = false, in_frame = false;  // in this process; running: the scheduler
-  int frames_this_tick = 0;
+  std::vector<HDErrorInfo> errors;
   double rate = 1000;
   Eigen::Vector3d position{0, 0, 0}, force{0, 0, 0};
   std::uint64_t frames = 0, frames_on = 0,
@@ -48,7 +46,6 @@ struct Driver {
   std::optional<std::pair<HDCallback, void*>> callback;
   std::recursive_mutex ticking;  // held while the callback runs
   std::thread scheduler;
-  std::thread::id scheduler_id;
   std::atomic<bool> stop = false;
 };
 
@@ -59,34 +56,14 @@ Driver& driver() noexcept {
   return it;
 }
 
-enum class Where { anywhere, not_beside_scheduler, in_frame, in_frame_if_running };
-
-// One call to the driver: holds the lock, and notes what the caller should not have done.
-class Call {
- public:
-  Call(const char* name, Where where) : name_(name) {
-    const auto here = std::this_thread::get_id();
-    if (where != Where::anywhere && !d.device) breach("without a device");
-    if (where != Where::anywhere && d.running && here != d.scheduler_id) breach("beside the running scheduler");
-    if (std::any_of(d.errors.begin(), d.errors.end(), [&](const auto& error) { return error.second == here; }))
-      breach("with an error unread");
-    if ((where == Where::in_frame || (where == Where::in_frame_if_running && d.running)) && !d.in_frame)
-      breach("outside a frame");
-  }
-  void breach(const std::string& words) {
-    auto& all = d.noted.breaches;
-    const std::uint64_t n = d.noted.breach_count++;
-    if (n < all.size()) std::snprintf(all[n].data(), all[n].size(), "%s %s", name_, words.c_str());
-  }
+// One call to the driver, which holds the lock.
+struct Call {
   void fail(HDerror code) {
-    if (code != kSuccess) d.errors.push_back({{code, 42, kDevice}, std::this_thread::get_id()});
+    if (code != kSuccess) d.errors.push_back({code, 42, kDevice});
   }
 
   Driver& d = driver();
-
- private:
-  Lock lock_{d.memory};
-  const char* name_;
+  const Lock lock{d.memory};
 };
 
 // Sets the force that the arm feels from now on.
@@ -138,15 +115,8 @@ void tick() {
     if (!d.noted.output) obey(d, {0, 0, 0});
     if (d.orders.hung) return;
     callback = d.callback;
-    d.frames_this_tick = 0;
   }
-  if (!callback) return;
-  const bool done = callback->first(callback->second) != kCallbackContinue;
-  Call call("the callback", Where::anywhere);
-  std::erase_if(d.errors, [&](const auto& error) { return error.second == d.scheduler_id; });
-  if (d.in_frame) call.breach("left a frame open");
-  d.in_frame = false;
-  if (done) d.callback.reset();
+  if (callback) callback->first(callback->second);
 }
 
 // Runs the callback until told to stop: the scheduler's thread.
@@ -169,18 +139,17 @@ extern "C" {
 HHD hdInitDevice(const char*) {
   std::optional<Crash> crash;
   {
-    Call call("hdInitDevice", Where::anywhere);
+    Call call;
     Driver& d = call.d;
     std::puts("InitLogFile : (null)");
     std::fflush(stdout);
-    if (d.device) call.breach("for a device that is initialised");
-    const bool is_held = !d.device && d.noted.initialised && d.noted.pid != getpid() && lives(d.noted.pid);
+    const bool is_held = d.noted.initialised && d.noted.pid != getpid() && lives(d.noted.pid);
     if (const HDerror error = d.orders.init != kSuccess ? d.orders.init : is_held ? kAlreadyInitiated : kSuccess) {
       call.fail(error);
       return kInvalidDevice;
     }
     d.noted.scheduler = d.noted.output = false;
-    d.device = d.noted.initialised = true;
+    d.noted.initialised = true;
     d.noted.pid = getpid();
     crash = due(d, Moment::before_start);
   }
@@ -191,29 +160,14 @@ HHD hdInitDevice(const char*) {
 // Ends the force. Waits for a callback that runs, unless it runs on this very thread: then no frame may follow.
 void hdDisableDevice(HHD) {
   const std::lock_guard waits(driver().ticking);
-  Call call("hdDisableDevice", Where::anywhere);
-  Driver& d = call.d;
-  const bool is_last_resort = d.running && std::this_thread::get_id() == d.scheduler_id;
-  if (!d.device) call.breach("without a device");
-  if (!is_last_resort) {
-    if (d.running) call.breach("while the scheduler runs");
-    if (d.callback) call.breach("with a callback scheduled");
-    if (d.noted.output) call.breach("with the force output on");
-  }
-  obey(d, {0, 0, 0});
-  d.device = d.noted.initialised = d.noted.output = false;
+  const Call call;
+  obey(call.d, {0, 0, 0});
+  call.d.noted.initialised = call.d.noted.output = false;
 }
 
-void hdBeginFrame(HHD device) {
-  Call call("hdBeginFrame", Where::not_beside_scheduler);
+void hdBeginFrame(HHD) {
+  Call call;
   Driver& d = call.d;
-  if (device != kDevice) return call.fail(kBadHandle);
-  if (!d.running) call.breach("without a scheduler");
-  if (d.in_frame || d.frames_this_tick++ > 0) {
-    call.breach("twice in a tick");
-    return call.fail(kIllegalBegin);
-  }
-  d.in_frame = true;
   d.force.setZero();
   ++d.frames;
   if (d.noted.output) ++d.frames_on;
@@ -224,13 +178,8 @@ void hdBeginFrame(HHD device) {
 void hdEndFrame(HHD) {
   std::optional<Crash> crash;
   {
-    Call call("hdEndFrame", Where::in_frame);
+    const Call call;
     Driver& d = call.d;
-    if (!d.in_frame) return call.fail(kIllegalEnd);
-    d.in_frame = false;
-    if (!d.force.allFinite()) call.breach("with a force that is not finite");
-    if (d.force.norm() > kPeakForce * (1 + 1e-12)) call.breach("with more than the highest force");
-    if (!d.noted.output && !d.force.isZero(0)) call.breach("with a force while the output is off");
     obey(d, d.noted.output ? d.force : Eigen::Vector3d(0, 0, 0));
     d.in_contact = Eigen::Vector3d(d.noted.force).norm() > kContact ? d.in_contact + 1 : 0;
     ++d.noted.frames;
@@ -241,11 +190,10 @@ void hdEndFrame(HHD) {
 }
 
 HDErrorInfo hdGetError() {
-  Driver& d = driver();
-  const Lock lock(d.memory);
-  if (d.errors.empty()) return {};
-  const HDErrorInfo last = d.errors.back().first;
-  d.errors.pop_back();
+  const Call call;
+  if (call.d.errors.empty()) return {};
+  const HDErrorInfo last = call.d.errors.back();
+  call.d.errors.pop_back();
   return last;
 }
 
@@ -253,37 +201,34 @@ const char* hdGetErrorString(HDerror) {
   return "Some error.";
 }
 
-void hdEnable(HDenum what) {
-  Call call("hdEnable", Where::not_beside_scheduler);
-  if (what != kForceOutput) return call.fail(kInvalidEnum);
-  if (!call.d.force.isZero(0)) call.breach("with a force set");
+void hdEnable(HDenum) {
+  const Call call;
   call.d.noted.output = true;
   call.d.frames_on = 0;
 }
 
 // The arm gets to know of it at the next tick: never, once the scheduler has stopped.
 void hdDisable(HDenum) {
-  const Call call("hdDisable", Where::not_beside_scheduler);
+  const Call call;
   call.d.noted.output = false;
 }
 
 HDboolean hdIsEnabled(HDenum) {
-  const Call call("hdIsEnabled", Where::not_beside_scheduler);
+  const Call call;
   return call.d.noted.output ? 1 : 0;
 }
 
 void hdGetBooleanv(HDenum, HDboolean* value) {
-  const Call call("hdGetBooleanv", Where::in_frame_if_running);
   *value = 0;
 }
 
 void hdGetIntegerv(HDenum what, int* value) {
-  Call call("hdGetIntegerv", what == kButtons ? Where::in_frame : Where::not_beside_scheduler);
+  Call call;
   switch (what) {
     case kButtons: *value = 2; break;
     case kInputDegrees: *value = 6; break;
     case kOutputDegrees: *value = 3; break;
-    case kCalibrationStyles: *value = call.d.orders.needs_reset_pose ? kCalibratesAtResetPose : kCalibratesInInkwell; break;
+    case kCalibrationStyles: *value = kCalibratesInInkwell; break;
     case kUpdateRate: *value = 1000; break;
     case kInstantaneousRate: *value = static_cast<int>(call.d.rate); break;
     default: call.fail(kInvalidEnum);
@@ -291,13 +236,12 @@ void hdGetIntegerv(HDenum what, int* value) {
 }
 
 void hdGetLongv(HDenum, HDlong* values) {
-  const Call call("hdGetLongv", Where::in_frame);
+  const Call call;
   std::transform(call.d.position.begin(), call.d.position.end(), values, [](double x) { return std::lround(20 * x); });
 }
 
 void hdGetDoublev(HDenum what, double* values) {
-  const bool of_state = what == kPosition || what == kJointAngles || what == kGimbalAngles || what == kMotorTemperature;
-  Call call("hdGetDoublev", of_state ? Where::in_frame : Where::not_beside_scheduler);
+  Call call;
   const Eigen::Vector3d &p = call.d.position, joints = p / 200;
   const auto give = [&](std::initializer_list<double> right) { std::copy(right.begin(), right.end(), values); };
   switch (what) {
@@ -306,7 +250,7 @@ void hdGetDoublev(HDenum what, double* values) {
     case kGimbalAngles: return give({0.1, 0.2, 0.3});
     case kMotorTemperature: return give({0.125, 0.25, 0.0625});
     case kUsableWorkspace: return give({-190, -95, -130, 191, 96, 137});
-    case kMaxForce: return give({kPeakForce});
+    case kMaxForce: return give({8.5});
     case kContinuousForce: return give({1.4});
     case kVelocityLimit: return give({1500});
     case kImpulseLimit: return give({4});
@@ -315,69 +259,53 @@ void hdGetDoublev(HDenum what, double* values) {
 }
 
 void hdSetDoublev(HDenum, const double* value) {
-  const Call call("hdSetDoublev", Where::in_frame);
+  const Call call;
   call.d.force = {value[0], value[1], value[2]};
 }
 
 const char* hdGetString(HDenum what) {
   constexpr const char* kStrings[] = {"3.4.0", "Stand-in 1.5", "4.3.3", "Nobody", "S-0042", "192"};
-  const Call call("hdGetString", Where::not_beside_scheduler);
   return kStrings[what - kVersion];
 }
 
 HDenum hdCheckCalibration() {
-  const Call call("hdCheckCalibration", Where::in_frame_if_running);
-  return call.d.calibrated || !call.d.orders.needs_reset_pose ? kCalibrated : kCalibrationNeedsHand;
+  return kCalibrated;
 }
 
-void hdUpdateCalibration(HDenum) {
-  const Call call("hdUpdateCalibration", Where::in_frame_if_running);
-  ++call.d.noted.updates;
-  call.d.calibrated = true;
-}
+void hdUpdateCalibration(HDenum) {}
 
 // The vendor's library, too, puts its own handler of SIGTERM over the program's.
 void hdStartScheduler() {
-  Call call("hdStartScheduler", Where::anywhere);
+  const Call call;
   Driver& d = call.d;
-  if (d.running) call.breach("twice");
   std::signal(SIGTERM, [](int) { _exit(0); });
   d.stop = false;
-  d.running = d.noted.scheduler = true;
+  d.noted.scheduler = true;
   d.frames = d.frames_on = d.in_contact = 0;
   d.scheduler = std::thread(run);
-  d.scheduler_id = d.scheduler.get_id();
 }
 
 void hdStopScheduler() {
   Driver& d = driver();
-  {
-    Call call("hdStopScheduler", Where::anywhere);
-    if (!d.running) call.breach("before it was started");
-    // A caller cannot send anything through a scheduler that hangs.
-    if (!d.orders.hung && d.noted.output) call.breach("with the force output on");
-    if (!d.orders.hung && !d.force.isZero(0)) call.breach("with a force sent last");
-    d.stop = true;
-  }
+  d.stop = true;
   if (d.scheduler.joinable()) d.scheduler.join();
   const Lock lock(d.memory);
-  d.running = d.noted.scheduler = false;
+  d.noted.scheduler = false;
 }
 
 void hdSetSchedulerRate(HDulong hz) {
-  const Call call("hdSetSchedulerRate", Where::anywhere);
+  const Call call;
   call.d.rate = static_cast<double>(hz);
 }
 
 HDSchedulerHandle hdScheduleAsynchronous(HDCallback function, void* data, HDushort) {
-  const Call call("hdScheduleAsynchronous", Where::anywhere);
+  const Call call;
   call.d.callback = {function, data};
   return 0;
 }
 
 void hdUnschedule(HDSchedulerHandle) {
-  Call call("hdUnschedule", Where::anywhere);
-  if (!call.d.callback) call.fail(kInvalidOperation);
+  const Call call;
   call.d.callback.reset();
 }
 }

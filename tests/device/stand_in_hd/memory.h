@@ -4,8 +4,6 @@
 
 #include <pthread.h>
 
-#include <array>
-
 #include "tests/device/stand_in_hd/stand_in_hd.h"
 
 namespace forceshade::stand_in_hd {
@@ -14,11 +12,9 @@ inline constexpr const char* kMemory = "STAND_IN_HD_MEMORY";  // in the environm
 
 struct Memory {
   struct Noted {
-    std::array<std::array<char, 128>, 64> breaches{};
-    std::uint64_t breach_count = 0, frames = 0;
+    std::uint64_t frames = 0;
     bool initialised = false, scheduler = false, output = false;
     pid_t pid = 0;
-    int updates = 0;
     Vector force;  // on the arm
     Clock::time_point pushed_until{}, struck{};
   };

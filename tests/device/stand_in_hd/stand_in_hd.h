@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A stand-in for the vendor's libHD.so in a process of its own: the same binary interface over an arm that goes where it is
-// told, with a scheduler thread of its own. It crashes, hangs and ends as told, and notes every breach of the discipline that
-// the real library expects of its callers. Its errors, answers, calibrations and calls that never
-// return are those of tests/world/hd.h, where time is a number.
+// told, with a scheduler thread of its own. It crashes, hangs and ends as told. Its errors, answers, calibrations, calls that
+// never return, and what its caller should not do are those of tests/world/hd.h, where time is a number.
 //
 // STAND_IN_HD is the library's path, for this process or another that it starts. Orders and what was seen lie in memory that
 // the two share. It stays readable however the other process ends.
@@ -16,7 +15,6 @@
 #include <optional>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 #include "device/phantom/hdapi_abi.h"
 
@@ -58,7 +56,6 @@ struct Crash {
 // STAND_IN_HD_INIT.
 struct Orders {
   hdapi::HDerror init = 0, begin = 0;             // reported by hdInitDevice, and in each frame
-  bool needs_reset_pose = false;                  // until hdUpdateCalibration
   std::optional<Vector> position = std::nullopt;  // mm, in the driver's frame
   bool hung = false;                              // the scheduler runs no callback
   // From 3 mm above z = 0 of the laws' frame to 2 mm below it, smoothly in 0.2 s, once the output was on for 0.7 s, both
@@ -77,9 +74,7 @@ struct Arm {
 };
 
 struct Seen {
-  std::vector<std::string> breaches{};                          // no more than 64, then their number
   bool initialised = false, scheduler = false, output = false;  // false if the driver's process is no more
-  int updates = 0;                                              // of the calibration
   std::uint64_t frames = 0;                                     // that were ended
 };
 
