@@ -119,7 +119,7 @@ Proof.
   intros R w K x y z answer Hp Hv.
   destruct (quantised_x_is _ _ _ Hv) as [Vx Fx], (valid_coordinates _ _ _ Hv) as [Cx Cz].
   assert (Hz : value32 (quantised z) = read (value32 z) /\ is_finite 24 128 (quantised z) = true).
-  { unfold valid in Hv. destruct (andb_prop _ _ Hv) as [_ Hz]. apply in_domain_is_right in Hz. now apply quantised_is_right. }
+  { unfold valid in Hv. destruct (andb_prop _ _ Hv) as [_ Hz]. apply in_domain_is_right in Hz. apply quantised_is_right, Hz. }
   exact (bump_cylinder_second_is_right R w K _ _ _ _ answer Hp Fx Vx (proj2 Hz) (proj1 Hz) Cx Cz).
 Qed.
 

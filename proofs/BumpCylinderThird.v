@@ -69,7 +69,7 @@ Proof.
   pose proof (fun m H => bump_cylinder_is_separated R w K x y z m Hp Hv H) as Sep. cbv zeta in Sep. fold X Z in Sep.
   destruct (valid_coordinates _ _ _ Hv) as [_ Cz]. fold Z in Cz. pose proof Hp as (_ & _ & _ & HK).
   assert (Hz : value32 (quantised z) = Z /\ is_finite 24 128 (quantised z) = true).
-  { unfold valid in Hv. destruct (andb_prop _ _ Hv) as [_ Hz]. apply in_domain_is_right in Hz. now apply quantised_is_right. }
+  { unfold valid in Hv. destruct (andb_prop _ _ Hv) as [_ Hz]. apply in_domain_is_right in Hz. apply quantised_is_right, Hz. }
   destruct Hz as [Vz Fz]. set (qz := quantised z) in *. set (rho := distance_from_axis (value32 R) (value32 w) X Z) in *.
   assert (B25 : 20000000 <= bpow radix2 25) by (simpl; lra).
   assert (one : forall a F, component_third a F -> fine 2048 60000000000 (949 - 1) a F /\ Rabs F <= bpow radix2 25).

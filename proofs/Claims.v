@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* The theorems that docs/proofs.md claims, and what each assumes. scripts/proofs reads what this file prints. *)
+(* The theorems that docs/proofs.md claims, all in one list, and what they assume together. scripts/proofs reads what this file prints. *)
+From Coq Require Import List.
 From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
@@ -22,293 +23,88 @@ From Forceshade Require Import BigFloatBounded CylinderThird BumpCylinderThird.
 From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits.
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
 From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird Bump3pThird Bump3pShadedThird.
+From Forceshade Require Import Main.
+Import ListNotations.
 
-Print Assumptions rounding_test_is_sound.
-Print Assumptions first_stage_returns_the_nearest.
-Print Assumptions right_first_stage_gives_right_answers.
-Print Assumptions product_is_exact.
-Print Assumptions wall_is_correctly_rounded.
-Print Assumptions bump_1p_shaded_first_stage_answers_right.
-Print Assumptions gap_is_near.
-Print Assumptions bump_2p_first_stage_answers_right.
-Print Assumptions bump_2p_shaded_first_stage_answers_right.
-Print Assumptions bump_3p_first_stage_answers_right.
-Print Assumptions bump_3p_shaded_first_stage_answers_right.
-Print Assumptions cylinder_v_is_near.
-Print Assumptions cylinder_l_is_near.
-Print Assumptions cylinder_force_is_near.
-Print Assumptions cylinder_v_is_not_positive.
-Print Assumptions cylinder_first_stage_answers_right.
-Print Assumptions bump_cylinder_first_stage_answers_right.
-Print Assumptions sum_of_exact.
-Print Assumptions product_of_exact.
-Print Assumptions root_of_both.
-Print Assumptions computed_depth_is.
-Print Assumptions split_head_is.
-Print Assumptions split_is.
-Print Assumptions cylinder_constants_are_right.
-Print Assumptions cylinder_first_stage_answers_right_for_all.
-Print Assumptions bump_cylinder_first_stage_answers_right_for_all.
-Print Assumptions sum_of_is_near.
-Print Assumptions product_of_is_near.
-Print Assumptions quotient_of_is_near.
-Print Assumptions holds_multiply.
-Print Assumptions holds_divide.
-Print Assumptions holds_root.
-Print Assumptions holds_add.
-Print Assumptions holds_subtract.
-Print Assumptions linear_2p_is_right.
-Print Assumptions constants_2p_are_right.
-Print Assumptions bump_2p_first_stage_answers_right_for_all.
-Print Assumptions bump_2p_shaded_first_stage_answers_right_for_all.
-Print Assumptions third_sine_is.
-Print Assumptions is_on_top_is_right.
-Print Assumptions top_is_decided.
-Print Assumptions shape_3p_is_right.
-Print Assumptions factors_3p_are_right.
-Print Assumptions bump_3p_first_stage_answers_right_given_t.
-Print Assumptions bump_3p_shaded_first_stage_answers_right_given_t.
-Print Assumptions newton_for_third_starts.
-Print Assumptions newton_for_third_converges.
-Print Assumptions newton_for_rest_starts.
-Print Assumptions newton_for_rest_converges.
-Print Assumptions third_step_is.
-Print Assumptions rest_step_is.
-Print Assumptions third_start_is.
-Print Assumptions rest_start_is.
-Print Assumptions sum_of_is_off.
-Print Assumptions product_of_is_off.
-Print Assumptions quotient_of_is_off.
-Print Assumptions third_step_in_double_double.
-Print Assumptions rest_step_in_double_double.
-Print Assumptions sine_of_third_is.
-Print Assumptions exact_sign_is.
-Print Assumptions is_on_top32_is.
-Print Assumptions largest_on_top_is_right.
-Print Assumptions top_is_right.
-Print Assumptions bump_3p_first_stage_answers_right_for_all.
-Print Assumptions bump_3p_shaded_first_stage_answers_right_for_all.
-Print Assumptions two_sum_is_exact.
-Print Assumptions fast_two_sum_is_exact.
-Print Assumptions two_product_is_exact.
-Print Assumptions accepted_candidate_is_nearest.
-Print Assumptions separation_of_degree_2.
-Print Assumptions separation_of_degree_4.
-Print Assumptions bump_1p_shaded_is_separated.
-Print Assumptions cylinder_is_separated.
-Print Assumptions bump_cylinder_is_separated.
-Print Assumptions bump_2p_shaded_is_separated.
-Print Assumptions bump_2p_is_separated.
-Print Assumptions separation_of_degree_3.
-Print Assumptions separation_of_degree_6.
-Print Assumptions separation_of_degree_12.
-Print Assumptions bump_3p_is_separated.
-Print Assumptions bump_3p_shaded_is_separated.
-Print Assumptions cylinder_contact_is_separated.
-Print Assumptions bump_2p_contact_is_separated.
-Print Assumptions bump_3p_contact_is_separated.
-Print Assumptions encloses_sum.
-Print Assumptions multiply_encloses.
-Print Assumptions encloses_multiply.
-Print Assumptions encloses_divide.
-Print Assumptions encloses_root.
-Print Assumptions sign_is_right.
-Print Assumptions sum_contains.
-Print Assumptions difference_of_two_contains.
-Print Assumptions encloses_add.
-Print Assumptions difference_contains.
-Print Assumptions rounded_to_binary32_is_nearest.
-Print Assumptions decided_is_right.
-Print Assumptions along_is_right.
-Print Assumptions on_plane_is_right.
-Print Assumptions bump_1p_shaded_second_stage_answers_right.
-Print Assumptions bump_1p_shaded_two_stages_answer_right.
-Print Assumptions difference_is_settled.
-Print Assumptions settled_positive.
-Print Assumptions quotient_of_settled.
-Print Assumptions along_shaded_is_right.
-Print Assumptions bump_2p_second_stage_answers_right.
-Print Assumptions bump_2p_two_stages_answer_right.
-Print Assumptions bump_2p_shaded_second_stage_answers_right.
-Print Assumptions bump_2p_shaded_two_stages_answer_right.
-Print Assumptions encloses_subtract.
-Print Assumptions face_3p_enclosed.
-Print Assumptions sum_within.
-Print Assumptions divide_within.
-Print Assumptions newton_root_encloses.
-Print Assumptions sine_of_third_encloses.
-Print Assumptions side_gap_is_settled.
-Print Assumptions shape_enclosed.
-Print Assumptions gap_3p_is_settled.
-Print Assumptions bump_3p_second_stage_answers_right.
-Print Assumptions bump_3p_two_stages_answer_right.
-Print Assumptions bump_3p_shaded_second_stage_answers_right.
-Print Assumptions bump_3p_shaded_two_stages_answer_right.
-Print Assumptions divide_encloses.
-Print Assumptions sum_of_contained.
-Print Assumptions rounded_from_contained_is_nearest.
-Print Assumptions decided_outcome_is_right.
-Print Assumptions beside_a_root.
-Print Assumptions l_is_near.
-Print Assumptions m_is_near.
-Print Assumptions second_v_is.
-Print Assumptions rho_enclosed.
-Print Assumptions scale_enclosed.
-Print Assumptions cylinder_outcome_is.
-Print Assumptions cylinder_second_stage_answers_right.
-Print Assumptions cylinder_two_stages_answer_right.
-Print Assumptions bump_cylinder_second_stage_answers_right.
-Print Assumptions bump_cylinder_two_stages_answer_right.
-Print Assumptions big_negated_contains.
-Print Assumptions big_scaled_contains.
-Print Assumptions big_midpoint_contains.
-Print Assumptions big_widened_contains.
-Print Assumptions limbs_add.
-Print Assumptions limbs_subtract.
-Print Assumptions limbs_multiply.
-Print Assumptions limbs_shift_right.
-Print Assumptions limbs_added.
-Print Assumptions limbs_normalised.
-Print Assumptions limbs_compare.
-Print Assumptions highest_limb.
-Print Assumptions limbs_cut.
-Print Assumptions one_limb.
-Print Assumptions more_limbs.
-Print Assumptions fewer_limbs.
-Print Assumptions limbs_of_product.
-Print Assumptions is_zero_in_limbs.
-Print Assumptions is_larger_in_limbs.
-Print Assumptions shift_in_limbs.
-Print Assumptions add_in_limbs.
-Print Assumptions subtract_in_limbs.
-Print Assumptions multiply_in_limbs.
-Print Assumptions big_exactly_contains.
-Print Assumptions big_converted_contains.
-Print Assumptions big_sum_contains.
-Print Assumptions big_difference_contains.
-Print Assumptions big_product_contains.
-Print Assumptions big_quotient_contains.
-Print Assumptions big_root_contains.
-Print Assumptions big_root_contains_for.
-Print Assumptions big_sum_is_narrow.
-Print Assumptions big_product_is_narrow.
-Print Assumptions big_quotient_is_narrow.
-Print Assumptions big_sign_is_right.
-Print Assumptions big_proved_sign_is_right.
-Print Assumptions big_root_is_narrow.
-Print Assumptions newton_inverse_is_good.
-Print Assumptions newton_inverse_root_is_good.
-Print Assumptions loop_ends.
-Print Assumptions big_quotient_is_right.
-Print Assumptions big_root_is_right.
-Print Assumptions tight_multiply.
-Print Assumptions tight_divide.
-Print Assumptions tight_root.
-Print Assumptions tight_sum.
-Print Assumptions search_ends.
-Print Assumptions rounded_big_is_nearest.
-Print Assumptions decided_big_is_right.
-Print Assumptions along_big_is_right.
-Print Assumptions shading_root_tight.
-Print Assumptions bump_1p_shaded_third_stage_answers_right.
-Print Assumptions bump_1p_shaded_answers_right.
-Print Assumptions face_third.
-Print Assumptions side_gap_third_is.
-Print Assumptions bump_2p_third_stage_answers_right.
-Print Assumptions bump_2p_answers_right.
-Print Assumptions bump_2p_shaded_third_stage_answers_right.
-Print Assumptions bump_2p_shaded_answers_right.
-Print Assumptions rounded_fine_is_nearest.
-Print Assumptions decided_fine_is_right.
-Print Assumptions bounded_add.
-Print Assumptions bounded_multiply.
-Print Assumptions bounded_is_tight.
-Print Assumptions scale_tight.
-Print Assumptions cylinder_outcome_third_is.
-Print Assumptions cylinder_third_stage_answers_right.
-Print Assumptions cylinder_answers_right.
-Print Assumptions bump_cylinder_third_stage_answers_right.
-Print Assumptions bump_cylinder_answers_right.
-Print Assumptions newton_root_is_tight.
-Print Assumptions sine_of_third_is_tight.
-Print Assumptions shape_third.
-Print Assumptions gap_3p_third_is.
-Print Assumptions bump_3p_third_stage_answers_right.
-Print Assumptions bump_3p_answers_right.
-Print Assumptions bump_3p_shaded_third_stage_answers_right.
-Print Assumptions bump_3p_shaded_answers_right.
-Print Assumptions distance_in_cube.
-Print Assumptions area_in_cube.
-Print Assumptions volume_in_cube.
-Print Assumptions grid_of_triangle_is_gridded.
-Print Assumptions side_of_plane_fits.
-Print Assumptions along_edge_fits.
-Print Assumptions along_edge_from_grid_fits.
-Print Assumptions inside_fits.
-Print Assumptions inside_from_grid_fits.
-Print Assumptions two_edges_fit.
-Print Assumptions edge_and_triangle_fit.
-Print Assumptions two_triangles_fit.
-Print Assumptions on_edge_fits.
-Print Assumptions plane_from_grid_fits.
-Print Assumptions way_across_plane_fits.
-Print Assumptions passes_edge_fits.
-Print Assumptions two_crossings_fit.
-Print Assumptions crossed_edge_fits.
-Print Assumptions crossed_triangle_fits.
-Print Assumptions distance_fits.
-Print Assumptions foot_on_edge_fits.
-Print Assumptions foot_in_triangle_fits.
-Print Assumptions beside_a_sheet_fits.
-Print Assumptions foot_on_a_sheet_fits.
-Print Assumptions two_crossings_in_a_plane_fit.
-Print Assumptions part_of_a_way_fits.
-Print Assumptions from_landing_fits.
-Print Assumptions from_landing_in_a_plane_fits.
-Print Assumptions sub_goal_fits.
-Print Assumptions binary32_is_multiple.
-Print Assumptions textured_normal_fits.
-Print Assumptions textured_on_crease_fits.
-Print Assumptions square_of_textured_force_fits.
-Print Assumptions share_or_border_fits.
-Print Assumptions sticking_in_a_triangle_fits.
-Print Assumptions sticking_along_an_edge_fits.
-Print Assumptions share_in_a_triangle_fits.
-Print Assumptions share_along_an_edge_fits.
-Print Assumptions keeping_the_bit_fits.
-Print Assumptions pulled_force_in_triangle_fits.
-Print Assumptions pulled_force_along_edge_fits.
-Print Assumptions parameters_of_foot.
-Print Assumptions foot_is_inside.
-Print Assumptions parameter_of_foot_on_edge.
-Print Assumptions distance_off_plane.
-Print Assumptions no_direction_in_a_plane_is_nearer.
-Print Assumptions the_projection_is_nearest.
-Print Assumptions signed_squares_are_in_order.
-Print Assumptions two_edges_in_order.
-Print Assumptions edge_and_triangle_in_order.
-Print Assumptions two_triangles_in_order.
-Print Assumptions on_plane.
-Print Assumptions on_line.
-Print Assumptions parameters_of_projection.
-Print Assumptions crossing_of_a_plane.
-Print Assumptions parameters_of_crossing.
-Print Assumptions force_is_compared_by_squares.
-Print Assumptions sticking_in_a_triangle.
-Print Assumptions sticking_along_an_edge.
-Print Assumptions share_in_a_triangle.
-Print Assumptions share_along_an_edge.
-Print Assumptions keeping_the_bit.
-Print Assumptions energy_of_a_tick.
-Print Assumptions energy_of_a_turn.
-Print Assumptions interpolated_turn.
-Print Assumptions one_corner_is_near.
-Print Assumptions refused_move_is_short.
-Print Assumptions never_against_the_slip.
-Print Assumptions refused_slide_is_short.
-Print Assumptions sub_goal_is_near.
-Print Assumptions side_of_plane_changes_by.
-Print Assumptions passes_edge_changes_by.
-Print Assumptions product_is_off_by.
-Print Assumptions quotient_is_off_by.
-Print Assumptions root_is_off_by.
+Inductive claim : Prop := claimed (P : Prop) (_ : P).
+Arguments claimed {P} _.
+
+Definition claims : list claim := [
+  claimed wall_is_correctly_rounded; claimed cylinder_is_correctly_rounded; claimed bump_cylinder_is_correctly_rounded;
+  claimed bump_1p_is_correctly_rounded; claimed bump_2p_is_correctly_rounded; claimed bump_3p_is_correctly_rounded;
+  claimed bump_1p_shaded_is_correctly_rounded; claimed bump_2p_shaded_is_correctly_rounded; claimed bump_3p_shaded_is_correctly_rounded;
+  claimed rounding_test_is_sound; claimed first_stage_returns_the_nearest; claimed right_first_stage_gives_right_answers;
+  claimed product_is_exact; claimed wall_answers_right; claimed bump_1p_shaded_first_stage_answers_right; claimed gap_is_near;
+  claimed bump_2p_first_stage_answers_right; claimed bump_2p_shaded_first_stage_answers_right; claimed bump_3p_first_stage_answers_right;
+  claimed bump_3p_shaded_first_stage_answers_right; claimed cylinder_v_is_near; claimed cylinder_l_is_near;
+  claimed cylinder_force_is_near; claimed cylinder_v_is_not_positive; claimed cylinder_first_stage_answers_right;
+  claimed bump_cylinder_first_stage_answers_right; claimed sum_of_exact; claimed product_of_exact; claimed root_of_both;
+  claimed computed_depth_is; claimed split_head_is; claimed split_is; claimed cylinder_constants_are_right;
+  claimed cylinder_first_stage_answers_right_for_all; claimed bump_cylinder_first_stage_answers_right_for_all; claimed sum_of_is_near;
+  claimed product_of_is_near; claimed quotient_of_is_near; claimed holds_multiply; claimed holds_divide; claimed holds_root;
+  claimed holds_add; claimed holds_subtract; claimed linear_2p_is_right; claimed constants_2p_are_right;
+  claimed bump_2p_first_stage_answers_right_for_all; claimed bump_2p_shaded_first_stage_answers_right_for_all; claimed third_sine_is;
+  claimed is_on_top_is_right; claimed top_is_decided; claimed shape_3p_is_right; claimed factors_3p_are_right;
+  claimed bump_3p_first_stage_answers_right_given_t; claimed bump_3p_shaded_first_stage_answers_right_given_t;
+  claimed newton_for_third_starts; claimed newton_for_third_converges; claimed newton_for_rest_starts; claimed newton_for_rest_converges;
+  claimed third_step_is; claimed rest_step_is; claimed third_start_is; claimed rest_start_is; claimed sum_of_is_off;
+  claimed product_of_is_off; claimed quotient_of_is_off; claimed third_step_in_double_double; claimed rest_step_in_double_double;
+  claimed sine_of_third_is; claimed exact_sign_is; claimed is_on_top32_is; claimed largest_on_top_is_right; claimed top_is_right;
+  claimed bump_3p_first_stage_answers_right_for_all; claimed bump_3p_shaded_first_stage_answers_right_for_all; claimed two_sum_is_exact;
+  claimed fast_two_sum_is_exact; claimed two_product_is_exact; claimed accepted_candidate_is_nearest; claimed separation_of_degree_2;
+  claimed separation_of_degree_4; claimed bump_1p_shaded_is_separated; claimed cylinder_is_separated; claimed bump_cylinder_is_separated;
+  claimed bump_2p_shaded_is_separated; claimed bump_2p_is_separated; claimed separation_of_degree_3; claimed separation_of_degree_6;
+  claimed separation_of_degree_12; claimed bump_3p_is_separated; claimed bump_3p_shaded_is_separated;
+  claimed cylinder_contact_is_separated; claimed bump_2p_contact_is_separated; claimed bump_3p_contact_is_separated; claimed encloses_sum;
+  claimed multiply_encloses; claimed encloses_multiply; claimed encloses_divide; claimed encloses_root; claimed sign_is_right;
+  claimed sum_contains; claimed difference_of_two_contains; claimed encloses_add; claimed difference_contains;
+  claimed rounded_to_binary32_is_nearest; claimed decided_is_right; claimed along_is_right; claimed on_plane_is_right;
+  claimed bump_1p_shaded_second_stage_answers_right; claimed bump_1p_shaded_two_stages_answer_right; claimed difference_is_settled;
+  claimed settled_positive; claimed quotient_of_settled; claimed along_shaded_is_right; claimed bump_2p_second_stage_answers_right;
+  claimed bump_2p_two_stages_answer_right; claimed bump_2p_shaded_second_stage_answers_right;
+  claimed bump_2p_shaded_two_stages_answer_right; claimed encloses_subtract; claimed face_3p_enclosed; claimed sum_within;
+  claimed divide_within; claimed newton_root_encloses; claimed sine_of_third_encloses; claimed side_gap_is_settled;
+  claimed shape_enclosed; claimed gap_3p_is_settled; claimed bump_3p_second_stage_answers_right; claimed bump_3p_two_stages_answer_right;
+  claimed bump_3p_shaded_second_stage_answers_right; claimed bump_3p_shaded_two_stages_answer_right; claimed divide_encloses;
+  claimed sum_of_contained; claimed rounded_from_contained_is_nearest; claimed decided_outcome_is_right; claimed beside_a_root;
+  claimed l_is_near; claimed m_is_near; claimed second_v_is; claimed rho_enclosed; claimed scale_enclosed; claimed cylinder_outcome_is;
+  claimed cylinder_second_stage_answers_right; claimed cylinder_two_stages_answer_right; claimed bump_cylinder_second_stage_answers_right;
+  claimed bump_cylinder_two_stages_answer_right; claimed big_negated_contains; claimed big_scaled_contains; claimed big_midpoint_contains;
+  claimed big_widened_contains; claimed limbs_add; claimed limbs_subtract; claimed limbs_multiply; claimed limbs_shift_right;
+  claimed limbs_added; claimed limbs_normalised; claimed limbs_compare; claimed highest_limb; claimed limbs_cut; claimed one_limb;
+  claimed more_limbs; claimed fewer_limbs; claimed limbs_of_product; claimed is_zero_in_limbs; claimed is_larger_in_limbs;
+  claimed shift_in_limbs; claimed add_in_limbs; claimed subtract_in_limbs; claimed multiply_in_limbs; claimed big_exactly_contains;
+  claimed big_converted_contains; claimed big_sum_contains; claimed big_difference_contains; claimed big_product_contains;
+  claimed big_quotient_contains; claimed big_root_contains; claimed big_root_contains_for; claimed big_sum_is_narrow;
+  claimed big_product_is_narrow; claimed big_quotient_is_narrow; claimed big_sign_is_right; claimed big_proved_sign_is_right;
+  claimed big_root_is_narrow; claimed newton_inverse_is_good; claimed newton_inverse_root_is_good; claimed loop_ends;
+  claimed big_quotient_is_right; claimed big_root_is_right; claimed tight_multiply; claimed tight_divide; claimed tight_root;
+  claimed tight_sum; claimed search_ends; claimed rounded_big_is_nearest; claimed decided_big_is_right; claimed along_big_is_right;
+  claimed shading_root_tight; claimed bump_1p_shaded_third_stage_answers_right; claimed bump_1p_shaded_answers_right; claimed face_third;
+  claimed side_gap_third_is; claimed bump_2p_third_stage_answers_right; claimed bump_2p_answers_right;
+  claimed bump_2p_shaded_third_stage_answers_right; claimed bump_2p_shaded_answers_right; claimed rounded_fine_is_nearest;
+  claimed decided_fine_is_right; claimed bounded_add; claimed bounded_multiply; claimed bounded_is_tight; claimed scale_tight;
+  claimed cylinder_outcome_third_is; claimed cylinder_third_stage_answers_right; claimed cylinder_answers_right;
+  claimed bump_cylinder_third_stage_answers_right; claimed bump_cylinder_answers_right; claimed newton_root_is_tight;
+  claimed sine_of_third_is_tight; claimed shape_third; claimed gap_3p_third_is; claimed bump_3p_third_stage_answers_right;
+  claimed bump_3p_answers_right; claimed bump_3p_shaded_third_stage_answers_right; claimed bump_3p_shaded_answers_right;
+  claimed distance_in_cube; claimed area_in_cube; claimed volume_in_cube; claimed grid_of_triangle_is_gridded; claimed side_of_plane_fits;
+  claimed along_edge_fits; claimed along_edge_from_grid_fits; claimed inside_fits; claimed inside_from_grid_fits; claimed two_edges_fit;
+  claimed edge_and_triangle_fit; claimed two_triangles_fit; claimed on_edge_fits; claimed plane_from_grid_fits;
+  claimed way_across_plane_fits; claimed passes_edge_fits; claimed two_crossings_fit; claimed crossed_edge_fits;
+  claimed crossed_triangle_fits; claimed distance_fits; claimed foot_on_edge_fits; claimed foot_in_triangle_fits;
+  claimed beside_a_sheet_fits; claimed foot_on_a_sheet_fits; claimed two_crossings_in_a_plane_fit; claimed part_of_a_way_fits;
+  claimed from_landing_fits; claimed from_landing_in_a_plane_fits; claimed sub_goal_fits; claimed binary32_is_multiple;
+  claimed textured_normal_fits; claimed textured_on_crease_fits; claimed square_of_textured_force_fits; claimed share_or_border_fits;
+  claimed sticking_in_a_triangle_fits; claimed sticking_along_an_edge_fits; claimed share_in_a_triangle_fits;
+  claimed share_along_an_edge_fits; claimed keeping_the_bit_fits; claimed pulled_force_in_triangle_fits;
+  claimed pulled_force_along_edge_fits; claimed parameters_of_foot; claimed foot_is_inside; claimed parameter_of_foot_on_edge;
+  claimed distance_off_plane; claimed no_direction_in_a_plane_is_nearer; claimed the_projection_is_nearest;
+  claimed signed_squares_are_in_order; claimed two_edges_in_order; claimed edge_and_triangle_in_order; claimed two_triangles_in_order;
+  claimed on_plane; claimed on_line; claimed parameters_of_projection; claimed crossing_of_a_plane; claimed parameters_of_crossing;
+  claimed force_is_compared_by_squares; claimed sticking_in_a_triangle; claimed sticking_along_an_edge; claimed share_in_a_triangle;
+  claimed share_along_an_edge; claimed keeping_the_bit; claimed energy_of_a_tick; claimed energy_of_a_turn; claimed interpolated_turn;
+  claimed one_corner_is_near; claimed refused_move_is_short; claimed never_against_the_slip; claimed refused_slide_is_short;
+  claimed sub_goal_is_near; claimed side_of_plane_changes_by; claimed passes_edge_changes_by; claimed product_is_off_by;
+  claimed quotient_is_off_by; claimed root_is_off_by].
+Print Assumptions claims.

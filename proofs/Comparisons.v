@@ -28,13 +28,9 @@ Proof. unfold quantum, B2R, F2R. simpl. lra. Qed.
 Definition in_domain (x : binary32) : bool := is_at_most32 (b32_abs x) ten_thousand.
 Definition quantised (x : binary32) : binary32 := if is_at_most32 quantum (b32_abs x) then x else zero32.
 
-(* What a coordinate is read as, in real numbers. *)
-Definition read (x : R) : R := if Rle_bool (bpow radix2 (-30)) (Rabs x) then x else 0.
-
-Lemma in_domain_is_right : forall x,
-  in_domain x = true <-> is_finite 24 128 x = true /\ Rabs (value32 x) <= 10000.
+Lemma in_domain_is_right : forall x, in_domain x = true <-> in_range x.
 Proof.
-  intro x. unfold in_domain. destruct (is_finite 24 128 x) eqn:Hx.
+  intro x. unfold in_domain, in_range. destruct (is_finite 24 128 x) eqn:Hx.
   - unfold b32_abs. rewrite is_at_most32_is_right; [|now rewrite is_finite_Babs|reflexivity].
     rewrite B2R_Babs, value_of_ten_thousand. case Rle_bool_spec; intro H; split; intro G.
     + split; [reflexivity|assumption].

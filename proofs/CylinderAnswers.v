@@ -6,15 +6,6 @@ From Forceshade Require Import Formats Comparisons Operations Recorded Nearness 
 From Forceshade Require Import CylinderForce Cylinder CylinderOutside.
 Open Scope R_scope.
 
-(* docs/laws.md: K (R - rho) along (x, z + d)/rho where rho < R, and K R along z on the axis. *)
-Definition distance_from_axis (Rad w X Z : R) : R := sqrt (X * X + (Z + axis_depth Rad w) * (Z + axis_depth Rad w)).
-Definition cylinder_x (Rad w K X Z : R) : R :=
-  let rho := distance_from_axis Rad w X Z in
-  if Rlt_bool rho Rad then K * (Rad - rho) * (if Req_bool rho 0 then 0 else X / rho) else 0.
-Definition cylinder_z (Rad w K X Z : R) : R :=
-  let rho := distance_from_axis Rad w X Z in
-  if Rlt_bool rho Rad then K * (Rad - rho) * (if Req_bool rho 0 then 1 else (Z + axis_depth Rad w) / rho) else 0.
-
 Lemma distance_squared : forall Rad w X Z, let L := Z + axis_depth Rad w in let rho := distance_from_axis Rad w X Z in
   0 <= rho /\ rho * rho = X * X + L * L.
 Proof. intros Rad w X Z L rho. split; [apply sqrt_pos|]. apply sqrt_sqrt. nra. Qed.

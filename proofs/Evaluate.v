@@ -5,10 +5,6 @@ From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations RoundingTest Computed.
 Open Scope R_scope.
 
-Inductive Status := free | contact | invalid.
-Definition evaluation : Type := Status * (binary32 * binary32 * binary32).
-Definition no_force (status : Status) : evaluation := (status, (zero32, zero32, zero32)).
-
 Definition valid (x y z : binary32) : bool := in_domain x && in_domain y && in_domain z.
 
 Definition evaluate (window : Z) (first_stage : binary64 -> binary64 -> FirstStage) (later : binary32 -> binary32 -> evaluation)
@@ -35,6 +31,21 @@ Definition right_or_later (answer later : evaluation) (touches : Prop) (Fx Fz : 
 Lemma invalid_has_no_force : forall window first_stage later x y z, valid x y z = false ->
   evaluate window first_stage later x y z = no_force invalid.
 Proof. intros window first_stage later x y z H. unfold evaluate. now rewrite H. Qed.
+
+Lemma valid_is_right : forall x y z, valid x y z = true <-> in_range x /\ in_range y /\ in_range z.
+Proof. intros x y z. unfold valid. rewrite !andb_true_iff, !in_domain_is_right. tauto. Qed.
+
+(* Right in every valid position, answers are right in every position (proofs/Laws.v). *)
+Theorem right_everywhere : forall window first_stage later (law : R -> R -> exact_force) x y z,
+  (valid x y z = true ->
+    let exact := law (read (value32 x)) (read (value32 z)) in
+    is_answer (evaluate window first_stage later x y z) (in_contact exact) (exact_x exact) (exact_z exact)) ->
+  right_answer (evaluate window first_stage later x y z) law x y z.
+Proof.
+  intros window first_stage later law x y z H. split; intro Hrange; [now apply H, valid_is_right|].
+  apply invalid_has_no_force. apply not_true_is_false. now rewrite valid_is_right.
+Qed.
+Arguments right_everywhere {window first_stage later law x y z} & _.
 
 Theorem right_first_stage_gives_right_answers : forall k first_stage later x y z touches Fx Fz, (0 < k <= 2 ^ 20)%Z ->
   valid x y z = true -> is_right k (first_stage (to64 (quantised x)) (to64 (quantised z))) touches Fx Fz ->

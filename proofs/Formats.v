@@ -1,24 +1,17 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* The two formats, and how a number goes from one to the other. *)
+(* The two formats, and how a number goes from one to the other. Every file has proofs/Laws.v by this one. *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
+From Forceshade Require Export Laws.
 Open Scope R_scope.
 
-Notation value32 := (B2R 24 128).
 Notation value64 := (B2R 53 1024).
-Notation fexp32 := (FLT_exp (-149) 24).
 Notation fexp64 := (FLT_exp (-1074) 53).
-Notation nearest32 := (round radix2 fexp32 ZnearestE).
 Notation nearest64 := (round radix2 fexp64 ZnearestE).
-Notation zero32 := (B754_zero 24 128 false).
 Notation zero64 := (B754_zero 53 1024 false).
 
 Global Instance prec24 : Prec_gt_0 24 := eq_refl _.
 Global Instance prec53 : Prec_gt_0 53 := eq_refl _.
-
-(* The binary32 nearest to a real number, which it is to give: +0 where that is 0. *)
-Definition is_nearest32 (answer : binary32) (exact : R) : Prop :=
-  value32 answer = nearest32 exact /\ is_finite 24 128 answer = true /\ (nearest32 exact = 0 -> answer = zero32).
 
 (* static_cast from one format to the other. nan: what a NaN becomes. *)
 Definition cast {prec emax} prec' emax' (Hprec : Prec_gt_0 prec') (Hmax : (prec' < emax')%Z) (nan : binary_float prec' emax')

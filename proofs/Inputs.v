@@ -22,10 +22,6 @@ Proof. intros a b. apply product_is_binary64; apply (generic_format_B2R 24 128).
 
 (* ---- The numbers that a law is built from ---- *)
 
-Definition parameters (R w K : binary32) : Prop :=
-  (is_finite 24 128 R = true /\ is_finite 24 128 w = true /\ is_finite 24 128 K = true) /\
-  / 10 <= value32 R <= 10000 /\ / 1000 <= value32 w <= 2 * value32 R /\ / 1000 <= value32 K <= 1000.
-
 Lemma size_of : forall l h a, bpow radix2 l <= a -> a <= bpow radix2 h -> size l h a.
 Proof. intros l h a Hl Hh. unfold size. pose proof (bpow_gt_0 radix2 l). rewrite Rabs_pos_eq by lra. now split. Qed.
 

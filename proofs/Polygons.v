@@ -90,20 +90,7 @@ Proof.
   apply times_is; try assumption. rewrite Rmult_0_r, Rabs_R0. apply bpow_ge_0.
 Qed.
 
-(* ---- Two polygons: docs/laws.md ---- *)
-
-Definition axis_depth (Rad w : R) : R := sqrt (Rsqr Rad - Rsqr (w / 2)).
-Definition bump_height (Rad w : R) : R := Rad - axis_depth Rad w.
-Definition slope_2p (Rad w : R) : R := 2 * bump_height Rad w / w.
-Definition cosine_of (slope : R) : R := 1 / sqrt (1 + Rsqr slope).
-Definition sine_of (slope : R) : R := slope / sqrt (1 + Rsqr slope).
-
-Definition penetration_2p (Rad w X Z : R) : R :=
-  if Rle_bool (Rabs X) (w / 2) then bump_height Rad w * (1 - 2 * Rabs X / w) - Z else - Z.
-(* F_x and F_z for a penetration M of a face of this slope; x = 0 belongs to the face on the right. *)
-Definition side_x (w K slope X M : R) : R :=
-  if Rle_bool (Rabs X) (w / 2) then K * M * (if Rlt_bool X 0 then - sine_of slope else sine_of slope) else 0.
-Definition side_z (w K slope X M : R) : R := K * M * (if Rle_bool (Rabs X) (w / 2) then cosine_of slope else 1).
+(* ---- Two polygons ---- *)
 
 Record constants_2p (R w K : binary32) (height height_tail slope slope_tail K_sine K_cosine : binary64) : Prop := {
   linear_2p : linear height height_tail slope slope_tail (bump_height (value32 R) (value32 w)) (slope_2p (value32 R) (value32 w));

@@ -29,7 +29,7 @@ Lemma quantised_x_is : forall x y z, valid x y z = true ->
   value32 (quantised x) = read (value32 x) /\ is_finite 24 128 (quantised x) = true.
 Proof.
   intros x y z H. unfold valid in H. destruct (andb_prop _ _ H) as [Hxy _]. destruct (andb_prop _ _ Hxy) as [Hx _].
-  apply in_domain_is_right in Hx. now apply quantised_is_right.
+  apply in_domain_is_right in Hx. apply quantised_is_right, Hx.
 Qed.
 
 Lemma twice_is : forall x, Rabs (value32 x) <= 10000 -> is_finite 24 128 x = true ->

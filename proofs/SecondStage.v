@@ -229,11 +229,6 @@ Definition decide (contact_sign : Sign) (fx fz : double_double) : option evaluat
   | _ => Some (no_force free)
   end.
 
-(* An answer is right. *)
-Definition is_answer (answer : evaluation) (touches : Prop) (Fx Fz : R) : Prop :=
-  ~ touches /\ answer = no_force free \/
-  touches /\ exists fx fz, answer = (contact, (fx, zero32, fz)) /\ is_nearest32 fx Fx /\ is_nearest32 fz Fz.
-
 (* What a component has to be where the force acts. *)
 Definition acceptable (value : double_double) (x : R) : Prop := contains value x /\
   value64 (error value) <= 10000000000000000000000000000000000000000 /\ fits value.

@@ -94,10 +94,6 @@ Proof.
       apply (computed_is_good k _ _ _ _ _ C); try lra; lia.
 Qed.
 
-(* K M (x, sqrt(R^2 - x^2)) / R where |x| <= w/2, else K M (0, 1): M is the gap, the depth below the nominal surface. *)
-Definition shaded_x (Rad w K X M : R) : R := if Rle_bool (Rabs X) (w / 2) then K * M * (X / Rad) else 0.
-Definition shaded_z (Rad w K X M : R) : R := K * M * (if Rle_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1).
-
 Lemma shaded_force_is : forall Rad w K X M, 0 < Rad -> w <= 2 * Rad ->
   let s := if Rle_bool (Rabs X) (w / 2) then X else 0 in
   M * (K / Rad) * s = shaded_x Rad w K X M /\ M * (K / Rad) * sqrt ((Rad - s) * (Rad + s)) = shaded_z Rad w K X M.

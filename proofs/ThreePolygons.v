@@ -5,19 +5,6 @@ From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded Nearness Computed Evaluate Inputs Shaded Gap Polygons.
 Open Scope R_scope.
 
-(* docs/laws.md. *)
-Definition theta (Rad w : R) : R := 2 / 3 * asin (w / (2 * Rad)).
-Definition top_width (Rad w : R) : R := 2 * (w / 2 * cos (theta Rad w) - axis_depth Rad w * sin (theta Rad w)).
-Definition top_height (Rad w : R) : R := w / 2 * sin (theta Rad w) + axis_depth Rad w * cos (theta Rad w) - axis_depth Rad w.
-Definition slope_3p (Rad w : R) : R := top_height Rad w / (w / 2 - top_width Rad w / 2).
-Definition penetration_3p (Rad w X Z : R) : R :=
-  if Rle_bool (Rabs X) (w / 2)
-  then (if Rle_bool (Rabs X) (top_width Rad w / 2) then top_height Rad w
-        else top_height Rad w * (w / 2 - Rabs X) / (w / 2 - top_width Rad w / 2)) - Z
-  else - Z.
-(* The slope of the surface at X, 0 on the top. *)
-Definition slope_at (Rad w X : R) : R := if Rle_bool (Rabs X) (top_width Rad w / 2) then 0 else slope_3p Rad w.
-
 (* The linear pieces of top and sides, and half_top, which lies where the comparisons of binary32 numbers need it. *)
 Record shape_3p (R w : binary32) (top_h top_ht side_h side_ht side_s side_st half_top : binary64) : Prop := {
   linear_top : linear top_h top_ht zero64 zero64 (top_height (value32 R) (value32 w)) 0;

@@ -2,7 +2,7 @@
 (* The bump of three polygons in real numbers, by t = sin(alpha / 3) with sin alpha = w / 2R: docs/laws.md and three_polygons of
    fast/laws/bump_geometry.h agree. *)
 From Coq Require Import ZArith Reals Lia Lra.
-From Forceshade Require Import Polygons ThreePolygons.
+From Forceshade Require Import Laws Polygons ThreePolygons.
 Open Scope R_scope.
 
 Definition third_angle (Rad w : R) : R := asin (w / (2 * Rad)) / 3.

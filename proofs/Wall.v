@@ -18,23 +18,19 @@ Proof.
     apply generic_format_opp, (generic_format_B2R 24 128).
 Qed.
 
-(* docs/laws.md: F = -K z in the direction of z where z < 0. x, y and z are any bits, K any number of its domain. *)
-Theorem wall_is_correctly_rounded : forall is_fused later (K x y z : binary32),
-  is_finite 24 128 K = true -> / 1000 <= value32 K <= 1000 ->
-  let evaluate := evaluate wall_window (wall is_fused (to64 K)) later x y z in
+(* F = -K z in the direction of z where z < 0. x, y and z are any bits, K any number of its domain; no later stage is asked. *)
+Theorem wall_answers_right : forall is_fused later (K x y z : binary32), stiffness K -> valid x y z = true ->
   let Z := read (value32 z) in
-  (valid x y z = false -> evaluate = no_force invalid) /\
-  (valid x y z = true -> 0 <= Z -> evaluate = no_force free) /\
-  (valid x y z = true -> Z < 0 -> exists F, evaluate = (contact, (zero32, zero32, F)) /\ is_nearest32 F (- value32 K * Z)).
+  is_answer (evaluate wall_window (wall is_fused (to64 K)) later x y z) (Z < 0) 0 (- value32 K * Z).
 Proof.
-  intros is_fused later K x y z HK RK evaluate' Z. split; [intro H; now apply invalid_has_no_force|].
-  split; intros Hvalid Hsign; destruct (valid_coordinates _ _ _ Hvalid) as [_ Hz]; fold Z in Hz; subst evaluate'.
-  all: unfold evaluate, wall; cbv zeta; cbn [first_x first_z first_contact first_doubt]; rewrite Hvalid; cbn [negb].
-  all: rewrite (less_is _ _ _ _ (coordinate_is _ _ Hz) zero_is).
-  { now rewrite Rlt_bool_false by lra. }
-  rewrite Rlt_bool_true by assumption. cbn [negb]. change (wall_window) with 0%Z. unfold in_doubt. cbn [Z.eqb andb negb].
-  pose proof (wall_force_is K _ _ HK RK Hz) as [F1 F2]. exists (returned (larger (times (opp (to64 K)) (to64 (quantised z))) zero64)).
-  split; [reflexivity|]. pose proof (coordinate_range _ _ Hz) as Rz.
+  intros is_fused later K x y z [HK RK] Hvalid Z. destruct (valid_coordinates _ _ _ Hvalid) as [_ Hz]. fold Z in Hz.
+  unfold evaluate, wall. cbv zeta. cbn [first_x first_z first_contact first_doubt]. rewrite Hvalid. cbn [negb].
+  rewrite (less_is _ _ _ _ (coordinate_is _ _ Hz) zero_is). case Rlt_bool_spec; intro Hsign; [right|left; split; [lra|reflexivity]].
+  split; [exact Hsign|]. cbn [negb]. change (wall_window) with 0%Z. unfold in_doubt. cbn [Z.eqb andb negb].
+  pose proof (wall_force_is K _ _ HK RK Hz) as [F1 F2].
+  exists zero32, (returned (larger (times (opp (to64 K)) (to64 (quantised z))) zero64)). split; [reflexivity|]. split.
+  { split; [symmetry; apply round_0; auto with typeclass_instances|now split]. }
+  pose proof (coordinate_range _ _ Hz) as Rz.
   assert (Hsize : 0 < - value32 K * Z <= 10000000).
   { rewrite (Rabs_left Z) in Rz by assumption. replace (- value32 K * Z) with (value32 K * - Z) by ring.
     split; [apply Rmult_lt_0_compat; lra|]. replace 10000000 with (1000 * 10000) by ring. apply Rmult_le_compat; lra. }

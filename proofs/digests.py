@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""proofs/digests.py [--renew FILE...]: compares the code that definitions of these proofs were written from by hand with the digests of
-proofs/code.txt, and exits with 1 where one differs. Each line of code.txt names a file, functions of it (or * for the whole file) and
-the digest of their text without comments and line breaks. Whoever changes such code looks at the definitions in proofs/*.v
-again, and then renews the digest of the file."""
+"""proofs/digests.py [--renew FILE...]: compares the code that definitions of these proofs were written from by hand, and the statements
+of the theorems, with the digests of proofs/code.txt, and exits with 1 where one differs. Each line of code.txt names a file, functions of
+it (or * for the whole file) and the digest of their text without comments and line breaks. Whoever changes such code looks at the
+definitions in proofs/*.v again, whoever changes a statement asks whether it says less, and then renews the digest of the file."""
 
 import hashlib
 import pathlib
@@ -17,6 +17,14 @@ def without_comments(text):
     text = re.sub(r'("(?:\\.|[^"\\\n])*")|//[^\n]*|/\*.*?\*/', lambda found: found[1] or " ", text, flags=re.DOTALL)
     text = re.sub(r"^\s*#.*$", lambda line: line[0] + ";", text, flags=re.MULTILINE)  # a directive ends at its line
     return re.sub(r"\s*([(){}\[\],;])\s*", r"\1", " ".join(text.split()))
+
+
+def without_coq_comments(text):
+    depth, kept = 0, []
+    for part in re.split(r"(\(\*|\*\))", text):
+        depth += {"(*": 1, "*)": -1}.get(part, 0)
+        kept.append(part if depth == 0 and part != "*)" else " ")
+    return " ".join("".join(kept).split())
 
 
 def body_end(text, begin):
@@ -39,7 +47,7 @@ def functions(text, name):
 
 
 def digest_of(file, names):
-    text = without_comments((ROOT / file).read_text())
+    text = (without_coq_comments if file.endswith(".v") else without_comments)((ROOT / file).read_text())
     parts = [text]
     if names != ["*"]:
         parts = []
@@ -72,8 +80,9 @@ def main():
     if renewed:
         LIST.write_text("\n".join(lines) + "\n")
     for file in changed:
-        print(f"{file} is not the code that definitions of proofs/ were written from: look at them again, then\n"
-              f"  proofs/digests.py --renew {file}")
+        what = ("does not state what a person has read: does it say less?" if file.endswith(".v") else
+                "is not the code that definitions of proofs/ were written from: look at them again,")
+        print(f"{file} {what} Then\n  proofs/digests.py --renew {file}")
     return 1 if changed else 0
 
 

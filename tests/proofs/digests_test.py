@@ -10,7 +10,8 @@ import sys
 import tempfile
 
 source = pathlib.Path(sys.argv[1])
-NAMED = [line.split() for line in (source / "proofs/code.txt").read_text().splitlines() if not line.startswith("#")]
+LINES = [line.split() for line in (source / "proofs/code.txt").read_text().splitlines() if not line.startswith("#")]
+NAMED = [line for line in LINES if not line[0].endswith(".v")]  # weakened_test.py changes the statements
 
 
 def run(root, *words):
@@ -26,7 +27,7 @@ with tempfile.TemporaryDirectory() as folder:
     (root / "proofs").mkdir()
     for name in ("digests.py", "code.txt"):
         shutil.copy(source / "proofs" / name, root / "proofs")
-    for file, *_ in NAMED:
+    for file, *_ in LINES:
         (root / file).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(source / file, root / file)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # refused_test.sh SOURCE COMPILER EIGEN: scripts/proofs must refuse a wrong line of the code, a wrong constant in a definition, a wrong
-# statement, a proof that is missing, and an axiom; recorded_test.sh, a first stage that has changed, and scripts/proofs again where
-# what is recorded has changed as well. Each is planted in a copy. Exits 77 where scripts/proofs does.
+# statement or specification, a proof that is missing, and an axiom; recorded_test.sh, a first stage that has changed, and scripts/proofs
+# again where what is recorded has changed as well. Each is planted in a copy. Exits 77 where scripts/proofs does.
 set -euo pipefail
 source=$(realpath "$1") compiler=$2 eigen=$3
 copy=$(mktemp -d)
@@ -45,6 +45,16 @@ refuses() {  # file, what stands there, what is planted, words of the refusal
   proofs_refuse "$4" || not_refused "$@"
   restore "$1"
 }
+# Another specification: it is refused as one that nobody has read, and, were it read, as one of which the theorems are not true.
+states_otherwise() {  # what stands there, what is planted
+  plant proofs/Laws.v "$@"
+  proofs_refuse "does not state" || not_refused proofs/Laws.v "$@"
+  cp "$copy/proofs/code.txt" "$copy/stored"
+  "$copy/proofs/digests.py" --renew proofs/Laws.v
+  proofs_refuse "Error" || not_refused proofs/Laws.v "$@"
+  cp "$copy/stored" "$copy/proofs/code.txt"
+  restore proofs/Laws.v
+}
 # A header of which the first stages that are recorded are no longer those stored; and, were they stored, no longer those proved.
 records_otherwise() {  # file, what stands there, what is planted
   plant "$@"
@@ -72,9 +82,9 @@ refuses proofs/Comparisons.v "false 8388608 (-53) eq_refl" "false 8388608 (-52) 
 refuses proofs/Comparisons.v "if is_at_most32 quantum (b32_abs x) then x else zero32" "if is_at_most32 quantum x then x else zero32" "Error"
 refuses proofs/Recorded.v "Definition wall_window : Z := 0" "Definition wall_window : Z := 1" "Error"
 refuses proofs/Shaded.v "(n + 11 / 2 * one) * (1001 / 1000) <= IZR k ->" "(n + 9 / 2 * one) * (1001 / 1000) <= IZR k ->" "Error"
-refuses proofs/Shaded.v "then K * M * (X / Rad) else 0." "then K * M * (X / w) else 0." "Error"
-refuses proofs/Shaded.v "if Rle_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" \
-  "if Rlt_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" "Error"
+states_otherwise "then K * M * (X / Rad) else 0." "then K * M * (X / w) else 0."
+states_otherwise "if Rle_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1" \
+  "if Rlt_bool (Rabs X) (w / 2) then sqrt (Rsqr Rad - Rsqr X) / Rad else 1"
 records_otherwise fast/laws/polygon_gap.h "absolute(value) < Real(0x1p-27) * height" "absolute(value) < Real(0x1p-29) * height"
 records_otherwise fast/laws/polygon_gap.h "(error + (height_tail - slope_tail * ax))" "(error - (height_tail - slope_tail * ax))"
 records_otherwise fast/laws/bump_2p.h "x < Real(0), Real(-K_sine), Real(K_sine)" "x <= Real(0), Real(-K_sine), Real(K_sine)"
@@ -82,17 +92,16 @@ records_otherwise fast/laws/bump_3p.h "on_side = inside & !on_top" "on_side = in
 records_otherwise fast/laws/bump_2p_shaded.h "kErrorBound = 0x1.8p-50" "kErrorBound = 0x1p-50"
 refuses proofs/Gap.v "height_share : R := / 19807040628566084398385987584." "height_share : R := / 1980704062856608439838." "Error"
 refuses proofs/Gap.v "in_binary64 h -> in_binary64 p -> 0 <= p <= 2 * h ->" "in_binary64 h -> in_binary64 p -> 0 <= p ->" "Error"
-refuses proofs/Polygons.v "bump_height Rad w * (1 - 2 * Rabs X / w) - Z" "bump_height Rad w * (1 - Rabs X / w) - Z" "Error"
+states_otherwise "bump_height Rad w * (1 - 2 * Rabs X / w) - Z" "bump_height Rad w * (1 - Rabs X / w) - Z"
 refuses proofs/Polygons.v "unit53 * (1 + / 1000000) * Rabs exact" "unit53 * 5 * Rabs exact" "Error"
-refuses proofs/Polygons.v "2 * bump_height Rad w / w." "bump_height Rad w / w." "Error"
-refuses proofs/ThreePolygons.v "(top_width Rad w / 2) then 0 else slope_3p Rad w." "(top_width Rad w / 2) then slope_3p Rad w else 0." \
-  "Error"
+states_otherwise "2 * bump_height Rad w / w." "bump_height Rad w / w."
+states_otherwise "(top_width Rad w / 2) then 0 else slope_3p Rad w." "(top_width Rad w / 2) then slope_3p Rad w else 0."
 records_otherwise fast/laws/cylinder.h "multiply_subtract(z, z, a - b)" "multiply_subtract(z, z, b - a)"
 records_otherwise fast/laws/cylinder.h "force.doubt = force.doubt | (z == Real(axis));" "force.doubt = force.doubt | (z == Real(R));"
 records_otherwise fast/laws/cylinder.h "Real(0x1p-47 * R * R)" "Real(0x1p-50 * R * R)"
 refuses proofs/Cylinder.v "depth_anchor : is64 anchor (8 *" "depth_anchor : is64 anchor (4 *" "Error"
 refuses proofs/CylinderOutside.v "value32 R * value32 R <= X * X + L * L ->" "value32 R * value32 R - 1 <= X * X + L * L ->" "Error"
-refuses proofs/CylinderAnswers.v "K * (Rad - rho) * (if Req_bool rho 0 then 0" "K * (Rad + rho) * (if Req_bool rho 0 then 0" "Error"
+states_otherwise "K * (Rad - rho) * (if Req_bool rho 0 then 0" "K * (Rad + rho) * (if Req_bool rho 0 then 0"
 records_otherwise fast/laws/bump_cylinder.h "cylinder.contact & (z <= Real(axis))" "cylinder.contact & (z < Real(axis))"
 records_otherwise fast/laws/bump_cylinder.h "cylinder.z + from_wall, contact" "cylinder.z - from_wall, contact"
 refuses proofs/CylinderAnswers.v "X Z + Rmax (- value32 K * Z) 0)." "X Z + - value32 K * Z)." "Error"
@@ -134,13 +143,14 @@ refuses proofs/ThreePolygonsRight.v "(half_top_3p R (sine_of_third R w)))." "(ha
 refuses proofs/Nearness.v "Definition one : R := 1001 / 1000." "Definition one : R := 999 / 1000." "Error"
 refuses proofs/Inputs.v "times (two_to (-1)) (to64 w)" "times (two_to (-2)) (to64 w)" "Error"
 refuses proofs/Evaluate.v "negb (in_doubt window (bits_of_b64 (first_x first))) &&" "" "Error"
-refuses proofs/Wall.v "/\\ is_nearest32 F (- value32 K * Z))." "/\\ is_nearest32 F (value32 K * Z))." "Error"
-refuses proofs/Wall.v "(valid x y z = true -> 0 <= Z -> evaluate = no_force free)" "(valid x y z = true -> evaluate = no_force free)" \
-  "Error"
+refuses proofs/Wall.v "(Z < 0) 0 (- value32 K * Z)." "(Z < 0) 0 (value32 K * Z)." "Error"
+refuses proofs/Wall.v "(Z < 0) 0 (- value32 K * Z)." "(Z <= 0) 0 (- value32 K * Z)." "Error"
+refuses proofs/Main.v "(exact_bump_2p (value32 R)" "(exact_bump_3p (value32 R)" "does not state"
+refuses proofs/Code.v "code_of_wall (is_fused : bool) (R w K" "code_of_wall (is_fused : bool) (R K w" "does not state"
 refuses proofs/Inputs.v "Theorem product_is_exact : forall a b : binary32, generic" \
   "Axiom product_is_exact : forall a b : binary32, generic" "no proofs"
-refuses proofs/Formats.v "Definition is_nearest32" "Lemma lost : 1 = 2. Admitted.
-Definition is_nearest32" "no proofs"
+refuses proofs/Formats.v "Global Instance prec24" "Lemma lost : 1 = 2. Admitted.
+Global Instance prec24" "no proofs"
 refuses proofs/ErrorFree.v "nearest64 (nearest64 (a - nearest64 (s - t)) + nearest64 (b - t)) = a + b." \
   "nearest64 (nearest64 (a - s) + nearest64 (b - t)) = a + b." "Error"
 refuses proofs/ErrorFree.v "Rabs b <= Rabs a \\/ a = 0 ->" "Rabs a <= Rabs b \\/ a = 0 ->" "Error"

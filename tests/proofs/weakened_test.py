@@ -1,0 +1,203 @@
+#!/usr/bin/env python3
+"""weakened_test.py SOURCE [FOLDER]: makes weaker statements of the nine theorems of proofs/Main.v and of the specification in
+proofs/Laws.v. proofs/digests.py must refuse each of them, and pass over comments and line breaks. With FOLDER, in which scripts/proofs
+left what Coq read, Coq must refuse to take a weaker theorem of Main.v for the one that this program writes, and with a weaker Laws.v to
+read restated.v. Exits 77 where FOLDER is given and Coq is not there."""
+
+import concurrent.futures
+import contextlib
+import importlib
+import io
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+source = pathlib.Path(sys.argv[1])
+folder = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
+LAWS = (source / "proofs/Laws.v").read_text()
+MAIN = (source / "proofs/Main.v").read_text()
+NAMES = ["wall", "cylinder", "bump_cylinder", "bump_1p", "bump_2p", "bump_3p", "bump_1p_shaded", "bump_2p_shaded", "bump_3p_shaded"]
+NUMBERS = "forall (is_fused : bool) (R w K x y z : binary32), "
+
+
+def parts(law):
+    """Hypothesis, answer and exact force of a law's theorem."""
+    needed = "stiffness K" if law in ("wall", "bump_1p") else "parameters R w K"
+    numbers = "(value32 K)" if law == "wall" else "(value32 R) (value32 w) (value32 K)"
+    return needed, f"answer (code_of_{law} is_fused R w K) x y z", f"exact_{law} {numbers}"
+
+
+def whole(law):
+    needed, answer, exact = parts(law)
+    return f"{NUMBERS}{needed} -> right_answer ({answer}) ({exact}) x y z"
+
+
+def weaker(law, number):
+    """Weaker statements of a law's theorem, by what they lack."""
+    needed, answer, exact = parts(law)
+    right = f"right_answer ({answer}) ({exact}) x y z"
+    lacking = ["value32 x <> 0", "value32 z < -1", "is_finite 24 128 y = true", "in_range y", "value32 K = 1", "is_fused = true", "x = z",
+               "value32 R = value32 w", "Rabs (value32 x) <= value32 w"]
+    more, other = lacking[number], lacking[(number + 4) % len(lacking)]
+    return {
+        "a hypothesis more": f"{NUMBERS}{needed} -> {more} -> {right}",
+        "a hypothesis in the place of another": f"{NUMBERS}{needed} /\\ {other} -> {right}",
+        "one way to multiply and add": f"{NUMBERS}{needed} -> " + right.replace("is_fused", "false"),
+        "only in contact": f"{NUMBERS}{needed} -> fst ({answer}) = contact -> {right}",
+        "some answer is right": f"{NUMBERS}{needed} -> exists some, right_answer some ({exact}) x y z",
+        "or something else": f"{NUMBERS}{needed} -> {right} \\/ fst ({answer}) = invalid",
+        "an implication of itself": f"{NUMBERS}{needed} -> {right} -> {right}",
+    }
+
+
+# Texts of Laws.v, each with one that says less or something else.
+SPECIFICATION = [
+    ("/ 1000 <= value32 K <= 1000.\nDefinition parameters", "/ 1000 <= value32 K <= 100.\nDefinition parameters"),
+    ("Definition stiffness (K : binary32) : Prop := is", "Definition stiffness (K : binary32) : Prop := value32 K <> 1 /\\ is"),
+    ("/ 10 <= value32 R <= 10000 /\\", "1 <= value32 R <= 10000 /\\"),
+    ("/ 10 <= value32 R <= 10000 /\\", "/ 10 <= value32 R < 10000 /\\"),
+    ("/ 1000 <= value32 w <= 2 * value32 R /\\", "/ 1000 <= value32 w < 2 * value32 R /\\"),
+    ("/ 1000 <= value32 w <= 2 * value32 R /\\", "/ 1000 < value32 w <= 2 * value32 R /\\"),
+    ("/\\ / 1000 <= value32 K <= 1000.\n\n", "/\\ / 100 <= value32 K <= 1000.\n\n"),
+    ("/\\ / 1000 <= value32 K <= 1000.\n\n", "/\\ / 1000 <= value32 K <= 1000 /\\ K <> R.\n\n"),
+    ("Rabs (value32 x) <= 10000.", "Rabs (value32 x) <= 1000."),
+    ("Rabs (value32 x) <= 10000.", "Rabs (value32 x) < 10000."),
+    ("Rabs (value32 x) <= 10000.", "Rabs (value32 x) <= 20000."),
+    ("is_finite 24 128 x = true /\\ Rabs (value32 x)", "Rabs (value32 x)"),
+    ("bpow radix2 (-30)", "bpow radix2 (-20)"),
+    ("if Rle_bool (bpow radix2 (-30)) (Rabs x) then x else 0", "x"),
+    ("(round radix2 fexp32 ZnearestE)", "(round radix2 fexp32 Zfloor)"),
+    ("(round radix2 fexp32 ZnearestE)", "(round radix2 fexp32 ZnearestA)"),
+    ("(FLT_exp (-149) 24)", "(FLT_exp (-149) 23)"),
+    ("(FLT_exp (-149) 24)", "(FLT_exp (-126) 24)"),
+    ("(FLT_exp (-149) 24)", "(FLX_exp 24)"),
+    ("value32 answer = nearest32 exact /\\", "Rabs (value32 answer - exact) <= ulp radix2 fexp32 exact /\\"),
+    ("value32 answer = nearest32 exact /\\ ", ""),
+    ("is_finite 24 128 answer = true /\\ (nearest32", "(nearest32"),
+    (" /\\ (nearest32 exact = 0 -> answer = zero32)", ""),
+    (" /\\ is_nearest32 fx Fx /\\", " /\\"),
+    (" /\\ is_nearest32 fz Fz", ""),
+    ("exists fx fz, answer = (contact, (fx, zero32, fz))", "exists fx fy fz, answer = (contact, (fx, fy, fz))"),
+    ("exists fx fz, answer = (contact, (fx, zero32, fz))", "exists status fx fz, answer = (status, (fx, zero32, fz))"),
+    ("~ touches /\\ answer = no_force free \\/", "answer = no_force free \\/"),
+    ("  touches /\\ exists", "  exists"),
+    ("~ touches /\\ answer = no_force free \\/", "~ touches \\/"),
+    (" /\\\n  (~ (in_range x /\\ in_range y /\\ in_range z) -> answer = no_force invalid)", ""),
+    ("-> answer = no_force invalid)", "-> fst answer = invalid)"),
+    ("(in_range x /\\ in_range y /\\ in_range z -> is_answer", "(in_range x /\\ in_range y /\\ in_range z /\\ x <> z -> is_answer"),
+    ("let exact := law (read (value32 x)) (read (value32 z)) in", "let exact := law (value32 x) (value32 z) in"),
+    ("Notation zero32 := (B754_zero 24 128 false)", "Notation zero32 := (B754_zero 24 128 true)"),
+    ("Rsqr Rad - Rsqr (w / 2)", "Rsqr Rad - Rsqr w"),
+    ("2 / 3 * asin", "1 / 3 * asin"),
+    ("if Rle_bool (Rabs X) (top_width Rad w / 2) then 0", "if Rlt_bool (Rabs X) (top_width Rad w / 2) then 0"),
+    ("(if Rlt_bool X 0 then - sine_of", "(if Rle_bool X 0 then - sine_of"),
+    ("exact_x := Fx; exact_z := Fz", "exact_x := 0; exact_z := Fz"),
+    ("exact_wall (K X Z : R) := force (Z < 0)", "exact_wall (K X Z : R) := force (Z <= 0)"),
+    ("force (distance_from_axis Rad w X Z < Rad) (", "force (0 < distance_from_axis Rad w X Z < Rad) ("),
+    ("Rad w X Z < Rad \\/ Z < 0)", "Rad w X Z < Rad)"),
+    ("+ Rmax (- K * Z) 0)", "+ - K * Z)"),
+    ("exact_bump_1p (Rad w K X Z : R) := force (Z < 0) 0", "exact_bump_1p (Rad w K X Z : R) := force False 0"),
+    ("let M := penetration_2p Rad w X Z in\n", "let M := - Z in\n"),
+    ("let M := penetration_3p Rad w X Z in force (0 < M) (shaded_x", "let M := penetration_3p Rad w X Z in force (0 < M) (side_x"),
+    ("exact_bump_1p_shaded (Rad w K X Z : R) := force (Z < 0)", "exact_bump_1p_shaded (Rad w K X Z : R) := force (X < 0)"),
+]
+
+
+
+def changed(text, old, new):
+    assert text.count(old) == 1, f"expected once in proofs/Laws.v, got {text.count(old)} times: {old}"
+    return text.replace(old, new)
+
+
+def without_coq(root):
+    """The digests refuse every weaker text, and no other comment and line break."""
+    (root / "proofs").mkdir()
+    for name in ("digests.py", "Laws.v", "Main.v", "Code.v"):
+        shutil.copy(source / "proofs" / name, root / "proofs")
+    listed = (source / "proofs/code.txt").read_text().splitlines(keepends=True)
+    (root / "proofs/code.txt").write_text("".join(line for line in listed if line.startswith("proofs/")))
+    sys.path.insert(0, str(root / "proofs"))
+    digests = importlib.import_module("digests")
+    sys.argv[1:] = []
+
+    def refused(file, text):
+        kept = (root / file).read_text()
+        assert text != kept, file
+        (root / file).write_text(text)
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            code = digests.main()
+        (root / file).write_text(kept)
+        said = f"{file} does not state what a person has read: does it say less? Then\n  proofs/digests.py --renew {file}\n"
+        assert (code, printed.getvalue()) in ((0, ""), (1, said)), printed.getvalue()
+        return code == 1
+
+    tried = 0
+    for number, law in enumerate(NAMES):
+        statement = re.search(rf"Theorem {law}_is_correctly_rounded : (.*?)\.\nProof", MAIN, re.DOTALL)
+        assert " ".join(statement[1].split()) == whole(law), f"expected of proofs/Main.v: {whole(law)}"
+        for what, weak in weaker(law, number).items():
+            assert refused("proofs/Main.v", MAIN.replace(statement[1], weak)), (law, what)
+            tried += 1
+    for old, new in SPECIFICATION:
+        assert refused("proofs/Laws.v", changed(LAWS, old, new)), new
+        tried += 1
+    assert refused("proofs/Main.v", changed(MAIN, "\n\nTheorem wall", "\n\nNotation parameters R w K := (K = R).\n\nTheorem wall"))
+    assert refused("proofs/Code.v", (source / "proofs/Code.v").read_text().replace("curved (members_of", "plane (members_of", 1))
+    for file, text in (("proofs/Laws.v", LAWS), ("proofs/Main.v", MAIN)):
+        assert not refused(file, text.replace("\n\n", "\n\n(* A (* nested *) remark. *)\n").replace(" ->", "\n  ->")), file
+    return tried + 2
+
+
+def coqc(where, file, text, *paths):
+    (where / file).write_text(text)
+    return subprocess.run(["coqc", *paths, file], cwd=where, capture_output=True, text=True)
+
+
+def with_coq(root):
+    """Coq refuses every weaker statement in the place of the whole one."""
+    text = re.search(r"^From Flocq.*?\n\n", MAIN, re.DOTALL | re.MULTILINE)[0]
+    text += "From Coq Require Import Reals.\nFrom Forceshade Require Import Main.\nOpen Scope R_scope.\n"
+    for law in NAMES:
+        text += f"Check ({law}_is_correctly_rounded : {whole(law)}).\n"
+    # From here on the code is any code, so that Coq need not look into it.
+    text += "Section AnyCode.\nVariables " + " ".join(f"code_of_{law}" for law in NAMES)
+    text += " : bool -> binary32 -> binary32 -> binary32 -> code.\n"
+    tried = 0
+    for number, law in enumerate(NAMES):
+        for weak in weaker(law, number).values():
+            # It follows from the whole statement, which does not follow from it.
+            text += (f"Goal ({whole(law)}) -> ({weak}).\nProof.\n  intros whole is_fused R w K x y z; intros.\n"
+                     "  first [now apply whole | left; now apply whole | eexists; now apply (whole is_fused R w K x y z)\n"
+                     f"    | apply whole; tauto].\nQed.\nFail Definition taken (weak : {weak}) : {whole(law)} := weak.\n")
+            tried += 1
+    text += "End AnyCode.\n"
+    done = coqc(root, "Weakened.v", text, "-R", folder.resolve(), "Forceshade")
+    assert done.returncode == 0, done.stdout[-2000:] + done.stderr
+
+    restated = (source / "tests/proofs/restated.v").read_text()
+
+    def takes(laws):
+        with tempfile.TemporaryDirectory(dir=root) as own:
+            read = coqc(pathlib.Path(own), "Laws.v", laws, "-R", ".", "Forceshade")
+            assert read.returncode == 0, read.stderr
+            return coqc(pathlib.Path(own), "Restated.v", restated, "-R", ".", "Forceshade").returncode == 0
+
+    assert takes(LAWS)
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        for (_, new), taken in zip(SPECIFICATION, pool.map(lambda each: takes(changed(LAWS, *each)), SPECIFICATION)):
+            assert not taken, new
+    return tried + len(SPECIFICATION)
+
+
+def main():
+    if folder and not shutil.which("coqc"):
+        print("skipped: coqc is not installed (Debian packages coq and libcoq-flocq)")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as made:
+        print(f"refused: {with_coq(pathlib.Path(made)) if folder else without_coq(pathlib.Path(made))} weaker statements")
+
+
+main()
