@@ -153,6 +153,11 @@ def main():
             for place in ((x, 0.0, z), (-x, 1.0, z)):
                 print(*(f"{bits(each):x}" for each in place))
             counts["next to a tie"] += 2
+    for leg, depth, longest in TRIPLES:  # at z = -(R + d)/2 two forces cancel: contact, and no force
+        print("law bump-cylinder", *(f"{bits(each):x}" for each in (longest, 2 * leg, 0.75)))
+        for steps in (0, 1, -1):
+            print(*(f"{bits(each):x}" for each in (0.0, 0.0, beside(-(longest + depth) / 2, steps))))
+        counts["opposite forces"] += 3
     for index in range(int(sys.argv[1])):
         name = NAMES[index % len(NAMES)]
         radius, width, force, shape = law()
