@@ -134,10 +134,13 @@ def without_coq(root):
         assert (code, printed.getvalue()) in ((0, ""), (1, said)), printed.getvalue()
         return code == 1
 
+    imported = re.findall(r"^(?:From (\w+) )?Require.*$|^From (\w+)", LAWS, re.MULTILINE)
+    assert {first or second for first, second in imported} == {"Coq", "Flocq"} and "Proof" not in LAWS, imported
     tried = 0
     for number, law in enumerate(NAMES):
         statement = re.search(rf"Theorem {law}_is_correctly_rounded : (.*?)\.\nProof", MAIN, re.DOTALL)
         assert " ".join(statement[1].split()) == whole(law), f"expected of proofs/Main.v: {whole(law)}"
+        assert re.match(r"\. exact \(.*\)\. Qed\.\n", MAIN[statement.end():]), law
         for what, weak in weaker(law, number).items():
             assert refused("proofs/Main.v", MAIN.replace(statement[1], weak)), (law, what)
             tried += 1
