@@ -16,16 +16,12 @@
 namespace forceshade::device::hdapi {
 namespace {
 
-using tests::expect_words;
-
-std::string why_not(const std::vector<std::string>& names) {
-  return tests::thrown_by<DeviceError>([&] { load(names); });
-}
-
 TEST(hdapi_library, missing_says_every_name_that_was_tried_and_where) {
-  expect_words(why_not({"libNoSuchHD.so.9", "/nowhere/libHD.so"}),
-               {"\n  libNoSuchHD.so.9: ", "\n  /nowhere/libHD.so: ", "cannot open shared object file", "LD_LIBRARY_PATH",
-                "FORCESHADE_HD_LIBRARY"});
+  tests::expect_words(tests::thrown_by<DeviceError>([] {
+                        load({"libNoSuchHD.so.9", "/nowhere/libHD.so"});
+                      }),
+                      {"\n  libNoSuchHD.so.9: ", "\n  /nowhere/libHD.so: ", "cannot open shared object file", "LD_LIBRARY_PATH",
+                       "FORCESHADE_HD_LIBRARY"});
 }
 
 TEST(hdapi_library, is_the_first_that_fits) {

@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -25,9 +24,6 @@ TEST(passivity_controller, stroke_across_force_shading_harvests_what_the_law_pre
       Hand hand(law_of(LawId::bump_1p_shaded, p), Kind::observer);
       for (int n = 0; n < 5; ++n) hand.go_round(stroke(p, depth), 0.002);
       const double harvested = -hand.controller.account().balance / 5;
-      std::printf("  R %g w %g K %g D %g: K D w^2/8R = %.4f mJ, harvested %.4f (%+.2f %%)\n", static_cast<double>(R),
-                  static_cast<double>(w), static_cast<double>(K), depth, predicted, harvested,
-                  100 * (harvested / predicted - 1));
       EXPECT_NEAR(harvested, predicted, 0.02 * predicted);
       EXPECT_EQ(hand.controller.account().altered, 0U);
     }
@@ -52,8 +48,6 @@ TEST(passivity_controller, gives_nobody_who_goes_round_more_than_epsilon) {
         EXPECT_NEAR(given / kRounds, loop.given_mJ, loop.given_mJ > 0 ? 0.02 * loop.given_mJ : 0.005) << name.name;
         continue;
       }
-      std::printf("  %-14s %-7s: %8.3f mJ in %d rounds, %8.3f without\n", words_of(name.id).c_str(), words_of(kind), given,
-                  kRounds, harvested);
       EXPECT_GE(static_cast<double>(hand.lowest), -hand.settings.epsilon);
       EXPECT_TRUE(harvested <= hand.settings.epsilon || given < harvested);
     }
@@ -69,8 +63,6 @@ TEST(passivity_controller, bound_is_reached_by_the_worst_hand_and_not_passed) {
       hand.go_to({0, 0, -20});
       hand.go_to({0, 0, -20});
       for (int n = 0; n < 3; ++n) hand.go_to(hand.at + Position(0, 0, hand.settings.longest_step));
-      std::printf("  %s%s: %.4f of epsilon\n", words_of(kind), latency ? " with latency" : "",
-                  -static_cast<double>(hand.lowest) / hand.settings.epsilon);
       EXPECT_GE(hand.lowest, -hand.settings.epsilon);
       EXPECT_LE(hand.lowest, -(latency ? 0.74 : 0.999) * hand.settings.epsilon);
     }
@@ -131,8 +123,6 @@ TEST(passivity_controller, gives_no_more_than_epsilon_whatever_the_hand_does) {
           RC_ASSERT(!hand.lengthened);
           RC_ASSERT(kind == Kind::observer || hand.lowest >= -settings.epsilon - kRounding);
         });
-        std::printf("  %-14s %-8s %s: lowest %10.4f of epsilon\n", words_of(name.id).c_str(), words_of(kind),
-                    latency ? "latency" : "       ", lowest / settings.epsilon);
         for (const int reached : turns) EXPECT_GT(reached, 0);
         // The same hands do harvest without it.
         EXPECT_TRUE(kind != Kind::observer || lowest < -3 * settings.epsilon);
@@ -269,7 +259,6 @@ TEST(passivity_controller, account_does_not_drift) {
   for (int tick = 0; tick < 600'000; ++tick)
     hand.go_to({14 * std::sin(0.0037 * tick), std::sin(0.0011 * tick), 2 * std::sin(0.0071 * tick)});
   const double drift = std::fabs(static_cast<double>(hand.balance) - hand.controller.account().balance);
-  std::printf("  %.2g mJ of %.4g\n", drift, hand.controller.account().balance);
   EXPECT_LE(drift, kRounding);
 }
 

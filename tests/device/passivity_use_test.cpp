@@ -31,7 +31,6 @@ TEST(passivity_controller, trembling_on_encoder_counts_harvests_a_little_from_a_
       if (tick == 2000) begin = controller.account().balance;
     }
     const double harvested = (begin - controller.account().balance) / 20;
-    std::printf("  friction %.2f N: %.4f mJ/s, lowest %.4f mJ\n", friction, harvested, controller.account().lowest_balance);
     EXPECT_LT(harvested, 0.03);
     EXPECT_EQ(controller.account().lowest_balance < -0.1, friction == 0);
     EXPECT_TRUE(friction == 0 || controller.account().lowest_balance > -0.02);
@@ -70,7 +69,6 @@ TEST(passivity_controller, has_force_again_for_a_hand_that_pushes) {
       EXPECT_TRUE(i != 100 || hand.force.norm() > 0.4F * hand.desired.norm()) << words_of(kind);
       if (i > 100 && hand.force == hand.desired) full = 0.01 * i;
     }
-    std::printf("  %s: in full from %.2f mm on\n", words_of(kind), full);
     EXPECT_GT(full, 0);
     EXPECT_LT(full, 4);
   }
@@ -157,8 +155,6 @@ TEST(passivity_controller, lets_no_smooth_hand_feel_a_buzz) {
     for (const Kind kind : {Kind::tank, Kind::damping})
       for (const bool latency : {false, true}) {
         const PassivitySettings settings = passivity_settings({.resolution = 0.03F, .latency = latency}, 1000);
-        float worst = 0;
-        double lowest = 0;
         std::size_t altered = 0;
         expect_for_all(words_of(id) + ", " + words_of(kind) + (latency ? ", latency" : ""), 20261, 200, [&] {
           const auto swings = *rc::gen::container<std::array<Swing, 6>>(any_swing());
@@ -173,15 +169,10 @@ TEST(passivity_controller, lets_no_smooth_hand_feel_a_buzz) {
           for (int tick = 0; tick <= 1000; ++tick) hand.go_to(counted(from + (hand_at(0) - from) * (tick / 1000.0)));
           hand.chatter = {};
           for (int tick = 1; tick < 3000; ++tick) hand.go_to(counted(hand_at(tick / 1000.0)));
-          worst = std::max(worst, hand.chatter.worst);
-          lowest = std::min(lowest, static_cast<double>(hand.lowest));
           altered += hand.controller.account().altered;
           RC_ASSERT(hand.chatter.ticks == 0U);
           RC_ASSERT(hand.lowest >= -settings.epsilon - kRounding);
         });
-        std::printf("  %-14s %-8s %s: alternates by %.4f N, lowest %7.4f of epsilon, %zu ticks altered\n", words_of(id).c_str(),
-                    words_of(kind), latency ? "latency" : "       ", static_cast<double>(worst), lowest / settings.epsilon,
-                    altered);
         EXPECT_TRUE(altered > 0 || id == LawId::wall) << words_of(id);
       }
 }

@@ -35,11 +35,6 @@ void expect_obeys(Phantom& device) {
   wait_until([] { return stand_in_hd::arm().force == Eigen::Vector3d(0, 1, 0); });
 }
 
-void wait_for_the_end_of(pid_t process) {
-  siginfo_t ended{};
-  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT), 0);
-}
-
 std::string words_of_fault(Phantom& device) {
   std::string words;
   wait_until([&] {
@@ -160,7 +155,8 @@ TEST_F(phantom, whose_process_is_killed_says_so_and_leaves_none) {
   Phantom device("", kHurried);
   ASSERT_FALSE(device.start(1000));
   ::kill(device.process(), SIGKILL);
-  wait_for_the_end_of(device.process());
+  siginfo_t ended{};
+  ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(device.process()), &ended, WEXITED | WNOWAIT), 0);
   EXPECT_EQ(words_of_fault(device), hdapi::kDriverEnded);
   EXPECT_TRUE(has_no_child());
 }

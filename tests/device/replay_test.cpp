@@ -19,12 +19,6 @@ using tests::TemporaryDirectory;
 
 constexpr const char* kHeader = "t_s,x_mm,y_mm,z_mm\n";
 
-std::string error_of(const std::string& rows) {
-  const TemporaryDirectory directory;
-  const std::string path = directory.write("hand.csv", rows);
-  return tests::without(directory.file(""), tests::thrown_by<Error>([&] { Replay::load(path); }));
-}
-
 // All readings at this rate, which are as many as the replay announced.
 std::vector<Reading> played(Replay replay, double rate) {
   EXPECT_EQ(replay.readings_left(), std::nullopt) << "not known before it is started";
@@ -159,8 +153,11 @@ TEST(replay, refuses_a_time_that_does_not_increase_or_is_not_finite_and_no_posit
                                     {"nan,0,0,0\n", ":2" + time + "finite time, got \"nan\""},
                                     {"1e999,0,0,0\n", ":2" + time + "finite time, got \"1e999\""},
                                     {"0,0,here,0\n", ":2: column 3 (y_mm): expected a number, got \"here\""},
-                                    {"", ": expected at least one recorded position, got none"}})
-    EXPECT_EQ(error_of(std::string(kHeader) + rows), "hand.csv" + words);
+                                    {"", ": expected at least one recorded position, got none"}}) {
+    const TemporaryDirectory directory;
+    const std::string path = directory.write("hand.csv", std::string(kHeader) + rows);
+    EXPECT_EQ(tests::thrown_by<Error>([&] { Replay::load(path); }), path + words);
+  }
   EXPECT_THROW(Replay({{{0, 0, 0}, 1}, {{0, 0, 0}, 1}}), std::invalid_argument);
   EXPECT_THROW(Replay({{{0, 0, 0}, std::nan("")}}), std::invalid_argument);
   EXPECT_THROW(Replay({}), std::invalid_argument);

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "device/simulated/simulated.h"
 #include "forceshade/device.h"
 #include "tests/device/servo_loop_fixture.h"
@@ -34,13 +32,7 @@ struct Changed {
 
 // Pushes outward along a shaded bump and comes back through the air: the loop that is given energy each time. Its first round
 // begins before the gentle start is over, so that supervisor and controller both have work.
-class Looping final : public Still {
- public:
-  Capabilities capabilities() const noexcept override {
-    return {.resolution = 0.03F, .peak_force = 8.5F, .continuous_force = 1.4F, .buttons = 2};
-  }
-
- private:
+class Looping final : public Pushing {
   ReadResult at(std::size_t reading) noexcept override {
     if (reading == 2000) return EndOfData{};
     const bool is_outward = reading % 200 >= 100;
@@ -58,8 +50,6 @@ TEST(retrace, gives_every_command_of_a_run_to_the_bit) {
     const SafetySettings settings = safety_settings(device.capabilities(), options);
     const Kept run(device, law_of(LawId::bump_1p_shaded, 1), options);
     const Changed changed(run);
-    std::printf("  %s: %zu ticks, limited in %zu, altered in %zu\n", name_of(kind).data(), run.ticks, changed.limited,
-                changed.altered);
     ASSERT_EQ(run.end_reason, EndReason::end_of_data) << (run.trip ? name_of(run.trip->rule) : "");
     EXPECT_GT(changed.limited, 100U);
     if (kind != Passivity::observer) {
@@ -109,13 +99,7 @@ TEST(retrace, gives_a_run_that_trips_and_one_of_a_device_that_cannot_push) {
 
 // The dead-man button is let go and pressed again while the wall is felt.
 TEST(retrace, gives_every_command_of_a_run_with_a_dead_man_button) {
-  class Holding final : public Still {
-   public:
-    Capabilities capabilities() const noexcept override {
-      return {.resolution = 0.03F, .peak_force = 8.5F, .continuous_force = 1.4F, .buttons = 2};
-    }
-
-   private:
+  class Holding final : public Pushing {
     ReadResult at(std::size_t reading) noexcept override {
       if (reading == 2000) return EndOfData{};
       Reading here{{0, 0, 1 - 1e-3F * static_cast<float>(reading)}, 1e-3 * static_cast<double>(reading)};

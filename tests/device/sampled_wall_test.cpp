@@ -12,8 +12,6 @@ TEST(sampled_wall, of_an_ideal_mass_goes_unstable_at_2b_over_T_within_2_per_cent
     for (const double period : {0.5e-3, 1e-3}) {
       const SampledWall wall{.damping = damping, .coulomb = 0, .quantum = 0, .period = period};
       const double found = largest_quiet_stiffness(wall), expected = 2 * damping / period;
-      std::printf("  b %.1f N·s/m, T %.1f ms: %.1f N/m, %+.2f %%\n", damping, 1e3 * period, found,
-                  100 * (found / expected - 1));
       EXPECT_NEAR(found, expected, 0.02 * expected);
     }
 }

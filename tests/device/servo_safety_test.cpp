@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "device/passivity_controller.h"
@@ -122,7 +121,6 @@ TEST(servo_loop, lets_the_commanded_force_grow_no_faster_than_the_supervisor_all
       most = std::max(most, force - last);
       last = force;
     }
-    std::printf("  %s: altered in %zu ticks, grows by %.4f N at most\n", std::string(name_of(kind)).c_str(), withheld, most);
     EXPECT_GT(withheld, 50U);
     EXPECT_LE(most, 1 + 1e-6);
     EXPECT_GT(most, 0.99);
@@ -213,7 +211,6 @@ std::vector<OnItsWay::Place> stalled(double depth, double speed, double at, int 
 // 12 ms at 0.5 m/s once left none for the rest of the run.
 TEST(servo_loop, gives_force_again_after_any_stall_or_says_why_not) {
   std::size_t trips = 0, forgiving = 0;
-  double most_forgiven = 0;
   for (const bool latency : {false, true})
     for (const auto kind : {Passivity::damping, Passivity::tank})
       for (const double depth : {4.0, 8.0})
@@ -226,7 +223,6 @@ TEST(servo_loop, gives_force_again_after_any_stall_or_says_why_not) {
                                  std::string(name_of(kind)) + (latency ? ", latency" : "");
               trips += run.end_reason == EndReason::tripped;
               forgiving += run.account.forgiven > 0;
-              most_forgiven = std::max(most_forgiven, run.account.forgiven);
               if (run.end_reason == EndReason::tripped) continue;
               EXPECT_EQ(run.end_reason, EndReason::end_of_data) << words;
               const Sample& last = run.samples[run.ticks - 1];
@@ -235,7 +231,6 @@ TEST(servo_loop, gives_force_again_after_any_stall_or_says_why_not) {
               EXPECT_EQ(device.allowed, run.passivity_settings.epsilon + run.account.forgiven) << words;
               EXPECT_GE(-run.account.net(), -run.passivity_settings.epsilon - run.account.forgiven) << words;
             }
-  std::printf("  %zu runs tripped, %zu forgave, at most %.1f mJ\n", trips, forgiving, most_forgiven);
   EXPECT_GT(forgiving, 20U);
   EXPECT_GT(trips, 20U) << "by speed, where no clock excused it";
 }

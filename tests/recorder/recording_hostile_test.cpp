@@ -5,7 +5,6 @@
 
 #include <optional>
 #include <random>
-#include <set>
 
 #include "forceshade/recording.h"
 #include "run/recorder/checksum.h"
