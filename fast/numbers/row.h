@@ -14,6 +14,8 @@ namespace forceshade::fast {
 
 // Two numbers in a vector register of any x86-64 or AArch64; each lane is IEEE arithmetic all the same.
 using Pair64 = double __attribute__((vector_size(16)));
+using PairOfBits = std::int64_t __attribute__((vector_size(16)));
+using PairOfBinary32 = float __attribute__((vector_size(8)));
 
 struct Pair32 {
   std::int32_t first, second;
@@ -95,6 +97,27 @@ struct Quad {
   FORCESHADE_INLINE friend Pair64 sums(Quad a, Quad b) {
     return (Pair64{a.low[0], b.low[0]} + Pair64{a.low[1], b.low[1]}) +
            (Pair64{a.high[0], b.high[0]} + Pair64{a.high[1], b.high[1]});
+  }
+
+  FORCESHADE_INLINE friend Quad absolute(Quad a) {
+    return {reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.low) & INT64_MAX),
+            reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.high) & INT64_MAX)};
+  }
+  // 0 in place of what is below `least` in size.
+  FORCESHADE_INLINE friend Quad flushed(Quad a, double least) {
+    const Pair64 bound{least, least};
+    const Quad size = absolute(a);
+    return {reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.low) & (size.low >= bound)),
+            reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.high) & (size.high >= bound))};
+  }
+  FORCESHADE_INLINE friend Quad to_binary32_and_back(Quad a) {
+    return {__builtin_convertvector(__builtin_convertvector(a.low, PairOfBinary32), Pair64),
+            __builtin_convertvector(__builtin_convertvector(a.high, PairOfBinary32), Pair64)};
+  }
+  // In every lane.
+  FORCESHADE_INLINE friend bool are_equal(Quad a, Quad b) {
+    const PairOfBits equal = (a.low == b.low) & (a.high == b.high);
+    return (equal[0] & equal[1]) != 0;
   }
 };
 

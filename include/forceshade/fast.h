@@ -35,6 +35,7 @@
 #include <variant>
 #include <vector>
 
+#include "forceshade/damping.h"
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
@@ -233,6 +234,43 @@ class SceneSession {
 
   std::vector<std::unique_ptr<Session>> objects_;
   std::vector<Evaluation> answers_;
+};
+
+// The stage behind a renderer of any kind that gives its forces damping (docs/damping.md), along one path of the hand. The
+// damped force of each tick is the exact one, each component correctly rounded.
+class Damping {
+ public:
+  // Refused with the reason: a parameter outside its range (damping.h), and anything under an arithmetic_fault().
+  static std::variant<Damping, ParameterError> build(const damping::Parameters& parameters) noexcept;
+
+  const damping::Parameters& parameters() const noexcept { return parameters_; }
+
+  // The renderer's answer with the damped force. position: mm, the next one of the path, at which the renderer gave `spring`.
+  // periods: those since the tick before; 0 answers the same reading of the device again, and leaves the state as it is.
+  // Invalid, without a force: a position outside the domain, and an invalid answer of the renderer. Without allocation, lock or
+  // exception.
+  Evaluation tick(const Eigen::Vector3f& position, std::uint32_t periods, const Evaluation& spring) noexcept;
+
+  // At the beginning of a path, and after a pause.
+  void reset() noexcept { resume({}); }
+
+  damping::State state() const noexcept;
+  // Goes on from a state, as state() gave it. A state that no tick gives counts as that of the beginning.
+  void resume(const damping::State& state) noexcept;
+
+ private:
+  // In binary64, as the first stage takes them.
+  struct Numbers {
+    double rate, share, damping, most, drag, per_square;  // per_square: 1/F₀²
+  };
+
+  explicit Damping(const damping::Parameters& parameters) noexcept;
+
+  damping::Parameters parameters_;
+  Numbers numbers_;
+  alignas(16) std::array<double, 4> position_{}, velocity_{};  // the fourth is 0
+  bool has_position_ = false;
+  std::uint32_t periods_ = 0;
 };
 
 }  // namespace forceshade::fast

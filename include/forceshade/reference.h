@@ -32,6 +32,7 @@
 #include <variant>
 #include <vector>
 
+#include "forceshade/damping.h"
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
@@ -204,6 +205,31 @@ class SceneSession {
 
  private:
   std::vector<Object> objects_;
+};
+
+// The stage behind a renderer of any kind that gives its forces damping (docs/damping.md), along one path of the hand.
+class Damping {
+ public:
+  // The ranges of fast::Damping::build, stated on their own.
+  static std::variant<Damping, ParameterError> build(const damping::Parameters& parameters);
+
+  const damping::Parameters& parameters() const { return parameters_; }
+
+  // The renderer's answer with the damped force, which is the exact one rounded. position: mm; periods: those since the tick
+  // before, 0 where the state is to stay as it is. The method is that of the renderer.
+  Rounded tick(const Eigen::Vector3f& position, std::uint32_t periods, const Rounded& spring);
+
+  void reset() { state_ = {}; }
+  const damping::State& state() const { return state_; }
+  // A state that no tick gives counts as that of the beginning.
+  void resume(const damping::State& state);
+
+ private:
+  explicit Damping(const damping::Parameters& parameters) : parameters_(parameters) {}
+  void move_to(const Eigen::Vector3f& position);
+
+  damping::Parameters parameters_;
+  damping::State state_;
 };
 
 }  // namespace forceshade::reference

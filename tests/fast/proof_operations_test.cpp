@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "fast/damping/filter.h"
 #include "fast/evaluate.h"
 #include "fast/heights/force.h"
 #include "fast/heights/spline.h"
@@ -175,11 +176,30 @@ void grid_parameters(ComparedScript& script, bool is_fused) {
   }
 }
 
+void damping(ComparedScript& script, bool is_fused) {
+  RecordedRun run(script, is_fused);
+  run.expressions.products_always_round = true;
+  const fast::Vector3<Recorded> three{run.input("a", 0.3), run.input("b", 0.7), run.input("c", 0.9)};
+  const Recorded sum = fast::sum_of_three(three), v = run.input("v", -0.4);
+  run.expect("part_sum", sum);
+  run.bind("along", sum);
+  run.bind("square", sum);
+  const fast::AlongForce<Recorded> along(three, three);
+  EXPECT_EQ(run.expressions.difference(along.square.expression(), sum.expression()), "");
+  EXPECT_EQ(run.expressions.difference(along.size.expression(), along.ratio.expression()), "");
+  run.expect("turn", along.turn(run.input("damping", 0.002)));
+  run.expect("across", fast::across_force(v, run.input("f", 1.2), along.ratio));
+  run.expect("full", fast::fullness(run.input("scale", 0.8), along.square, run.input("per_square", 16)));
+  const Recorded speed = fast::speed_between(run.input("x", 1.5), run.input("before", 1.25), run.input("rate", 1000));
+  run.expect("velocity", fast::velocity_after(v, speed, run.input("share", 0.25)));
+}
+
 // By the name of the script below fast/, without its end.
 const std::map<std::string, Compare> kComparisons = [] {
   std::map<std::string, Compare> all = comparisons_of_laws();
   all.merge(comparisons_of_forms());
   all.insert({
+      {"damping/damping", &damping},
       {"numbers/double_double", &double_double},
       {"heights/force", &height_force},
       {"heights/spline", &height_spline},

@@ -103,6 +103,7 @@ check double_double "$(constant "$fast/numbers/double_double.h" kRelativeError)"
 check spline "$(constant "$fast/heights/spline.h" kSplineError)"
 check decide ""
 check grid_parameters ""
+check damping "$(constant "$fast/damping/filter.h" kDampingError)"
 check force "$(constant "$fast/heights/force.h" kHeightForceError)"
 laws=$(sed -n 's/.*{LawId::[a-z0-9_]*, "[^"]*", "\([a-z0-9_]*\)"},/\1/p' "$2/include/forceshade/law.h")
 [ "$(wc -w <<<"$laws")" -ge 9 ] || fail "only $(wc -w <<<"$laws") laws found in include/forceshade/law.h"

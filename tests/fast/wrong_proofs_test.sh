@@ -57,6 +57,8 @@ if [ "${3:-}" = coq ]; then
 else
   refuses fast/laws/polygon_gap.g 's/\|dH\| <= 1b-94/|dH| <= 1b-70/' \
     'the proved intervals are not the stored ones' proofs_test.sh polygon_gap
+  refuses fast/damping/damping.g 's/0x1\.001p-52  # from/0x1.001p-54  # from/' \
+    'the hypothesis 0x1.001p-54 is not proved by damping part_sum' proofs_test.sh damping
   refuses fast/laws/bump_2p.gappa-expected 's/5\.96745/5.96744/' 'the proved intervals are not the stored ones' proofs_test.sh bump_2p
   refuses fast/laws/bump_2p.g 's/0x1\.bp-52 # from polygon_gap/0x1.8p-52 # from polygon_gap/' \
     'the hypothesis 0x1.8p-52 is not proved by polygon_gap' proofs_test.sh bump_2p

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A session of any renderer with damping behind it, which whatever drives sessions drives (docs/damping.md).
+//
+//   const auto damping = std::get<fast::Damping>(fast::Damping::build({.rate = 1000, .damping = 0.002F}));
+//   const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
+//   const std::unique_ptr<fast::Session> session = fast::damped(fast::session_of(law), damping);
+//   session->step({0, 0, 0});
+//   const Eigen::Vector3f force = session->step({0, 0, -0.1F}).force;  // pressed at 100 mm/s: (0, 0, 0.1) N, twice the
+//   spring's
+//
+// Positions are in mm and forces in N. Each step is a period, unless step_after() says how many it is.
+//
+// Not promised: that a run with damping can be certified, recorded or driven from the command yet.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "forceshade/fast.h"
+#include "forceshade/session.h"
+
+namespace forceshade::fast {
+
+class DampedSession final : public Session {
+ public:
+  // session: not null. damping: with the state to begin from.
+  DampedSession(std::unique_ptr<Session> session, const Damping& damping) noexcept
+      : session_(std::move(session)), damping_(damping) {}
+
+  Evaluation step(const Eigen::Vector3f& position) noexcept override { return step_after(1, position); }
+  // periods: as of Damping::tick().
+  Evaluation step_after(std::uint32_t periods, const Eigen::Vector3f& position) noexcept {
+    return damping_.tick(position, periods, session_->step(position));
+  }
+  void look_ahead() noexcept override { session_->look_ahead(); }
+  std::uint64_t shown() const noexcept override { return session_->shown(); }
+
+  // For its state: reset(), state() and resume().
+  Damping& damping() noexcept { return damping_; }
+
+ private:
+  std::unique_ptr<Session> session_;
+  Damping damping_;
+};
+
+// The session itself where damping is off, which then costs nothing.
+inline std::unique_ptr<Session> damped(std::unique_ptr<Session> session, const Damping& damping) {
+  if (damping.parameters().is_off()) return session;
+  return std::make_unique<DampedSession>(std::move(session), damping);
+}
+
+}  // namespace forceshade::fast
