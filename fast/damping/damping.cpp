@@ -48,25 +48,21 @@ Quad quad(const std::array<double, 4>& a) noexcept {
 std::array<double, 4> numbers_of(const Quad& a) noexcept {
   return {a.low[0], a.low[1], a.high[0], 0};
 }
-Eigen::Vector3f force_of(const Quad& a) noexcept {
-  const std::array<float, 3> force = in_binary32(a);
-  return {force[0] + 0.0F, force[1] + 0.0F, force[2] + 0.0F};  // -0 becomes +0
+Eigen::Vector3f force_of(Four32 a) noexcept {
+  a = a + Four32{};  // -0 becomes +0
+  return {a[0], a[1], a[2]};
 }
 
-// The same as filtered_velocity(), for several periods, too: sure at last.
+// The velocities after any number of periods, below 2^-20 mm/s, too, in the last of them.
 [[gnu::noinline]] Quad decided_velocity(const Quad& v, const Quad& x, const Quad& before, const damping::Parameters& p,
                                         int periods, Stage& stage) noexcept {
+  raise(stage, Stage::wide);
   std::array<float, 3> velocity = in_binary32(v);
   const std::array<float, 3> to = in_binary32(x), from = in_binary32(before);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (int period = 0; period < periods; ++period) {
-      float& one = velocity[axis];
-      const auto short_one = periods == 1 ? velocity_of_short_numbers(exactly(one), exactly(to[axis]), exactly(from[axis]),
-                                                                      exactly(p.rate), exactly(p.share))
-                                          : std::nullopt;
-      if (!short_one) raise(stage, Stage::wide);
-      one = short_one ? *short_one : exact_velocity(one, to[axis], from[axis], p, periods);
-      if (std::fabs(one) < kLeastVelocity) one = 0;
+      if (std::fabs(velocity[axis]) < kLeastVelocity) velocity[axis] = 0;
+      velocity[axis] = exact_velocity(velocity[axis], to[axis], from[axis], p, periods);
     }
   return three(velocity.data());
 }
@@ -93,45 +89,43 @@ std::variant<Damping, ParameterError> Damping::build(const damping::Parameters& 
 }
 
 damping::State Damping::state() const noexcept {
-  return {has_position_, in_binary32(quad(position_)), in_binary32(quad(velocity_)), static_cast<std::uint8_t>(periods_)};
+  if (periods_ == kNoPosition) return {};
+  return {true, in_binary32(quad(position_)), in_binary32(quad(velocity_)), static_cast<std::uint8_t>(periods_)};
 }
 
 void Damping::resume(const damping::State& given) noexcept {
   const damping::State state = is_valid(given) ? given : damping::State{};
-  has_position_ = state.has_position;
   position_ = numbers_of(three(state.position.data()));
   velocity_ = numbers_of(three(state.velocity.data()));
-  periods_ = state.periods;
+  periods_ = state.has_position ? state.periods : kNoPosition;
 }
 
 Evaluation Damping::tick(const Eigen::Vector3f& position, std::uint32_t periods, const Evaluation& spring) noexcept {
   if (parameters_.is_off()) return spring;
-  if (has_position_) periods_ = std::min(periods_ + std::min(periods, kNoSpeed), kNoSpeed);
-  if (spring.status == Status::invalid || !in_domain(std::array{position.x(), position.y(), position.z()})) [[unlikely]]
+  if (periods_ != kNoPosition) periods_ = std::min(periods_ + std::min(periods, kNoSpeed), kNoSpeed);
+  const Quad read = three(position.data());
+  if (spring.status == Status::invalid || !are_at_most(absolute(read), exactly(kLargestCoordinate))) [[unlikely]]
     return {{0, 0, 0}, Status::invalid, spring.stage};
   Stage stage = spring.stage;
   Quad v = quad(velocity_);
   if (periods != 0) [[likely]] {
-    const Quad x = flushed(three(position.data()), exactly(kPositionQuantum)), before = quad(position_);
-    if (!has_position_ || periods_ == kNoSpeed) {
+    const Quad x = flushed(read, exactly(kPositionQuantum)), before = quad(position_);
+    SurelyRounded after = filtered_velocity(v, x, before, numbers_.rate, numbers_.share);
+    if (!after.is_sure) after = velocity_of_short_numbers(v, x, before, numbers_.rate, numbers_.share);
+    if (periods_ == 1 && after.is_sure) [[likely]]
+      v = flushed(to_binary64(after.value), exactly(kLeastVelocity));
+    else if (periods_ >= kNoSpeed)
       v = Quad(0.0);
-    } else if (const auto after = filtered_velocity(v, x, before, numbers_.rate, numbers_.share);
-               periods_ == 1 && after.is_sure) [[likely]] {
-      v = flushed(after.value, exactly(kLeastVelocity));
-    } else {
-      v = decided_velocity(v, x, before, parameters_, static_cast<int>(periods_), stage);
-    }
+    else
+      v = flushed(decided_velocity(v, x, before, parameters_, static_cast<int>(periods_), stage), exactly(kLeastVelocity));
     velocity_ = numbers_of(v);
     position_ = numbers_of(x);
-    has_position_ = true;
     periods_ = 0;
   }
-  const Quad f = three(spring.force.data());
-  const SurelyRounded force = filtered_force(v, f, numbers_);
+  const SurelyRounded force = filtered_force(v, three(spring.force.data()), numbers_);
   if (force.is_sure) [[likely]]
     return {force_of(force.value), spring.status, stage};
-  const Eigen::Vector3f decided = decided_force(v, spring.force, parameters_, stage);
-  return {decided, spring.status, stage};
+  return {decided_force(v, spring.force, parameters_, stage), spring.status, stage};
 }
 
 }  // namespace forceshade::fast

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "fast/meshes/vector3.h"
 #include "fast/numbers/first_stage.h"
@@ -78,12 +77,12 @@ FORCESHADE_INLINE std::array<float, 3> in_binary32(const Quad& a) noexcept {
 
 // The binary32 that all numbers within `reach` of the value round to; is_sure: there is one, in every lane.
 struct SurelyRounded {
-  Quad value;  // -0 is possible
+  Four32 value;  // -0 is possible
   bool is_sure;
 };
 FORCESHADE_INLINE SurelyRounded surely_rounded(const Quad& value, const Quad& reach) noexcept {
-  const Quad low = to_binary32_and_back(value - reach), high = to_binary32_and_back(value + reach);
-  return {low, are_equal(low, high)};
+  const Four32 low = to_binary32(value - reach);
+  return {low, are_equal(low, to_binary32(value + reach))};
 }
 
 // The velocities after a period in which the hand went from `before` to x.
@@ -100,15 +99,20 @@ FORCESHADE_INLINE int width_of(double a) noexcept {
   return kFraction + 1 - __builtin_ctzll(__builtin_bit_cast(std::uint64_t, a) | std::uint64_t{1} << kFraction);
 }
 
-// The velocity after a period, rounded to binary32, where binary64 holds every number that leads to it. Ties are such: with α =
-// 1/2 and 1000 Hz every second velocity is one.
-FORCESHADE_INLINE std::optional<float> velocity_of_short_numbers(double v, double x, double before, double rate,
-                                                                 double share) noexcept {
-  const double way = x - before, speed = rate * way, gain = speed - v, part = share * gain;
-  const bool is_exact = two_sum(x, -before).lo == 0 && width_of(rate) + width_of(way) <= 53 && two_sum(speed, -v).lo == 0 &&
-                        width_of(share) + width_of(gain) <= 53 && two_sum(v, part).lo == 0;
-  if (!is_exact) return std::nullopt;
-  return static_cast<float>(v + part);
+// The error of a - b.
+FORCESHADE_INLINE Quad error_of_difference(const Quad& a, const Quad& b) noexcept {
+  return absolute(two_sum(a, Quad(0.0) - b).lo);
+}
+
+// The same where the numbers are short: α is a power of two, and r(x - x⁻) has room in binary64. There every number on the way
+// is often exact, and ties are decided: with α = 1/2 and 1000 Hz every second velocity is one.
+FORCESHADE_INLINE SurelyRounded velocity_of_short_numbers(const Quad& v, const Quad& x, const Quad& before, double rate,
+                                                          double share) noexcept {
+  const Quad way = x - before, speed = Quad(rate) * way, part = Quad(share) * (speed - v);
+  const Quad beyond_binary32 = absolute(way - to_binary64(to_binary32(way)));
+  const Quad errors = (error_of_difference(x, before) + beyond_binary32) +
+                      (error_of_difference(speed, v) + error_of_difference(v, Quad(0.0) - part));
+  return {to_binary32(v + part), width_of(rate) + 24 <= 53 && width_of(share) == 1 && are_at_most(errors, 0)};
 }
 
 // The damped force, and sure only where no component of f is above 2^26 N in size or NaN. numbers: of fast::Damping.
@@ -123,13 +127,15 @@ template <class Numbers>
 FORCESHADE_INLINE SurelyRounded filtered_force(const Quad& v, const Quad& f, const Numbers& numbers) noexcept {
   const AlongForce<double> along(each_of(v * f), each_of(f * f));
   if (!(along.square < 0x1p52)) [[unlikely]]
-    return {Quad(0.0), false};
-  if (along.square == 0) return {Quad(0.0), true};
+    return {Four32{}, false};
+  if (along.square == 0) return {Four32{}, true};
   double scale = 1 - along.turn(numbers.damping);
   double error = kDampingError * (__builtin_fabs(scale) + numbers.damping * along.size);
-  if (scale + error <= 0) return {Quad(0.0), true};
-  if (scale - error >= numbers.most) error = 0;
-  scale = scale < 0 ? 0 : scale > numbers.most ? numbers.most : scale;
+  if (scale + error <= 0) return {Four32{}, true};
+  if (!(scale > 0 && scale < numbers.most)) [[unlikely]] {
+    if (scale - error >= numbers.most) error = 0;
+    scale = scale < 0 ? 0 : scale > numbers.most ? numbers.most : scale;
+  }
   Quad value = Quad(scale) * f, reach = Quad(error) * absolute(f);
   if (numbers.drag != 0) {
     const double charged = error + kDampingError * scale;

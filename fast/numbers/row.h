@@ -15,7 +15,7 @@ namespace forceshade::fast {
 // Two numbers in a vector register of any x86-64 or AArch64; each lane is IEEE arithmetic all the same.
 using Pair64 = double __attribute__((vector_size(16)));
 using PairOfBits = std::int64_t __attribute__((vector_size(16)));
-using PairOfBinary32 = float __attribute__((vector_size(8)));
+using Four32 = float __attribute__((vector_size(16)));
 
 struct Pair32 {
   std::int32_t first, second;
@@ -110,15 +110,37 @@ struct Quad {
     return {reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.low) & (size.low >= bound)),
             reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.high) & (size.high >= bound))};
   }
-  FORCESHADE_INLINE friend Quad to_binary32_and_back(Quad a) {
-    return {__builtin_convertvector(__builtin_convertvector(a.low, PairOfBinary32), Pair64),
-            __builtin_convertvector(__builtin_convertvector(a.high, PairOfBinary32), Pair64)};
-  }
-  // In every lane.
-  FORCESHADE_INLINE friend bool are_equal(Quad a, Quad b) {
-    const PairOfBits equal = (a.low == b.low) & (a.high == b.high);
-    return (equal[0] & equal[1]) != 0;
-  }
 };
+
+// Each lane rounded to binary32; each lane exactly; and whether two are the same, where 0 and -0 are.
+#if defined(__SSE2__)
+FORCESHADE_INLINE Four32 to_binary32(Quad a) {
+  return _mm_movelh_ps(_mm_cvtpd_ps(a.low), _mm_cvtpd_ps(a.high));
+}
+FORCESHADE_INLINE Quad to_binary64(Four32 a) {
+  return {_mm_cvtps_pd(a), _mm_cvtps_pd(_mm_movehl_ps(a, a))};
+}
+FORCESHADE_INLINE bool are_equal(Four32 a, Four32 b) {
+  return _mm_movemask_ps(_mm_cmpneq_ps(a, b)) == 0;
+}
+FORCESHADE_INLINE bool are_at_most(Quad a, double most) {
+  const Pair64 bound{most, most};
+  return (_mm_movemask_pd(_mm_cmple_pd(a.low, bound)) & _mm_movemask_pd(_mm_cmple_pd(a.high, bound))) == 3;
+}
+#else
+FORCESHADE_INLINE Four32 to_binary32(Quad a) {
+  return {static_cast<float>(a.low[0]), static_cast<float>(a.low[1]), static_cast<float>(a.high[0]),
+          static_cast<float>(a.high[1])};
+}
+FORCESHADE_INLINE Quad to_binary64(Four32 a) {
+  return {to_binary64(a[0], a[1]), to_binary64(a[2], a[3])};
+}
+FORCESHADE_INLINE bool are_equal(Four32 a, Four32 b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
+}
+FORCESHADE_INLINE bool are_at_most(Quad a, double most) {
+  return a.low[0] <= most && a.low[1] <= most && a.high[0] <= most && a.high[1] <= most;
+}
+#endif
 
 }  // namespace forceshade::fast

@@ -264,13 +264,14 @@ class Damping {
     double rate, share, damping, most, drag, per_square;  // per_square: 1/F₀²
   };
 
+  static constexpr std::uint32_t kNoPosition = 18;  // more than the 17 periods after which there is no velocity
+
   explicit Damping(const damping::Parameters& parameters) noexcept;
 
   damping::Parameters parameters_;
   Numbers numbers_;
   alignas(16) std::array<double, 4> position_{}, velocity_{};  // the fourth is 0
-  bool has_position_ = false;
-  std::uint32_t periods_ = 0;
+  std::uint32_t periods_ = kNoPosition;
 };
 
 }  // namespace forceshade::fast
