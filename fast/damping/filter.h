@@ -93,10 +93,10 @@ FORCESHADE_INLINE SurelyRounded filtered_velocity(const Quad& v, const Quad& x, 
   return surely_rounded(velocity_after(v, speed, Quad(share)), Quad(kDampingError) * (absolute(v) + absolute(speed)));
 }
 
-// The bits from the first to the last that is set. a: 0 or normal.
-FORCESHADE_INLINE int width_of(double a) noexcept {
-  constexpr int kFraction = 52;
-  return kFraction + 1 - __builtin_ctzll(__builtin_bit_cast(std::uint64_t, a) | std::uint64_t{1} << kFraction);
+// a: normal.
+FORCESHADE_INLINE bool is_power_of_two(double a) noexcept {
+  constexpr std::uint64_t kFraction = (std::uint64_t{1} << 52) - 1;
+  return (__builtin_bit_cast(std::uint64_t, a) & kFraction) == 0;
 }
 
 // The error of a - b.
@@ -104,25 +104,25 @@ FORCESHADE_INLINE Quad error_of_difference(const Quad& a, const Quad& b) noexcep
   return absolute(two_sum(a, Quad(0.0) - b).lo);
 }
 
-// The same where the numbers are short: α is a power of two, and r(x - x⁻) has room in binary64. There every number on the way
-// is often exact, and ties are decided: with α = 1/2 and 1000 Hz every second velocity is one.
+// The same where α is a power of two, and x - x⁻ a binary32 number. Then x - x⁻ and r(x - x⁻) are exact, since an error of x -
+// x⁻ would be a coordinate below 2^-39 mm. The two sums often are exact, too, and ties are decided: with α = 1/2 and 1000 Hz
+// every second velocity is one.
 FORCESHADE_INLINE SurelyRounded velocity_of_short_numbers(const Quad& v, const Quad& x, const Quad& before, double rate,
                                                           double share) noexcept {
   const Quad way = x - before, speed = Quad(rate) * way, part = Quad(share) * (speed - v);
-  const Quad beyond_binary32 = absolute(way - to_binary64(to_binary32(way)));
-  const Quad errors = (error_of_difference(x, before) + beyond_binary32) +
+  const Quad errors = absolute(way - to_binary64(to_binary32(way))) +
                       (error_of_difference(speed, v) + error_of_difference(v, Quad(0.0) - part));
-  return {to_binary32(v + part), width_of(rate) + 24 <= 53 && width_of(share) == 1 && are_at_most(errors, 0)};
+  return {to_binary32(v + part), is_power_of_two(share) && are_at_most(errors, 0)};
 }
 
 // The damped force, and sure only where no component of f is above 2^26 N in size or NaN. numbers: of fast::Damping.
 //
-// s is the limited number, and limits make no error larger. With e = 2^-53, E = B·size and primes for exact numbers,
-// |s - s'| <= 7eE + e|s| (piece turn, and the subtraction), so s f_i is off by (7E + 2|s|)e|f_i|, which 16e(E + |s|)|f_i|
-// covers. Where s is certainly at the limit S, it has no error: S f_i is then a binary64 number, as 24 and 24 bits are.
-// The drag is λ B_t c, c across f. c is off by at most 9e(|v_i| + size|f_i|) (piece across); l = s f²/F₀² by 5e·l (piece full)
-// and, through s, by (7E + |s|)e f²/F₀², for which 16e(E + 2|s|) f²/F₀² is charged. The two products and the last difference
-// are rounded by 3e of what they are made of.
+// s is the limited number, and limits make no error larger; one that may be 0 or not stays as it is. With e = 2^-53, E = B·size
+// and primes for exact numbers, |s - s'| <= 7eE + e|s| (piece turn, and the subtraction), so s f_i is off by (7E + 2|s|)e|f_i|,
+// which 16e(E + |s|)|f_i| covers. Where s is certainly at the limit S, it has no error: S f_i is then a binary64 number, as 24
+// and 24 bits are. The drag is λ B_t c, c across f. c is off by at most 9e(|v_i| + size|f_i|) (piece across); l = s f²/F₀² by
+// 5e·l (piece full) and, through s, by (7E + |s|)e f²/F₀², for which 16e(E + 2|s|) f²/F₀² is charged. The two products and the
+// last difference are rounded by 3e of what they are made of.
 template <class Numbers>
 FORCESHADE_INLINE SurelyRounded filtered_force(const Quad& v, const Quad& f, const Numbers& numbers) noexcept {
   const AlongForce<double> along(each_of(v * f), each_of(f * f));
@@ -132,9 +132,9 @@ FORCESHADE_INLINE SurelyRounded filtered_force(const Quad& v, const Quad& f, con
   double scale = 1 - along.turn(numbers.damping);
   double error = kDampingError * (__builtin_fabs(scale) + numbers.damping * along.size);
   if (scale + error <= 0) return {Four32{}, true};
-  if (!(scale > 0 && scale < numbers.most)) [[unlikely]] {
+  if (scale > numbers.most) [[unlikely]] {
     if (scale - error >= numbers.most) error = 0;
-    scale = scale < 0 ? 0 : scale > numbers.most ? numbers.most : scale;
+    scale = numbers.most;
   }
   Quad value = Quad(scale) * f, reach = Quad(error) * absolute(f);
   if (numbers.drag != 0) {
