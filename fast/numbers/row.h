@@ -128,12 +128,14 @@ FORCESHADE_INLINE bool are_at_most(Quad a, double most) {
   return (_mm_movemask_pd(_mm_cmple_pd(a.low, bound)) & _mm_movemask_pd(_mm_cmple_pd(a.high, bound))) == 3;
 }
 #else
+// By __builtin_convertvector: g++ 12 takes a lane that is converted to binary32 and back for the lane itself.
+using Pair32F = float __attribute__((vector_size(8)));
 FORCESHADE_INLINE Four32 to_binary32(Quad a) {
-  return {static_cast<float>(a.low[0]), static_cast<float>(a.low[1]), static_cast<float>(a.high[0]),
-          static_cast<float>(a.high[1])};
+  const Pair32F low = __builtin_convertvector(a.low, Pair32F), high = __builtin_convertvector(a.high, Pair32F);
+  return Four32{low[0], low[1], high[0], high[1]};
 }
 FORCESHADE_INLINE Quad to_binary64(Four32 a) {
-  return {to_binary64(a[0], a[1]), to_binary64(a[2], a[3])};
+  return {__builtin_convertvector((Pair32F{a[0], a[1]}), Pair64), __builtin_convertvector((Pair32F{a[2], a[3]}), Pair64)};
 }
 FORCESHADE_INLINE bool are_equal(Four32 a, Four32 b) {
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];

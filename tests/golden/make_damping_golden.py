@@ -66,6 +66,7 @@ class Damping:
     def __init__(self, rate, share, damping, most, drag, full_at):
         assert 1 <= rate <= 2**17 and Fraction(1, 2**10) <= share <= 1 and (most == inf or 1 <= most <= 2**10)
         assert all(b == 0 or Fraction(1, 2**20) <= b <= 16 for b in (damping, drag)) and Fraction(1, 2**10) <= full_at <= 2**10
+        assert damping or drag, "without both there is no stage"
         self.numbers = rate, share, damping, most, drag, full_at
         self.rate, self.share, self.damping, self.drag, self.full_at = map(Fraction, (rate, share, damping, drag, full_at))
         self.most = None if most == inf else Fraction(most)
