@@ -634,7 +634,8 @@ def corner_normals(mesh, crease_degrees):
             total = (Decimal(0),) * 3
             for i in own:
                 total = plus(total, times(angle(i, v), unit[i]))
-            normal = tuple(map(rounded_surely, times(1 / dot(total, total).sqrt(), total)))
+            size = dot(total, total).sqrt()
+            normal = tuple(map(rounded_surely, times(1 / size, total))) if size > Decimal(10)**-60 else (0.0,) * 3
             for i in own:
                 result[i][mesh.triangles[i].index(v)] = normal
     return result
