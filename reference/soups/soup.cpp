@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reference/soups/soup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace forceshade::reference::soups {
+namespace {
+
+using Names = std::vector<std::uint32_t>;
+
+// The lowest index of a used vertex with the same coordinates, by index.
+Names names_of(const mesh::TriangleMesh& mesh) {
+  std::vector<bool> is_used(mesh.vertices.size());
+  for (const mesh::Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t v : triangle) is_used[v] = true;
+  std::map<std::array<float, 3>, std::uint32_t> first;
+  Names names(mesh.vertices.size());
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (!is_used[v]) continue;
+    std::array<float, 3> at = mesh.vertices[v];
+    for (float& coordinate : at)
+      if (std::abs(coordinate) < 0x1p-30F) coordinate = 0;  // -0 too
+    names[v] = first.emplace(at, v).first->second;
+  }
+  return names;
+}
+
+Vector normal_of(const std::array<Vector, 3>& corner) {
+  return cross(corner[1] - corner[0], corner[2] - corner[0]);
+}
+
+}  // namespace
+
+Vector exact_point(const std::array<float, 3>& millimetres) {
+  const auto exact = [](float value) { return std::abs(value) < 0x1p-30F ? Rational(0) : Rational(value); };
+  return {exact(millimetres[0]), exact(millimetres[1]), exact(millimetres[2])};
+}
+
+bool Triangle::holds(const Vector& x) const {
+  return has_in_plane(x) && inside(0, x) >= 0 && inside(1, x) >= 0 && inside(2, x) >= 0;
+}
+
+bool Triangle::holds_strictly(const Vector& x) const {
+  return has_in_plane(x) && inside(0, x) > 0 && inside(1, x) > 0 && inside(2, x) > 0;
+}
+
+std::array<Rational, 2> Triangle::weights(const Vector& x) const {
+  const Rational area = squared(normal);
+  return {inside(2, x) / area, inside(0, x) / area};
+}
+
+Soup::Soup(const mesh::TriangleMesh& mesh, const std::vector<mesh::Sides>& sides,
+           const std::vector<mesh::Material>& materials) {
+  const Names names = names_of(mesh);
+  for (const mesh::Vertex& vertex : mesh.vertices) vertices_.push_back(exact_point(vertex));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    const std::array<Vector, 3> corner{vertices_[a], vertices_[b], vertices_[c]};
+    const Vector normal = normal_of(corner);
+    if (is_zero(normal)) continue;
+    const mesh::Sides blocks = sides.size() == 1 ? sides.front() : sides[i];
+    const mesh::Material material = materials.empty() ? mesh::Material{} : materials[i];
+    triangles_.push_back({i,
+                          {names[a], names[b], names[c]},
+                          corner,
+                          normal,
+                          blocks == mesh::Sides::both,
+                          material.static_friction,
+                          material.dynamic_friction});
+  }
+}
+
+const Triangle& Soup::numbered(std::size_t number) const {
+  return *std::ranges::find(triangles_, number, &Triangle::number);
+}
+
+std::vector<Rational> Soup::changes(const Vector& from, const Vector& along, const Rational& most) const {
+  std::vector<Rational> all;
+  const auto add = [&](const Rational& t) {
+    if (t > 0 && t <= most) all.push_back(t);
+  };
+  for (const Triangle& triangle : triangles_) {
+    const Rational slope = dot(triangle.normal, along), height = dot(triangle.normal, triangle.corner[0] - from);
+    if (!slope.is_zero()) {
+      const Rational t = height / slope;
+      if (t > 0 && t <= most && triangle.holds(from + t * along)) all.push_back(t);
+      continue;
+    }
+    if (!height.is_zero()) continue;
+    // The line lies in the triangle's plane, and in the triangle from one number to another.
+    std::optional<Rational> first, last;
+    bool is_outside = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Rational inside = triangle.inside(i, from), grows = dot(cross(triangle.side(i), along), triangle.normal);
+      if (grows.is_zero()) {
+        is_outside |= inside < 0;
+        continue;
+      }
+      const Rational t = -inside / grows;
+      if (grows > 0)
+        first = first ? std::max(*first, t) : t;
+      else
+        last = last ? std::min(*last, t) : t;
+    }
+    if (is_outside || *first > *last) continue;
+    add(*first);
+    add(*last);
+  }
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  return all;
+}
+
+mesh::Sides usual_sides(const mesh::TriangleMesh& mesh) {
+  const Names names = names_of(mesh);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+  for (const mesh::Triangle& triangle : mesh.triangles) {
+    if (is_zero(normal_of({exact_point(mesh.vertices[triangle[0]]), exact_point(mesh.vertices[triangle[1]]),
+                           exact_point(mesh.vertices[triangle[2]])})))
+      continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = names[triangle[i]], b = names[triangle[(i + 1) % 3]];
+      balance[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  }
+  return std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; }) ? mesh::Sides::front
+                                                                                         : mesh::Sides::both;
+}
+
+}  // namespace forceshade::reference::soups
