@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/command_check.h"
 
-#include "device/retrace.h"
 #include "run/recorder/settings.h"
 
 namespace forceshade::apps {
-
-class CommandCheck::Checker {
- public:
-  explicit Checker(const device::SafetySettings& settings) : retrace_(settings) {}
-  device::Retrace retrace_;
-};
 
 CommandCheck::CommandCheck(const recorder::Recording& recording) {
   const recorder::Metadata& metadata = recording.metadata();
@@ -20,18 +13,16 @@ CommandCheck::CommandCheck(const recorder::Recording& recording) {
   else if (is_other("origin_mm", "0,0,0") || is_other("axes", "+x,+y,+z"))
     why_not_ = "the law was placed elsewhere, and the device's own positions are not recorded";
   else if (const auto settings = recorder::safety_settings_in(metadata, recording.path()))
-    checker_ = std::make_unique<Checker>(*settings);
+    retrace_.emplace(*settings);
   else
     why_not_ = "the settings of the supervisor and the passivity controller are not recorded";
 }
 
-CommandCheck::~CommandCheck() = default;
-
 bool CommandCheck::is_same(const device::Sample& sample) {
-  if (!checker_ || sample.status == device::Sample::kEnd) return true;
+  if (!retrace_ || sample.status == device::Sample::kEnd) return true;
   ++ticks_;
   changed_ += sample.law_force != sample.force ? 1 : 0;
-  if (device::is_same(checker_->retrace_.next(sample), sample)) return true;
+  if (device::is_same(retrace_->next(sample), sample)) return true;
   ++differences_;
   return false;
 }

@@ -3,9 +3,10 @@
 // Checks that the commands of a recording follow from what it recorded.
 
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <string>
 
+#include "device/retrace.h"
 #include "forceshade/recording.h"
 #include "forceshade/servo_loop.h"
 
@@ -17,7 +18,6 @@ class CommandCheck {
   // In a recording from before format 4, or of a law that was placed elsewhere, the commands cannot be computed: why_not() says
   // so. Throws Error for settings that cannot be read.
   explicit CommandCheck(const recorder::Recording& recording);
-  ~CommandCheck();
 
   const std::string& why_not() const { return why_not_; }
 
@@ -28,8 +28,7 @@ class CommandCheck {
   std::uint64_t differences() const { return differences_; }
 
  private:
-  class Checker;
-  std::unique_ptr<Checker> checker_;
+  std::optional<device::Retrace> retrace_;
   std::string why_not_;
   std::uint64_t ticks_ = 0, changed_ = 0, differences_ = 0;
 };

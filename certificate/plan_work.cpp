@@ -140,8 +140,8 @@ void add_runs(Certificate& certificate, const OpenedPlan& opened, const fs::path
   if (certificate.date.empty()) certificate.date = system::date();
 }
 
-Certificate merged_units(const OpenedPlan& opened, const PlanFolder& folder, const std::vector<bool>& is_done) {
-  const Units units = opened.units();
+Certificate merged_units(const OpenedPlan& opened, const Units& units, const PlanFolder& folder,
+                         const std::vector<bool>& is_done) {
   std::vector<Found> found(units.items().size());
   std::vector<std::uint64_t> parts(found.size());
   Sweeps sweeps = opened.sweeps;
@@ -247,11 +247,12 @@ Worked work_on_plan(const std::string& path, const PlanWorker& worker, const std
 
 MergedPlan merged_plan(const std::string& path, const std::atomic<bool>& stop) {
   const OpenedPlan plan = opened(path, false, stop);
-  const PlanFolder folder(path, plan.units().count());
+  const Units units = plan.units();
+  const PlanFolder folder(path, units.count());
   const std::vector<bool> is_done = done_in(folder);
   PlanState state = state_of(plan, folder, is_done);
   if (!state.alarms.empty()) return {std::move(state), {}};
-  return {std::move(state), merged_units(plan, folder, is_done)};
+  return {std::move(state), merged_units(plan, units, folder, is_done)};
 }
 
 }  // namespace forceshade::properties
