@@ -144,7 +144,6 @@ void add_certify(CLI::App& app, int& result) {
   add_merge(*command, result);
   add_plan(*command, result);
   add_work(*command, result);
-  add_status(*command, result);
   command->callback([options, subject, out, command, &result] {
     if (command->get_subcommands().empty()) result = run(*options, *subject, *out);
   });

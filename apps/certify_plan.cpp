@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade certify plan, work, status and merge: certificates of many processes.
+// forceshade certify plan, work and merge: certificates of many processes.
 
 #include "apps/certify_plan.h"
 
@@ -43,12 +43,6 @@ properties::SweepPlan sweep_plan(const std::vector<std::string>& kinds, const su
   return plan;
 }
 
-bool print_alarms(const properties::PlanState& state) {
-  for (const std::string& file : state.alarms)
-    tell("ALARM: " + file + " differs from the result of the same unit beside it; one machine computes wrongly");
-  return !state.alarms.empty();
-}
-
 int work(const std::string& folder, properties::PlanWorker worker) {
   watch_for_interrupt();
   properties::Worked worked;
@@ -59,7 +53,7 @@ int work(const std::string& folder, properties::PlanWorker worker) {
   }
   if (worked.alarms > 0)
     tell("ALARM: " + std::to_string(worked.alarms) +
-         " units have another result already; both are kept, 'certify status' names them");
+         " units have another result already; both are kept, 'certify merge' names them");
   if (interrupted()) {
     tell("interrupted after " + std::to_string(worked.units) + " units; the same command goes on");
     return kInterrupted;
@@ -67,14 +61,6 @@ int work(const std::string& folder, properties::PlanWorker worker) {
   std::printf("%" PRIu64 " units done here; the plan is %s\n", worked.units,
               worked.is_complete ? "complete" : "not complete, the other units are taken");
   return worked.alarms > 0 ? kFailed : kHeld;
-}
-
-int status(const std::string& folder) {
-  const properties::PlanState state = properties::state_of_plan(folder, interrupted());
-  std::printf("plan %s\n%" PRIu64 " of %" PRIu64 " units done, %" PRIu64 " taken, %" PRIu64 " with a lease that ran out\n",
-              state.digest.c_str(), state.done, state.units, state.taken, state.expired);
-  if (!state.missing.empty()) std::printf("missing: %s\n", state.missing.c_str());
-  return !print_alarms(state) && state.missing.empty() ? kHeld : kFailed;
 }
 
 void print_sweeps(const properties::Sweeps& sweeps) {
@@ -89,22 +75,30 @@ void print_sweeps(const properties::Sweeps& sweeps) {
 }
 
 int merge_plan(const std::string& folder, const OutFolder& out) {
-  const properties::MergedPlan merged = properties::merged_plan(folder, interrupted());
+  const bool is_asked = out.path().empty();  // only how far it is
+  const properties::MergedPlan merged = is_asked ? properties::MergedPlan{properties::state_of_plan(folder, interrupted()), {}}
+                                                 : properties::merged_plan(folder, interrupted());
   const properties::PlanState& state = merged.state;
-  if (print_alarms(state)) return kFailed;
+  std::printf("plan %s\n%" PRIu64 " of %" PRIu64 " units done, %" PRIu64 " taken, %" PRIu64 " with a lease that ran out\n",
+              state.digest.c_str(), state.done, state.units, state.taken, state.expired);
+  if (!state.missing.empty()) std::printf("missing: %s\n", state.missing.c_str());
+  for (const std::string& file : state.alarms)
+    tell("ALARM: " + file + " differs from the result of the same unit beside it; one machine computes wrongly");
+  if (!state.alarms.empty()) return kFailed;
+  if (is_asked) return state.missing.empty() ? kHeld : kFailed;
   out.expect_room_for(certificate_files());
   print_sweeps(merged.certificate.sweeps);
   if (state.missing.empty()) return write_certificate(merged.certificate, out.folder());
   const std::string evidence = std::filesystem::path(out.path()) / "evidence.json";
   out.make();
   write_file(evidence, properties::evidence_of(merged.certificate, state.missing));
-  std::printf("incomplete: %" PRIu64 " of %" PRIu64 " units are done, so there is no certificate yet; what they found: %s\n",
-              state.done, state.units, evidence.c_str());
+  std::printf("incomplete, so there is no certificate yet; what the units found: %s\n", evidence.c_str());
   return kFailed;
 }
 
 int merge(const std::vector<std::string>& names, const OutFolder& out) {
   if (names.size() == 1 && std::filesystem::is_directory(names.front())) return merge_plan(names.front(), out);
+  if (out.path().empty()) throw CLI::RequiredError("--out");
   std::vector<properties::CertificateFile> files;
   for (const std::string& name : names)
     files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
@@ -179,20 +173,13 @@ void add_work(CLI::App& certify, int& result) {
   command->callback([options, &result] { result = work(options->folder, {options->threads, !options->does_not_wait}); });
 }
 
-void add_status(CLI::App& certify, int& result) {
-  const auto folder = std::make_shared<std::string>();
-  CLI::App* command = certify.add_subcommand("status", "Say how many units of a plan are done, and whether two results differ");
-  command->add_option("folder", *folder, kPlanFolderWords)->type_name("DIR")->required();
-  command->callback([folder, &result] { result = status(*folder); });
-}
-
 void add_merge(CLI::App& certify, int& result) {
   const auto files = std::make_shared<std::vector<std::string>>();
-  CLI::App* command =
-      certify.add_subcommand("merge", "Join certificates of points with different seeds, or the units of a plan");
+  CLI::App* command = certify.add_subcommand(
+      "merge",
+      "Join certificates of points with different seeds, or the units of a plan; without --out, say how far the plan is");
   command->add_option("files", *files, "certificate.json of one build; or the folder of a plan")->type_name("FILE")->required();
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
-  out->require();
   command->callback([files, out, &result] { result = merge(*files, *out); });
 }
 

@@ -8,7 +8,6 @@ namespace forceshade::apps {
 
 void add_plan(CLI::App& certify, int& result);
 void add_work(CLI::App& certify, int& result);
-void add_status(CLI::App& certify, int& result);
 void add_merge(CLI::App& certify, int& result);
 
 }  // namespace forceshade::apps

@@ -4,6 +4,7 @@
 
 #include "properties/conformance/conform.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -30,7 +31,7 @@ namespace {
 constexpr const char* kNoLimit = "none";  // of --timing, where only the times are of interest
 
 struct Answerer {
-  std::string command, object;
+  std::string command;  // for the shell, or a shared object
   double answer_seconds = 10;
 
   files::ProcessLimits limits() const {
@@ -38,8 +39,11 @@ struct Answerer {
     limits.answer = std::chrono::milliseconds(static_cast<int>(1000 * answer_seconds));
     return limits;
   }
+  bool is_object() const {
+    return files::format_ending(command) == ".so" && (command.find(' ') == command.npos || std::filesystem::exists(command));
+  }
   conformance::OpenRenderer door() const {
-    return object.empty() ? conformance::process_door(command, limits()) : conformance::object_door(object, limits());
+    return is_object() ? conformance::object_door(command, limits()) : conformance::process_door(command, limits());
   }
 };
 
@@ -91,15 +95,11 @@ void add_conform(CLI::App& app, int& result) {
       app.add_subcommand("conform", "Compare a third-party renderer, in a process of its own, with the exact definition");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
   command->option_defaults()->group(kEvidenceGroup);
-  CLI::Option* process = command->add_option("--command", its->renderer.command,
-                                             "its command for the shell; it speaks lines of JSON on its standard input and "
-                                             "output (docs/conformance-protocol.md)");
-  process->type_name("COMMAND");
   command
-      ->add_option("--object", its->renderer.object,
-                   "a shared object with the one function of forceshade.h, in the place of a process")
-      ->type_name("FILE")
-      ->excludes(process);
+      ->add_option("--command", its->renderer.command,
+                   "its command for the shell, which speaks lines of JSON on its standard input and output "
+                   "(docs/conformance-protocol.md); or FILE.so, a shared object with the one function of forceshade.h")
+      ->type_name("COMMAND|FILE.so");
   add_tolerance(*command, its->tolerance);
   add_whole(*command, "--points", its->conform.points, "number of positions to compare", {1, 1000000000});
   add_whole(*command, "--seed", its->conform.seed, "seed of the positions", kSeeds);
@@ -119,14 +119,13 @@ void add_conform(CLI::App& app, int& result) {
   const auto outputs = std::make_shared<ConformOutputs>(*command);
   add_conform_positions(*command, result);
   add_conform_judge(*command, result);
-  add_conform_vectors(*command, result);
   add_conform_recording(*command, result);
   add_conform_simulator(*command, result);
   add_conform_compare(*command, result);
   command->callback([its, subject, outputs, command, &result] {
     if (!command->get_subcommands().empty()) return;
-    if (its->renderer.command.empty() && its->renderer.object.empty()) throw CLI::RequiredError("--command or --object");
-    if (!its->renderer.object.empty()) files::open_input(its->renderer.object);
+    if (its->renderer.command.empty()) throw CLI::RequiredError("--command");
+    if (its->renderer.is_object()) files::open_input(its->renderer.command);
     its->conform.tolerance = parse_tolerance(its->tolerance);
     outputs->expect_room();
     watch_for_interrupt();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade conform recording: what another system did, judged.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "apps/signals.h"
 #include "apps/subject_option.h"
 #include "files/csv.h"
+#include "files/quantity.h"
 #include "forceshade/certificate.h"
 #include "properties/conformance/judgement_text.h"
 #include "properties/conformance/recordings/columns.h"
@@ -24,9 +26,21 @@ namespace forceshade::apps {
 namespace {
 
 struct RecordingOptions {
-  std::string file, columns, units, frame, offset, tolerance;
+  std::string file, columns, frame, offset, tolerance;
   conformance::RecordingOptions judged;
 };
+
+// Reads "0.02N", "1mJ" or both.
+void allow(const std::string& text, conformance::RecordingOptions& options) {
+  for (const std::string& part : files::at_commas(text)) {
+    const std::size_t unit = part.find_last_not_of("NmJ ") + 1;
+    const std::string number = part.substr(0, unit),
+                      name = part.substr(std::min(part.find_first_not_of(' ', unit), part.size()));
+    if (name != "N" && name != "mJ")
+      throw Error("--allow: expected an error in N, an energy in mJ or both, such as 0.02N,1mJ, got \"" + text + '"');
+    (name == "N" ? options.noise : options.energy) = parse_number("--allow", number, {0, name == "N" ? 1000.0 : 1e6});
+  }
+}
 
 int judge(const RecordingOptions& its, const SubjectOption& subject, const ConformOutputs& outputs,
           const std::string& repeated) {
@@ -42,10 +56,10 @@ int judge(const RecordingOptions& its, const SubjectOption& subject, const Confo
   watch_for_interrupt();
   std::ifstream file = files::open_file(its.file);
   const conformance::Measurements measured =
-      conformance::read_measurements(file, its.file, conformance::columns_of(its.columns, its.units));
+      conformance::read_measurements(file, its.file, conformance::columns_of(its.columns));
   std::optional<Description> description;
   if (subject.is_given()) description = subject.description();
-  if (description && std::holds_alternative<DescribedScene>(description->what))
+  if (description && description->moves())
     throw Error(description->name +
                 ": expected no object with a motion, since a recording does not say in which tick it began");
   const conformance::JudgedRecording found = with_progress(
@@ -81,12 +95,10 @@ void add_conform_recording(CLI::App& conform, int& result) {
   const auto add = [&](const char* name, std::string& value, const char* type, const std::string& help) {
     command->add_option(name, value, help)->type_name(type);
   };
-  add("--columns", its->columns, "t=NAME,x=NAME,...",
+  add("--columns", its->columns, "t=NAME,x=NAME,...,ms,m,mN",
       "its columns, t, x, y, z, fx, fy and fz by their names, or by their numbers where it has no header; those of 'recording "
-      "export' unless given");
-  add("--units", its->units, "ms,m,mN",
-      "of its times (s, ms, us, ns), positions (mm, cm, m, in) and forces (N, mN), where the columns' names do not end in "
-      "them");
+      "export' unless given. And the units of its times (s, ms, us, ns), positions (mm, cm, m, in) and forces (N, mN), where "
+      "the names do not end in them");
   add("--frame", its->frame, "x,z,-y", "the axes of the scene that its first, second and third ones are");
   command->add_flag(
       "--fit", its->judged.fits,
@@ -95,10 +107,11 @@ void add_conform_recording(CLI::App& conform, int& result) {
   add("--offset", its->offset, "X,Y,Z", "the reading of its sensor without a force, in N along its axes");
   add_number(*command, "--lag", "by how many ms a force comes after its position", {-1000, 1000},
              [its](double milliseconds) { its->judged.lag = milliseconds / 1000; });
-  add_number(*command, "--noise", "the largest error of a measured force, in N; default: 0", {0, 1000},
-             [its](double newtons) { its->judged.noise = newtons; });
-  add_number(*command, "--energy", "the most that a loop may give the hand, in mJ; default: 0", {0, 1e6},
-             [its](double millijoules) { its->judged.energy = millijoules; });
+  command
+      ->add_option_function<std::string>(
+          "--allow", [its](const std::string& text) { allow(text, its->judged); },
+          "the largest error of a measured force and the most that a loop may give the hand; default: 0N,0mJ")
+      ->type_name("0.02N,1mJ");
   add_tolerance(*command, its->tolerance);
   const auto outputs = std::make_shared<ConformOutputs>(*command);
   command->callback(

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade conform positions, judge and vectors: positions and forces as files, for programs in whose place anybody can be.
+// forceshade conform positions and judge: positions and forces as files, for programs in whose place anybody can be.
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "apps/command.h"
 #include "apps/conform_outputs.h"
@@ -22,28 +23,32 @@
 namespace forceshade::apps {
 namespace {
 
-// A verb that writes positions of a subject. write(options, description, stream, monitor).
+constexpr std::uint64_t kPositions = 100000, kVectors = 200, kMostVectors = 1000000;
+
 struct Positions {
-  std::uint64_t points, seed = 1;
+  std::optional<std::uint64_t> points;
+  std::uint64_t seed = 1;
   std::string out = "-";
 };
 
-template <class Write>
-void add_writer(CLI::App& command, std::uint64_t points, std::uint64_t most, const std::string& help,
-                const std::vector<std::string>& endings, int& result, const Write& write) {
-  const auto options = std::make_shared<Positions>(Positions{points});
-  const auto subject = std::make_shared<SubjectOption>(command, subjects::Laws::one);
-  add_whole(command, "--points", options->points, "number of positions", {1, most});
-  add_whole(command, "--seed", options->seed, "seed of the positions", kSeeds);
-  add_output(command, "--out", options->out, help, endings)->capture_default_str();
-  command.callback([options, subject, write, &result] {
-    watch_for_interrupt();
-    const Description description = subject->description();
-    files::OutputFile output(options->out);
-    with_progress(description.name, [&](const Monitor& monitor) { write(*options, description, output.stream(), monitor); });
-    output.commit();
-    result = kHeld;
+int write(const Positions& its, const SubjectOption& subject) {
+  watch_for_interrupt();
+  const Description description = subject.description();
+  const bool has_forces = files::format_ending(its.out) == ".json";
+  const std::uint64_t points = its.points.value_or(has_forces ? kVectors : kPositions);
+  if (has_forces && points > kMostVectors)
+    throw Error("--points: expected at most " + std::to_string(kMostVectors) + " with their forces, got " +
+                std::to_string(points));
+  files::OutputFile output(its.out);
+  with_progress(description.name, [&](const Monitor& monitor) {
+    if (has_forces)
+      output.stream() << conformance::vectors_of(description, points, its.seed, monitor);
+    else
+      conformance::write_positions(output.stream(), files::is_named_npy(its.out), *properties::subject_of(description), points,
+                                   its.seed, monitor);
   });
+  output.commit();
+  return kHeld;
 }
 
 int judge(const std::string& forces, const conformance::Tolerance& tolerance, const SubjectOption& option,
@@ -73,23 +78,20 @@ int judge(const std::string& forces, const conformance::Tolerance& tolerance, co
 }  // namespace
 
 void add_conform_positions(CLI::App& conform, int& result) {
-  add_writer(*conform.add_subcommand("positions",
-                                     "Write positions at which to ask a renderer for forces, each with what it is aimed at"),
-             100000, 1000000000, "FILE.npy, a structured array for numpy.load; else a CSV file, - is standard output",
-             {".csv", ".npy"}, result,
-             [](const Positions& its, const Description& description, std::ostream& stream, const Monitor& monitor) {
-               conformance::write_positions(stream, files::is_named_npy(its.out), *properties::subject_of(description),
-                                            its.points, its.seed, monitor);
-             });
-}
-
-void add_conform_vectors(CLI::App& conform, int& result) {
-  add_writer(*conform.add_subcommand("vectors",
-                                     "Write test vectors: positions with the exact forces, for tests that need nothing else"),
-             200, 1000000, "JSON file; - is standard output", {".json"}, result,
-             [](const Positions& its, const Description& description, std::ostream& stream, const Monitor& monitor) {
-               stream << conformance::vectors_of(description, its.points, its.seed, monitor);
-             });
+  const auto options = std::make_shared<Positions>();
+  CLI::App* command = conform.add_subcommand(
+      "positions", "Write positions at which to ask a renderer for forces; or, as test vectors, with the exact forces");
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  add_whole(*command, "--points",
+            "number of positions; default: " + std::to_string(kPositions) + ", with forces " + std::to_string(kVectors),
+            {1, 1000000000}, [options](std::uint64_t given) { options->points = given; });
+  add_whole(*command, "--seed", options->seed, "seed of the positions", kSeeds);
+  add_output(*command, "--out", options->out,
+             "FILE.json: test vectors, for tests that need nothing else; FILE.npy, a structured array for numpy.load, or a CSV "
+             "file, - for standard output: positions with what each is aimed at",
+             {".csv", ".npy", ".json"})
+      ->capture_default_str();
+  command->callback([options, subject, &result] { result = write(*options, *subject); });
 }
 
 void add_conform_judge(CLI::App& conform, int& result) {

@@ -7,11 +7,9 @@
 
 namespace forceshade::apps {
 
-// One pipe: positions, to which a program adds its forces, which judge holds against the exact ones; and both at once, as test
-// vectors.
+// One pipe: positions, to which a program adds its forces, which judge holds against the exact ones.
 void add_conform_positions(CLI::App& conform, int& result);
 void add_conform_judge(CLI::App& conform, int& result);
-void add_conform_vectors(CLI::App& conform, int& result);
 
 void add_conform_recording(CLI::App& conform, int& result);
 void add_conform_simulator(CLI::App& conform, int& result);

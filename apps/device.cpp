@@ -29,8 +29,7 @@ nlohmann::ordered_json described(const device::DriverFolder& folder) {
 
 int list(const std::string& json) {
   const device::DriverFolder folder = device::driver_folder();
-  if (!json.empty())
-    write_file(json, described(folder).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  write_json(json, described(folder));
   if (json == "-") return kHeld;
   std::printf("Kinds of device, for --device:\n");
   for (const device::Kind& kind : device::kinds()) std::printf("  %-30s %s\n", kind.form().c_str(), kind.what.data());

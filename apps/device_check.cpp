@@ -109,9 +109,7 @@ int run(const DeviceCheckOptions& options) {
   checks.add(device::checks_before_opening(options.device));
   check_open(options, *prepares, checks, seen);
   const std::size_t wrong = checks.count(Grade::wrong), unknown = checks.count(Grade::unknown);
-  if (!options.json.empty())
-    write_file(options.json,
-               json_of(options, checks, seen).dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  write_json(options.json, json_of(options, checks, seen));
   if (options.json != "-")
     std::printf("%s: %zu of %zu checks wrong, %zu could not be made\n", wrong == 0 ? "held" : "FAILED", wrong,
                 checks.all().size(), unknown);

@@ -11,6 +11,7 @@
 #include "apps/drive_summary.h"
 #include "apps/live_view.h"
 #include "apps/options.h"
+#include "apps/output_options.h"
 #include "apps/signals.h"
 #include "apps/tell.h"
 #include "apps/terminal_attendant.h"
@@ -40,7 +41,7 @@ bool is_watched() {
 // Names and serial numbers come from a driver, which promises no encoding.
 bool wrote_json(const std::string& file, const nlohmann::ordered_json& json) {
   try {
-    write_file(file, json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    write_json(file, json);
     return true;
   } catch (const files::OutputError& error) {
     tell(error.what());
@@ -116,14 +117,25 @@ RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
   return {result, run::has_failed(result) ? kDeviceFault : written ? kHeld : kBadInput};
 }
 
-bool may_be_driven(const run::Certified& certified, bool uncertified) {
+CLI::Option* add_certificate(CLI::App& command, std::string& file, const std::string& of) {
+  return command
+      .add_option("--certificate", file, "certificate.json of this build" + of + "; or none, which drives uncertified")
+      ->type_name("FILE|none")
+      ->group(kEvidenceGroup);
+}
+
+run::Certified certified(const std::string& file, const Identity& rendering) {
+  if (file == kNoCertificate) return {std::nullopt, "because of --certificate none"};
+  return run::certified(file, rendering);
+}
+
+bool may_be_driven(const run::Certified& certified, const std::string& file) {
   if (certified.digest) return true;
-  const std::string why = files::printable(certified.why_not);
-  if (uncertified)
-    std::fprintf(stderr, "*** DRIVING UNCERTIFIED, because of --uncertified: %s ***\n", why.c_str());
+  if (file == kNoCertificate)
+    std::fprintf(stderr, "*** DRIVING UNCERTIFIED, %s ***\n", certified.why_not.c_str());
   else
     tell("refused to drive: " + certified.why_not);
-  return uncertified;
+  return file == kNoCertificate;
 }
 
 }  // namespace forceshade::apps

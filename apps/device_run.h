@@ -46,7 +46,12 @@ void warn_if_active(double stiffness, const device::Capabilities& capabilities, 
 // came before the run.
 RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan);
 
-// Checks whether the certificate covers what is to be driven, and else prints why not; false where it may not be driven.
-bool may_be_driven(const run::Certified& certified, bool uncertified);
+// --certificate FILE, or none: it drives uncertified, which may_be_driven() says loudly.
+inline constexpr const char* kNoCertificate = "none";
+CLI::Option* add_certificate(CLI::App& command, std::string& file, const std::string& of = "");
+// The verdict of the certificate on what is to be driven. Throws Error.
+run::Certified certified(const std::string& file, const Identity& rendering);
+// Prints why it may not be driven, or that it is driven uncertified.
+bool may_be_driven(const run::Certified& certified, const std::string& file);
 
 }  // namespace forceshade::apps

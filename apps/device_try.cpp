@@ -32,10 +32,10 @@ constexpr float kHighestStiffness = 0.2F;  // N/mm
 constexpr const char* kNoButton = "none";
 
 struct DeviceTryOptions {
-  std::string device, certificate, stiffness = "0.05", dead_man = "0", record, json;
+  std::string device, certificate, stiffness = "0.05", dead_man = "0", out, json;
   double seconds = 30;
   std::optional<double> watchdog_timeout;
-  bool uncertified = false, in_reset_pose = false, overwrite = false;
+  bool in_reset_pose = false, overwrite = false;
 };
 
 // The contacts of a hand with the wall.
@@ -102,12 +102,12 @@ std::string second_step(const std::optional<int>& button, double seconds) {
 
 int run(DeviceTryOptions options) {
   const float stiffness = gentle_stiffness(options.stiffness);
-  if (options.record.empty()) options.record = system::date("forceshade-try-%Y%m%d-%H%M%SZ.fsr");
-  if (files::format_ending(options.record) != ".fsr")
-    throw Error("--record: expected FILE.fsr, a recording that survives a crash, got \"" + options.record + '"');
+  if (options.out.empty()) options.out = system::date("forceshade-try-%Y%m%d-%H%M%SZ.fsr");
+  if (files::format_ending(options.out) != ".fsr")
+    throw Error("--out: expected FILE.fsr, a recording that survives a crash, got \"" + options.out + '"');
   const Rendering wall = built(rendering_of(LawId::wall, {.stiffness = stiffness}));
-  const run::Certified covered = run::certified(options.certificate, wall.identity);
-  if (!may_be_driven(covered, options.uncertified)) {
+  const run::Certified covered = certified(options.certificate, wall.identity);
+  if (!may_be_driven(covered, options.certificate)) {
     tell("to have one: forceshade certify --law wall --stiffness " + shortest(stiffness) + " --out DIR");
     return kFailed;
   }
@@ -123,7 +123,7 @@ int run(DeviceTryOptions options) {
   const RunOutcome outcome = run_on(device, wall,
                                     {.run = {.device = options.device,
                                              .digest = covered.digest,
-                                             .record = options.record,
+                                             .record = options.out,
                                              .overwrite = options.overwrite,
                                              .servo = {.max_seconds = options.seconds,
                                                        .watchdog_timeout = options.watchdog_timeout,
@@ -131,7 +131,7 @@ int run(DeviceTryOptions options) {
                                                        .sinks = {&felt}}},
                                      .json = options.json});
   if (options.json != "-") felt.print(outcome.result);
-  person.report("the run is over and there is no force; its recording is " + options.record);
+  person.report("the run is over and there is no force; its recording is " + options.out);
   return outcome.code;
 }
 
@@ -142,8 +142,7 @@ void add_device_try(CLI::App& device, int& result) {
   CLI::App* command = device.add_subcommand(
       "try", "A guided first contact: a gentle wall, at most 0.5 N, a button to be held down, everything recorded");
   command->add_option("device", options->device, "as for drive --device")->type_name("DEVICE")->required();
-  command->add_option("--certificate", options->certificate, "certificate.json of this build, of the wall at this stiffness")
-      ->type_name("FILE");
+  add_certificate(*command, options->certificate, ", of the wall at this stiffness");
   add_stiffness(*command, options->stiffness, "K, stiffness, at most 0.2 N/mm");
   command->add_option("--dead-man", options->dead_man, "button to be held down, from 0; none for a device without buttons")
       ->type_name("BUTTON")
@@ -156,8 +155,7 @@ void add_device_try(CLI::App& device, int& result) {
              [options](double seconds) { options->seconds = seconds; });
   add_watchdog_timeout(*command, options->watchdog_timeout);
   add_in_reset_pose(*command, options->in_reset_pose);
-  command->add_flag("--uncertified", options->uncertified, "try even where the certificate does not allow it");
-  add_output(*command, "--record", options->record, "the recording, FILE.fsr; default: forceshade-try-DATE-TIME.fsr", {".fsr"});
+  add_output(*command, "--out", options->out, "the recording, FILE.fsr; default: forceshade-try-DATE-TIME.fsr", {".fsr"});
   add_json(*command, options->json, "the summary");
   command->callback([options, command, &result] {
     options->overwrite = overwrites(*command);

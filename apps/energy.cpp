@@ -28,7 +28,8 @@ using Json = nlohmann::ordered_json;
 using reference::binary64;
 
 struct EnergyOptions {
-  std::string depth, json, along = "x", at = "0", from = "-12.7mm", to = "12.7mm", length = "100mm", step = "0.1mm";
+  std::string depth, json, length = "100mm", step = "0.1mm";
+  Section section;
 };
 
 // The verdict on a law or a height map. What differs between the two is in its JSON and its words.
@@ -150,21 +151,21 @@ void print(const Verdict& verdict) {
 }
 
 void answer(const Verdict& verdict, const EnergyOptions& options) {
-  if (!options.json.empty()) write_file(options.json, json_of(verdict).dump() + "\n");
+  write_json(options.json, json_of(verdict), -1);
   if (options.json != "-") print(verdict);
 }
 
-void run_law(const EnergyOptions& options, const DescribedLaw& described, float depth) {
+int run_law(const EnergyOptions& options, const DescribedLaw& described, float depth) {
   const auto law = std::get<reference::Law>(reference::Law::build(described.law, described.parameters));
   if (const auto error = reference::depth_error(law, depth)) throw Error("--" + error->message());
   answer(verdict_on(law, depth), options);
+  return kHeld;
 }
 
 int run_height_map(const EnergyOptions& options, const std::string& name, const DescribedHeightMap& map, float depth) {
   const auto law = std::get<reference::HeightMapField>(reference::HeightMapField::build(map.map, map.mode, map.stiffness));
-  const reference::Slice slice{options.along == "x" ? reference::Slice::Along::x : reference::Slice::Along::y,
-                               files::parse_length("--at", options.at), files::parse_length("--from", options.from),
-                               files::parse_length("--to", options.to)};
+  const auto& [along, from, to, at] = options.section;
+  const reference::Slice slice{along == 'x' ? reference::Slice::Along::x : reference::Slice::Along::y, at, from, to};
   if (const auto error = reference::slice_error(law, slice, depth)) throw Error(name + ": " + error->message());
   watch_for_interrupt();
   try {
@@ -188,30 +189,22 @@ void add_energy(CLI::App& app, int& result) {
   add_length(*command, "--depth", options->depth, "of the loops, below the nominal surface or from a mesh's god-object")
       ->required();
   add_json(*command, options->json, "the verdict, with the loop,");
-  CLI::Option* map_option = command->get_option("--height-map");
-  const auto add = [&](const char* name, std::string& value, const char* help) {
-    add_length(*command, name, value, help)->needs(map_option);
-  };
-  add_word(*command, "--along", options->along, "of a height map, the axis that its loops lie along", {"x", "y"})
-      ->needs(map_option);
-  add("--at", options->at, "position on the other axis");
-  add("--from", options->from, "the first position of the loops");
-  add("--to", options->to, "and the last one");
+  add_section(*command, options->section, "of a height map, over which its loops lie")->needs("--height-map");
   add_length(*command, "--length", options->length, "of the loops on a mesh, at most")->needs("--mesh");
   add_length(*command, "--step", options->step, "the hand's way over a mesh from one tick to the next, at most")
       ->needs("--mesh");
   command->callback([options, subject, &result] {
     const float depth = files::parse_length("--depth", options->depth);
     const Description what = subject->description();
-    if (const auto* law = std::get_if<DescribedLaw>(&what.what))
-      run_law(*options, *law, depth);
-    else if (const auto* mesh = std::get_if<MeshRendering>(&what.what))
-      print_energy_of_mesh(what.name, *mesh, depth, files::parse_length("--length", options->length),
-                           files::parse_length("--step", options->step), options->json);
-    else if (std::holds_alternative<DescribedScene>(what.what))
-      throw Error(what.name + ": expected a scene without objects that move, got one with them");
-    else
-      result = run_height_map(*options, what.name, std::get<DescribedHeightMap>(what.what), depth);
+    result = what.visit([&](const DescribedLaw& law) { return run_law(*options, law, depth); },
+                        [&](const DescribedHeightMap& map) { return run_height_map(*options, what.name, map, depth); },
+                        [&](const MeshRendering& mesh) {
+                          return print_energy_of_mesh(what.name, mesh, depth, files::parse_length("--length", options->length),
+                                                      files::parse_length("--step", options->step), options->json);
+                        },
+                        [&](const DescribedScene&) -> int {
+                          throw Error(what.name + ": expected a scene without objects that move, got one with them");
+                        });
   });
 }
 

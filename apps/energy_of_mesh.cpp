@@ -116,8 +116,8 @@ void print(const MeshVerdict& verdict) {
 
 }  // namespace
 
-void print_energy_of_mesh(const std::string& name, const MeshRendering& rendering, float depth, float length, float step,
-                          const std::string& json) {
+int print_energy_of_mesh(const std::string& name, const MeshRendering& rendering, float depth, float length, float step,
+                         const std::string& json) {
   if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw Error(name + ": " + why);
   expect_length("--depth", depth, 0x1p-10F, 100);
   expect_length("--length", length, 0x1p-10F, 10000);
@@ -139,8 +139,9 @@ void print_energy_of_mesh(const std::string& name, const MeshRendering& renderin
   };
   try {
     const MeshVerdict verdict = with_progress(name, judged);
-    if (!json.empty()) write_file(json, json_of(verdict).dump() + "\n");
+    write_json(json, json_of(verdict), -1);
     if (json != "-") print(verdict);
+    return kHeld;
   } catch (const Interrupted&) {
     throw Interrupted(name + " has no verdict, and nothing was written");
   }

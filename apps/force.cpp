@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// forceshade force: the force of a law or of a height map at every position of a CSV, by the fast path or by the reference.
+// forceshade force: the force of what is rendered at every position of a CSV, by the fast path or by the reference.
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "apps/command.h"
 #include "apps/force_rows.h"
@@ -21,8 +22,8 @@ namespace forceshade::apps {
 namespace {
 
 struct ForceOptions {
-  std::string path = "fast", input = "-", out = "-";
-  unsigned digits = 30;
+  std::string input = "-", out = "-";
+  std::optional<std::uint64_t> digits;  // of the reference; 0: rounded to binary32
 };
 
 RowFormat format_of(const ForceOptions& options) {
@@ -36,14 +37,17 @@ RowStatus row_status(Status status) {
 // By the fast path, or by the reference; in a CSV a law's to any number of digits. Built before anything is read.
 Answer answer_of(const ForceOptions& options, const SubjectOption& option) {
   const Description what = option.description();
-  const auto* a_law = std::get_if<DescribedLaw>(&what.what);
-  if (options.path == "reference" && a_law != nullptr && format_of(options) == RowFormat::csv)
-    return [law = built(reference::Law::build(a_law->law, a_law->parameters)), digits = options.digits](const auto& position) {
+  if (options.digits.value_or(0) > 0) {
+    const auto* a_law = std::get_if<DescribedLaw>(&what.what);
+    if (a_law == nullptr) throw Error("--digits: expected binary32 beside " + what.name + ", whose numbers have no other form");
+    return [law = built(reference::Law::build(a_law->law, a_law->parameters)),
+            digits = static_cast<unsigned>(*options.digits)](const auto& position) {
       reference::DecimalForce answer = law.decimal(position, digits);
       return AnsweredRow{{}, row_status(answer.status), {{std::move(answer.x), "0", std::move(answer.z)}}};
     };
+  }
   const std::shared_ptr<const properties::Subject> subject = properties::subject_of(what);
-  if (options.path == "reference")
+  if (options.digits)
     return [subject, reference = std::shared_ptr(subject->open_reference())](const auto& position) {
       const reference::Rounded answer = reference->step(position);
       return AnsweredRow{answer.force, row_status(answer.status), std::nullopt};
@@ -76,19 +80,20 @@ void add_force(CLI::App& app, int& result) {
   const auto options = std::make_shared<ForceOptions>();
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV or NPY");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
-  add_word(*command, "--path", options->path, "fast: binary32, shortest form; reference: exact, to N digits",
-           {"fast", "reference"});
-  CLI::Option* digits =
-      add_whole(*command, "--digits", options->digits, "significant decimal digits of a law's reference", kDigits);
-  for (const char* other : {"--height-map", "--mesh", "--scene"}) digits->excludes(command->get_option(other));
-  command->add_option("--input", options->input, "CSV file; - is standard input")->type_name("FILE")->capture_default_str();
+  command
+      ->add_option_function<std::string>(
+          "--digits",
+          [options](const std::string& text) {
+            options->digits = text == "binary32" ? 0 : parse_whole("--digits", text, kDigits);
+          },
+          "by the reference instead of the fast path: a law's force to so many significant digits, or any rounded to binary32")
+      ->type_name("N (1 to 10000)|binary32");
+  command->add_option("positions", options->input, "CSV file; - is standard input")->type_name("FILE")->capture_default_str();
   add_output(*command, "--out", options->out,
              "FILE.npy, a structured array for numpy.load; else a CSV file, - is standard output", {".csv", ".npy"})
       ->capture_default_str();
-  command->callback([options, subject, digits, &result] {
-    if (!digits->empty() && options->path != "reference")
-      throw Error("--digits: expected --path reference beside it, got --path fast, which prints the shortest form");
-    if (!digits->empty() && format_of(*options) == RowFormat::npy)
+  command->callback([options, subject, &result] {
+    if (options->digits.value_or(0) > 0 && format_of(*options) == RowFormat::npy)
       throw Error("--digits: expected a CSV file as --out beside it, got \"" + options->out + "\", which has binary32 numbers");
     result = run(*options, *subject);
   });

@@ -42,7 +42,8 @@ void print_figure_5_5() {
 
 struct LawsOptions {
   unsigned digits = 30;
-  std::string json, height_map, from = "-12.7mm", to = "12.7mm", out;
+  std::string json, height_map, out;
+  Section section;
   reference::RationalAngle theta_critical = 0;
   double theta_critical_degrees = 0;  // nearest
 };
@@ -62,12 +63,8 @@ void print_laws() {
 // d, h, w', h' and theta, correctly rounded.
 void print_geometry(const LawsOptions& options, const Parameters& bump) {
   const reference::DecimalGeometry g = reference::geometry(bump, options.digits);
-  if (!options.json.empty())
-    write_file(options.json,
-               nlohmann::ordered_json{
-                   {"d_mm", g.d}, {"h_mm", g.h}, {"w_prime_mm", g.w_prime}, {"h_prime_mm", g.h_prime}, {"theta_rad", g.theta}}
-                       .dump() +
-                   "\n");
+  write_json(options.json,
+             {{"d_mm", g.d}, {"h_mm", g.h}, {"w_prime_mm", g.w_prime}, {"h_prime_mm", g.h_prime}, {"theta_rad", g.theta}}, -1);
   if (options.json == "-") return;
   std::printf("d      %s mm\nh      %s mm\nw'     %s mm\nh'     %s mm\ntheta  %s rad\n", g.d.c_str(), g.h.c_str(),
               g.w_prime.c_str(), g.h_prime.c_str(), g.theta.c_str());
@@ -77,15 +74,14 @@ void print_polygons(const LawsOptions& options, const Parameters& bump) {
   const unsigned polygons = reference::polygons_needed(bump, options.theta_critical);
   const std::string all = reference::subtended_degrees(bump, 1, kDigitsOfDegrees);
   const std::string each = reference::subtended_degrees(bump, polygons, kDigitsOfDegrees);
-  if (!options.json.empty())
-    write_file(options.json, nlohmann::ordered_json{{"radius_mm", static_cast<double>(bump.radius)},
-                                                    {"width_mm", static_cast<double>(bump.width)},
-                                                    {"theta_critical_deg", options.theta_critical_degrees},
-                                                    {"subtended_deg", all},
-                                                    {"polygons", polygons},
-                                                    {"subtended_each_deg", each}}
-                                     .dump() +
-                                 "\n");
+  write_json(options.json,
+             {{"radius_mm", static_cast<double>(bump.radius)},
+              {"width_mm", static_cast<double>(bump.width)},
+              {"theta_critical_deg", options.theta_critical_degrees},
+              {"subtended_deg", all},
+              {"polygons", polygons},
+              {"subtended_each_deg", each}},
+             -1);
   if (options.json == "-") return;
   std::printf("%u polygon%s: the bump subtends %s degrees", polygons, polygons == 1 ? "" : "s", all.c_str());
   std::printf(polygons == 1 ? "\n" : ", each of them %s\n", each.c_str());
@@ -106,22 +102,22 @@ bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots,
 void print_polygons_of_map(const LawsOptions& options) {
   if (!options.json.empty() && options.json == options.out)
     throw Error("--json and --out: expected two files, got \"" + options.json + "\" for both");
+  const Section& its = options.section;
+  if (its.along != 'x' || its.at != 0) throw Error("--section: expected a range on x at y = 0, got another line");
   const HeightMap map{heights::read_spec(options.height_map).map.parts};
   subjects::expect_valid(options.height_map, {map, height::Mode::force_shaded});
   try {
-    const reference::Profile profile(map.parts, files::parse_length("--from", options.from),
-                                     files::parse_length("--to", options.to));
+    const reference::Profile profile(map.parts, its.from, its.to);
     const auto [polygons, is_fewest] = profile.polygons_needed(options.theta_critical);
     const double turning = profile.most_turning();
-    if (!options.json.empty())
-      write_file(options.json, nlohmann::ordered_json{{"height_map", options.height_map},
-                                                      {"theta_critical_deg", options.theta_critical_degrees},
-                                                      {"turning_deg", turning},
-                                                      {"polygons", polygons},
-                                                      {"surely_fewest", is_fewest},
-                                                      {"turning_each_deg", turning / polygons}}
-                                       .dump() +
-                                   "\n");
+    write_json(options.json,
+               {{"height_map", options.height_map},
+                {"theta_critical_deg", options.theta_critical_degrees},
+                {"turning_deg", turning},
+                {"polygons", polygons},
+                {"surely_fewest", is_fewest},
+                {"turning_each_deg", turning / polygons}},
+               -1);
     if (options.json != "-")
       std::printf(polygons == 1 ? "%u polygon%s: the normal turns by %.6g degrees\n"
                                 : "%u polygons%s: the normal turns by %.6g degrees, over each of them by %.6g\n",
@@ -158,8 +154,7 @@ void add_laws(CLI::App& app, int&) {
   CLI::Option* map = command->add_option("--height-map", options->height_map, "instead of a bump: the section y = 0 of a map");
   map->type_name("SPEC")->needs(critical);
   bump->allow_instead(map);
-  add_length(*command, "--from", options->from, "x where the section begins")->needs(map);
-  add_length(*command, "--to", options->to, "x where it ends")->needs(map);
+  add_section(*command, options->section, "of the map: x from where to where, at y = 0")->needs(map);
   add_output(*command, "--out", options->out,
              "the map that shades its polygons, a TOML file for --height-map of other commands", {".toml"})
       ->needs(map);

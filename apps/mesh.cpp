@@ -81,11 +81,6 @@ std::vector<std::string> lines_of(const std::string& words) {
   return lines;
 }
 
-void write_json(const MeshFileOptions& options, const Json& json) {
-  if (!options.json.empty())
-    write_file(options.json, json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-}
-
 void print(const std::vector<std::string>& lines, const std::string& before = "") {
   for (const std::string& line : lines) std::printf("%s\n", files::printable(before + line).c_str());
 }
@@ -243,7 +238,7 @@ int check(const MeshFileOptions& options) {
   }
   json["notes"] = notes;
   for (const auto& [name, counted] : names_in(input)) json[name] = json_of(counted);
-  write_json(options, json);
+  write_json(options.json, json);
   const int code = held != nullptr ? kHeld : kFailed;
   if (options.json == "-") return code;
   if (held != nullptr) {
@@ -280,7 +275,7 @@ int repair(const MeshFileOptions& options) {
   const auto checked = checked_with_progress(options.out, std::move(repaired.mesh), self_intersections(input));
   const auto* findings = std::get_if<mesh::Findings>(&checked);
   const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(findings->words());
-  write_json(options,
+  write_json(options.json,
              {{"file", options.file}, {"out", options.out}, {"done", done}, {"held", findings == nullptr}, {"faults", faults}});
   if (options.json != "-" && options.out != "-") {
     print(repaired.done.empty() ? std::vector<std::string>{"nothing to repair"} : done);

@@ -37,7 +37,7 @@ void write_made(const std::string& path, const mesh::TriangleMesh& triangles,
 
 struct MakeOptions {
   std::string shape, out, height_map;
-  std::string radius, across_radius = "10mm", width = subjects::kUsualWidth, size = "100mm";
+  std::string radius, width = subjects::kUsualWidth, size = "100mm";
   std::uint32_t cells = 64;
 };
 
@@ -47,14 +47,14 @@ struct ShapeOptions {
 constexpr ShapeOptions kShapeOptions[]{{"icosphere", "--radius --cells"},
                                        {"cube", "--size"},
                                        {"wall", "--size --cells"},
-                                       {"torus", "--radius --across-radius --cells"},
+                                       {"torus", "--radius --cells"},
                                        {"bump", "--radius --width --size --cells"},
                                        {"cylinder-bump", "--radius --width --size --cells"},
                                        {"height-map", "--height-map --size --cells"}};
 
 void expect_options_of(const std::string& shape, const CLI::App& command) {
   const std::string_view options = std::ranges::find(kShapeOptions, shape, &ShapeOptions::shape)->options;
-  for (const char* option : {"--radius", "--across-radius", "--width", "--size", "--cells", "--height-map"})
+  for (const char* option : {"--radius", "--width", "--size", "--cells", "--height-map"})
     if (command.count(option) > 0 && options.find(option) == std::string_view::npos)
       throw Error(std::string(option) + ": has no effect on the shape " + shape + "; expected " + std::string(options));
 }
@@ -83,20 +83,23 @@ double length(const char* name, const std::string& text) {
 
 mesh::TriangleMesh made(const MakeOptions& options) {
   const double size = length("--size", options.size), width = length("--width", options.width);
-  const double across_radius = length("--across-radius", options.across_radius);
-  const bool is_large = options.shape == "icosphere" || options.shape == "torus";
-  const double radius = length("--radius", !options.radius.empty() ? options.radius
-                                           : is_large              ? "50mm"
-                                                                   : subjects::kUsualRadius);
+  const bool is_torus = options.shape == "torus", is_ball = options.shape == "icosphere";
+  const std::string usual_radius = is_torus ? "50mm,10mm" : is_ball ? "50mm" : subjects::kUsualRadius;
+  const std::vector<std::string> radii = files::at_commas(options.radius.empty() ? usual_radius : options.radius);
+  if (radii.size() != (is_torus ? 2 : 1))
+    throw Error("--radius: expected " +
+                std::string(is_torus ? "two lengths, around and across, such as " : "a length such as ") + usual_radius +
+                ", got \"" + options.radius + '"');
+  const double radius = length("--radius", radii.front()), across = length("--radius", radii.back());
   if (options.height_map.empty() && options.shape == "height-map")
     throw Error("--height-map: expected a height map for the shape height-map, got none");
-  if (options.shape == "icosphere") return mesh::icosphere(options.cells, radius);
+  if (is_ball) return mesh::icosphere(options.cells, radius);
   if (options.shape == "cube") return mesh::cube(size);
   if (options.shape == "wall") return mesh::thin_wall(size, size, options.cells, options.cells);
-  if (options.shape == "torus" && !(across_radius < radius))
-    throw Error("--across-radius: expected less than --radius, " + shortest(static_cast<float>(radius)) + " mm, got \"" +
-                options.across_radius + '"');
-  if (options.shape == "torus") return mesh::torus(radius, across_radius, options.cells, std::max(options.cells / 2, 3U));
+  if (is_torus && !(across < radius))
+    throw Error("--radius: expected a radius across below that around, " + shortest(static_cast<float>(radius)) +
+                " mm, got \"" + radii.back() + '"');
+  if (is_torus) return mesh::torus(radius, across, options.cells, std::max(options.cells / 2, 3U));
   if (options.shape == "bump") return mesh::bump(radius, width, size, options.cells);
   if (options.shape == "cylinder-bump") return mesh::cylinder_bump(radius, width, size, options.cells);
   const heights::Spec spec = heights::read_spec(options.height_map);
@@ -127,9 +130,10 @@ void add_mesh_make(CLI::App& command, int& result) {
       ->type_name("SHAPE")
       ->required()
       ->check(one_of({"icosphere", "cube", "wall", "torus", "bump", "cylinder-bump", "height-map"}));
-  verb->add_option("--radius", options->radius, "of an icosphere or torus, default: 50mm, or of a bump, default: 15.24mm")
-      ->type_name("LENGTH");
-  add_length(*verb, "--across-radius", options->across_radius, "of a torus: of the circle across");
+  verb->add_option(
+          "--radius", options->radius,
+          "of an icosphere, default: 50mm; of a torus, around and across, default: 50mm,10mm; or of a bump, default: 15.24mm")
+      ->type_name("LENGTH[,LENGTH]");
   add_length(*verb, "--width", options->width, "of a bump");
   add_length(*verb, "--size", options->size, "of a cube, or of the square on which a wall, bump or height map lies");
   add_whole(*verb, "--cells", options->cells,

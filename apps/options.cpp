@@ -23,14 +23,18 @@ std::string written(std::uint64_t value) {
   return std::to_string(value);
 }
 
+template <class Range>
+std::string words_of(const Range& range) {
+  return written(range.least) + " to " + written(range.most);
+}
+
 template <class T, class Range>
 T parse(const std::string& name, const std::string& text, const Range& range, const char* kind) {
   T value{};
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc{} && rest == end && value >= range.least && value <= range.most) return value;
-  throw CLI::ValidationError(name, std::string("expected a ") + kind + " from " + written(range.least) + " to " +
-                                       written(range.most) + ", got \"" + text + '"');
+  throw CLI::ValidationError(name, std::string("expected a ") + kind + " from " + words_of(range) + ", got \"" + text + '"');
 }
 
 std::string joined(const std::vector<std::string>& words, const char* between) {
@@ -42,6 +46,33 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 CLI::Option* add_parsed(CLI::App& command, const std::string& name, const std::string& help, const std::string& range,
                         std::function<void(const std::string&)> keep) {
   return command.add_option_function<std::string>(name, std::move(keep), help)->type_name("N (" + range + ")");
+}
+
+constexpr const char* kSection = "--section";
+
+// Reads a range on one axis, a place on the other, or both, in any order.
+Section parse_section(const std::string& text) {
+  const auto refuse = [&] {
+    return CLI::ValidationError(
+        kSection, "expected a range on x or y and a place on the other axis, such as x=-9mm..9mm,y=2mm, got \"" + text + '"');
+  };
+  Section section;
+  char ranged = 0, placed = 0;  // the axes that were given
+  for (const std::string& part : files::at_commas(text)) {
+    const std::size_t dots = part.find("..");
+    char& axis = dots == std::string::npos ? placed : ranged;
+    if (axis != 0 || (!part.starts_with("x=") && !part.starts_with("y="))) throw refuse();
+    axis = part[0];
+    if (dots == std::string::npos) {
+      section.at = files::parse_length(kSection, part.substr(2));
+    } else {
+      section.from = files::parse_length(kSection, part.substr(2, dots - 2));
+      section.to = files::parse_length(kSection, part.substr(dots + 2));
+    }
+  }
+  if (ranged == placed) throw refuse();
+  if (ranged == 'y' || placed == 'x') section.along = 'y';
+  return section;
 }
 
 // The command that was being read.
@@ -140,13 +171,13 @@ double parse_number(const std::string& name, const std::string& text, NumberRang
 
 CLI::Option* add_whole(CLI::App& command, const std::string& name, const std::string& help, WholeRange range,
                        std::function<void(std::uint64_t)> keep) {
-  return add_parsed(command, name, help, written(range.least) + " to " + written(range.most),
+  return add_parsed(command, name, help, words_of(range),
                     [=](const std::string& text) { keep(parse_whole(name, text, range)); });
 }
 
 CLI::Option* add_number(CLI::App& command, const std::string& name, const std::string& help, NumberRange range,
                         std::function<void(double)> keep) {
-  return add_parsed(command, name, help, written(range.least) + " to " + written(range.most),
+  return add_parsed(command, name, help, words_of(range),
                     [=](const std::string& text) { keep(parse_number(name, text, range)); });
 }
 
@@ -160,14 +191,21 @@ CLI::Option* add_stiffness(CLI::App& command, std::string& value, const std::str
 
 CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::string& help, NumberRange degrees,
                        std::function<void(double, const files::Angle&)> keep) {
-  const std::string range = written(degrees.least) + " to " + written(degrees.most);
-  const auto read = [=](const std::string& text) {
-    const double angle = files::parse_angle(name, text);
-    if (!(angle >= degrees.least && angle <= degrees.most))
-      throw CLI::ValidationError(name, "expected an angle from " + range + " degrees, got \"" + text + '"');
-    keep(angle, files::exact_angle(name, text));
-  };
-  return command.add_option_function<std::string>(name, read, help)->type_name("ANGLE (" + range + ")");
+  const auto read = [=](const std::string& text) { keep(parse_angle(name, text, degrees), files::exact_angle(name, text)); };
+  return command.add_option_function<std::string>(name, read, help)->type_name("ANGLE (" + words_of(degrees) + ")");
+}
+
+double parse_angle(const std::string& name, const std::string& text, NumberRange degrees) {
+  const double angle = files::parse_angle(name, text);
+  if (angle >= degrees.least && angle <= degrees.most) return angle;
+  throw CLI::ValidationError(name, "expected an angle from " + words_of(degrees) + " degrees, got \"" + text + '"');
+}
+
+CLI::Option* add_section(CLI::App& command, Section& section, const std::string& help) {
+  const auto read = [&section](const std::string& text) { section = parse_section(text); };
+  return command.add_option_function<std::string>(kSection, read, help)
+      ->type_name("x=FROM..TO,y=AT")
+      ->default_str("x=-12.7mm..12.7mm,y=0");
 }
 
 CLI::Option* add_word(CLI::App& command, const std::string& name, std::string& value, const std::string& help,

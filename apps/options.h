@@ -51,6 +51,15 @@ CLI::Option* add_stiffness(CLI::App& command, std::string& value, const std::str
 // In degrees, or with a unit: the nearest binary64 number of degrees, and the angle as it was typed.
 CLI::Option* add_angle(CLI::App& command, const std::string& name, const std::string& help, NumberRange degrees,
                        std::function<void(double, const files::Angle&)> keep);
+double parse_angle(const std::string& name, const std::string& text, NumberRange degrees);
+
+// A line across a height map: along x or y from one place to another, at a place on the other axis. mm.
+struct Section {
+  char along = 'x';
+  float from = -12.7F, to = 12.7F, at = 0;
+};
+// --section x=FROM..TO,y=AT, or y=FROM..TO,x=AT. help: of what.
+CLI::Option* add_section(CLI::App& command, Section& section, const std::string& help);
 
 // `value` is what it is unless the option is given, and the help says so.
 template <std::integral T>

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "apps/command.h"
 #include "apps/options.h"
@@ -92,6 +93,10 @@ CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& w
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
+}
+
+void write_json(const std::string& file, const nlohmann::ordered_json& json, int indent) {
+  if (!file.empty()) write_file(file, json.dump(indent, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 CLI::Option* add_junit(CLI::App& command, std::string& path) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Options that name what a command writes: --out, --record, --json, --junit. One rule holds for all of them: a file that is
+// Options that name what a command writes: --out, --json, --junit. One rule holds for all of them: a file that is
 // there already is replaced only where --overwrite is given, and this is decided before any work is done. Standard output,
 // which is called "-", other open descriptors such as /dev/fd/3 or >(COMMAND), and what is no regular file (a pipe, /dev/null)
 // are written to.
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ CLI::Option* add_output(CLI::App& command, const std::string& name, std::string&
 
 // --json [FILE]: standard output without FILE. `what` is what is written.
 CLI::Option* add_json(CLI::App& command, std::string& path, const std::string& what);
+
+// Writes to the file of --json, if it was given; indent -1: on one line. Characters beyond ASCII are escaped, and other bytes
+// than UTF-8 replaced, so that the text is JSON that any terminal shows.
+void write_json(const std::string& file, const nlohmann::ordered_json& json, int indent = 2);
 
 // --junit FILE.
 CLI::Option* add_junit(CLI::App& command, std::string& path);

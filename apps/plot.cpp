@@ -17,6 +17,7 @@
 #include "files/csv.h"
 #include "files/output_folder.h"
 #include "files/quantity.h"
+#include "files/suggestion.h"
 #include "forceshade/checks.h"
 #include "properties/mesh_energy.h"
 #include "properties/mesh_subject.h"
@@ -45,26 +46,32 @@ constexpr std::array kKinds{Kind{"force", force_of}, Kind{"directions", properti
                             Kind{"geometry", properties::cross_section}, Kind{"energy", properties::energy_map}};
 
 struct PlotOptions {
-  std::string what = "all";
-  std::string y = "0", from = "-12.7mm", to = "12.7mm";
+  std::string picture;  // one of kKinds, "thesis" or a file; empty: all of kKinds, or the mesh alone
+  Section section;
 
+  // Throws Error where none has the name.
   std::vector<Kind> kinds() const {
     std::vector<Kind> chosen;
-    for (const Kind& kind : kKinds)
-      if (what == "all" || what == kind.name) chosen.push_back(kind);
+    std::vector<std::string> names{"thesis"};
+    for (const Kind& kind : kKinds) {
+      names.emplace_back(kind.name);
+      if (picture.empty() || picture == kind.name) chosen.push_back(kind);
+    }
+    if (chosen.empty())
+      throw Error("plot: expected one of force, directions, geometry, energy, thesis; got \"" + picture + '"' +
+                  files::suggestion(picture, names));
     return chosen;
   }
 
   properties::Range range() const {
-    const properties::Range range{files::parse_length("--at", y), files::parse_length("--from", from),
-                                  files::parse_length("--to", to)};
-    const auto check = [](const std::string& option, float got, float low, float high) {
-      if (!(got >= low && got <= high)) throw Error("--" + ParameterError{option.c_str(), "mm", got, low, high}.message());
+    const auto check = [](const char* what, float got, float low, float high) {
+      if (!(got >= low && got <= high)) throw Error("--section: " + ParameterError{what, "mm", got, low, high}.message());
     };
-    check("at", range.y, -9999, 9999);
-    check("from", range.from, -9999, 9999);
-    check("to", range.to, range.from + 0.01F, 9999);
-    return range;
+    if (section.along != 'x') throw Error("--section: expected a range on x, got one on y");
+    check("y", section.at, -9999, 9999);
+    check("the beginning", section.from, -9999, 9999);
+    check("the end", section.to, section.from + 0.01F, 9999);
+    return {section.at, section.from, section.to};
   }
 };
 
@@ -99,11 +106,6 @@ PlannedView view_of_height_map(const std::string& title, const DescribedHeightMa
           }};
 }
 
-PlannedView view_of(const Description& what, const PlotOptions& options) {
-  if (const auto* law = std::get_if<DescribedLaw>(&what.what)) return view_of_law(*law);
-  return view_of_height_map(what.name, std::get<DescribedHeightMap>(what.what), options.range());
-}
-
 std::vector<std::string> files(const std::vector<PlannedView>& views, const std::vector<Kind>& kinds) {
   std::vector<std::string> all;
   for (const PlannedView& one : views)
@@ -132,6 +134,17 @@ void finish(files::OutputFolder& folder, const OutFolder& out, const std::vector
   for (const std::string& name : names) std::printf("%s\n", (std::filesystem::path(out.path()) / name).c_str());
 }
 
+void draw(const std::vector<PlannedView>& views, const std::vector<Kind>& kinds, const OutFolder& out) {
+  const std::vector<std::string> names = files(views, kinds);
+  out.expect_room_for(names);
+  files::OutputFolder& folder = out.folder();
+  for (const PlannedView& one : views) {
+    const SideView view = one.view();
+    for (const Kind& kind : kinds) write(kind.draw(view), stem(one.name, kind), folder);
+  }
+  finish(folder, out, names);
+}
+
 // The fast path's ticks at the positions of a CSV, in their order; "-" is standard input.
 std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session) {
   std::ifstream file;
@@ -147,12 +160,11 @@ std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session
 }
 
 // The meshes of a scene, each where it is in the first tick.
-mesh::TriangleMesh first_tick_of(const Description& described) {
+mesh::TriangleMesh first_tick_of(const std::string& title, const DescribedScene& scene) {
   mesh::TriangleMesh all;
-  for (const auto& [name, what, motion] : std::get<DescribedScene>(described.what).objects) {
+  for (const auto& [name, what, motion] : scene.objects) {
     const auto* its = std::get_if<MeshRendering>(&what.what);
-    if (its == nullptr)
-      throw Error(described.name + ": expected meshes alone in the picture of a scene, got the object " + name);
+    if (its == nullptr) throw Error(title + ": expected meshes alone in the picture of a scene, got the object " + name);
     const auto before = static_cast<std::uint32_t>(all.vertices.size());
     const std::vector<mesh::Vertex> vertices = mesh::placed(its->mesh().vertices, motion.at(0));
     all.vertices.insert(all.vertices.end(), vertices.begin(), vertices.end());
@@ -161,13 +173,26 @@ mesh::TriangleMesh first_tick_of(const Description& described) {
   return all;
 }
 
-struct MeshPlotOptions {
-  std::string input;
+struct MeshPlot {
   properties::ViewDirection direction;
 
+  void draw(const std::string& title, const MeshRendering& rendering, const std::string& picture, const OutFolder& out) const {
+    if (picture.empty()) return draw(title, "-mesh", rendering.mesh(), {}, "", out);
+    if (picture == "energy") return draw_energy(title, rendering, out);
+    if (std::ranges::find(kKinds, picture, [](const Kind& kind) { return std::string(kind.name); }) != kKinds.end())
+      throw Error("plot: expected energy or a file of positions for a mesh, got \"" + picture + '"');
+    draw_path(title, rendering, path_of(picture, *properties::fast_god_object(rendering)(rendering.stiffness)), out);
+  }
+
+  // In its first tick.
+  void draw(const std::string& title, const DescribedScene& scene, const std::string& picture, const OutFolder& out) const {
+    if (!picture.empty()) throw Error("plot: expected " + title + " alone, whose objects move, got \"" + picture + '"');
+    draw(title, "-mesh", first_tick_of(title, scene), {}, "; the first tick", out);
+  }
+
+ private:
   // Coloured by what the shading can give to the hand.
   void draw_energy(const std::string& title, const MeshRendering& rendering, const OutFolder& out) const {
-    if (!input.empty()) throw Error("--input: expected without --what energy, got both");
     if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw Error(title + ": " + why);
     std::vector<double> rates = properties::largest_turns(rendering).of_triangle;
     for (double& rate : rates) rate *= static_cast<double>(rendering.stiffness);
@@ -175,9 +200,8 @@ struct MeshPlotOptions {
     draw(title, "-energy", rendering.mesh(), {}, words, out, rates);
   }
 
-  void draw(const std::string& title, const MeshRendering& rendering, const OutFolder& out) const {
-    std::vector<Ticked> path;
-    if (!input.empty()) path = path_of(input, *properties::fast_god_object(rendering)(rendering.stiffness));
+  void draw_path(const std::string& title, const MeshRendering& rendering, const std::vector<Ticked>& path,
+                 const OutFolder& out) const {
     std::string words;
     if (!path.empty())
       words = "; K = " + shortest(rendering.stiffness) + " N/mm, shading " + std::string(name_of(rendering.shading)) +
@@ -188,13 +212,6 @@ struct MeshPlotOptions {
     draw(title, "-mesh", rendering.mesh(), path, words, out);
   }
 
-  // A scene whose objects move, in its first tick.
-  void draw(const Description& scene, const OutFolder& out) const {
-    if (!input.empty()) throw Error("--input: expected without objects that move, got " + scene.name);
-    draw(scene.name, "-mesh", first_tick_of(scene), {}, "; the first tick", out);
-  }
-
- private:
   void draw(const std::string& title, const std::string& end, const mesh::TriangleMesh& mesh, const std::vector<Ticked>& path,
             const std::string& words, const OutFolder& out, std::span<const double> values = {}) const {
     const std::string name = std::filesystem::path(title).stem();
@@ -229,61 +246,49 @@ void add_plot(CLI::App& app, int&) {
       "plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map; or a mesh or scene");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
   const auto options = std::make_shared<PlotOptions>();
-  const auto mesh_options = std::make_shared<MeshPlotOptions>();
-  const auto add = [&](const char* name, std::string& value, const char* help) {
-    add_length(*command, name, value, help)->needs("--height-map");
+  const auto of_mesh = std::make_shared<MeshPlot>();
+  command
+      ->add_option(
+          "picture", options->picture,
+          "force, directions, geometry or energy; default: these four. Of a mesh: energy, the most that its shading can "
+          "give to the hand, or FILE.csv, positions (x_mm, y_mm, z_mm) whose path on it is drawn, - for standard input. "
+          "thesis: its figures, of no subject")
+      ->type_name("PICTURE");
+  add_section(*command, options->section, "of a height map, which is drawn, along x")->needs("--height-map");
+  const auto turn = [of_mesh](const std::string& text) {
+    const std::vector<std::string> angles = files::at_commas(text);
+    if (angles.size() != 2) throw Error("--view: expected two angles such as 30,25, got \"" + text + '"');
+    of_mesh->direction = {parse_angle("--view", angles[0], {-360, 360}), parse_angle("--view", angles[1], {-90, 90})};
   };
-  add("--at", options->y, "y of the section of a height map that is drawn");
-  add("--from", options->from, "x where the section begins");
-  add("--to", options->to, "x where it ends");
-  const CLI::Option* what_picture =
-      add_word(
-          *command, "--what", options->what,
-          "the picture; of a mesh, energy: the most that its shading can give to the hand; thesis: its figures, of no subject",
-          {"force", "directions", "geometry", "energy", "all", "thesis"})
-          ->excludes("--scene");
-  std::vector<const CLI::Option*> of_a_mesh{
+  const CLI::Option* view =
       command
-          ->add_option("--input", mesh_options->input,
-                       "positions as CSV (x_mm, y_mm, z_mm) in their order, whose path on a mesh or scene is drawn; - is "
-                       "standard input")
-          ->type_name("FILE")};
-  const auto turn = [&](const char* name, double& degrees, const char* help, double most) {
-    of_a_mesh.push_back(add_angle(*command, name, help, {-most, most}, [&degrees](double given, const files::Angle&) {
-                          degrees = given;
-                        })->default_str(shortest(degrees)));
-  };
-  turn("--azimuth", mesh_options->direction.azimuth, "of the view of a mesh or scene: from -y towards +x", 360);
-  turn("--elevation", mesh_options->direction.elevation, "of the view of a mesh or scene: above the plane of x and y", 90);
+          ->add_option_function<std::string>(
+              "--view", turn, "of a mesh or scene: the angle from -y towards +x, and that above the plane of x and y")
+          ->type_name("AZIMUTH,ELEVATION")
+          ->default_str("30,25");
   const auto out =
       std::make_shared<OutFolder>(*command, "directory for NAME-PICTURE.svg and .png, and for figure-N-M.svg, .png and .csv");
   out->require();
-  command->callback([subject, options, mesh_options, of_a_mesh, what_picture, out] {
+  command->callback([subject, options, of_mesh, view, out] {
     watch_for_interrupt();
-    if (options->what == "thesis") {
-      if (subject->is_given()) throw Error("--what: expected no subject beside thesis, got one");
+    if (options->picture == "thesis") {
+      if (subject->is_given()) throw Error("plot: expected no subject beside thesis, got one");
       return draw_thesis(*out);
     }
     const std::vector<Description> all = subject->descriptions();
-    if (const auto* mesh = std::get_if<MeshRendering>(&all.front().what)) {
-      if (what_picture->empty()) return mesh_options->draw(all.front().name, *mesh, *out);
-      if (options->what != "energy") throw Error("--what: expected energy for a mesh, got \"" + options->what + "\"");
-      return mesh_options->draw_energy(all.front().name, *mesh, *out);
-    }
-    if (std::holds_alternative<DescribedScene>(all.front().what)) return mesh_options->draw(all.front(), *out);
-    for (const CLI::Option* option : of_a_mesh)
-      if (!option->empty()) throw Error(option->get_name() + ": expected --mesh or --scene beside it, got another subject");
-    const std::vector<Kind> kinds = options->kinds();
-    std::vector<PlannedView> views;
-    for (const Description& what : all) views.push_back(view_of(what, *options));
-    const std::vector<std::string> names = files(views, kinds);
-    out->expect_room_for(names);
-    files::OutputFolder& folder = out->folder();
-    for (const PlannedView& one : views) {
-      const SideView view = one.view();
-      for (const Kind& kind : kinds) write(kind.draw(view), stem(one.name, kind), folder);
-    }
-    finish(folder, *out, names);
+    const Description& first = all.front();
+    const auto draw_views = [&](const std::vector<PlannedView>& views) {
+      if (!view->empty()) throw Error("--view: expected --mesh or --scene beside it, got another subject");
+      draw(views, options->kinds(), *out);
+    };
+    first.visit(
+        [&](const DescribedLaw&) {
+          std::vector<PlannedView> views;
+          for (const Description& one : all) views.push_back(view_of_law(std::get<DescribedLaw>(one.what)));
+          draw_views(views);
+        },
+        [&](const DescribedHeightMap& map) { draw_views({view_of_height_map(first.name, map, options->range())}); },
+        [&](const auto& mesh) { of_mesh->draw(first.name, mesh, options->picture, *out); });
   });
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/command.h"
@@ -43,13 +44,34 @@ std::vector<std::string> with_words_for_flags(std::vector<std::string> words) {
   return words;
 }
 
-// The present words for the first former ones; empty where no word is a former one. An option of a verb does not count.
-std::string fault_of_former_words(std::span<const FormerWords> former, const std::vector<std::string>& words) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 1 && !words[1].starts_with("-")) break;
-    const std::string typed = i == 0 ? words[0] : words[0] + ' ' + words[i].substr(0, words[i].find('='));
-    for (const FormerWords& each : former)
-      if (typed == each.words) return '"' + typed + "\" is '" + std::string(each.now) + "' now" + std::string(each.remark);
+// The command that the words begin with, and how many of them name it.
+std::pair<const CLI::App*, std::size_t> command_in(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = &app;
+  std::size_t count = 0;
+  for (; count < words.size(); ++count) {
+    const auto below = command->get_subcommands([&](const CLI::App* each) { return each->get_name() == words[count]; });
+    if (below.empty()) break;
+    command = below.front();
+  }
+  return {command, count};
+}
+
+// The present words for the first former ones, a verb or an option; empty where no word is a former one.
+std::string fault_of_former_words(const CLI::App& app, std::span<const FormerWords> former,
+                                  const std::vector<std::string>& words) {
+  const auto [command, count] = command_in(app, words);
+  std::string name;
+  for (std::size_t i = 0; i < count; ++i) name += words[i] + ' ';
+  for (std::size_t i = count; i < words.size(); ++i) {
+    const std::string word = words[i].substr(0, words[i].find('='));
+    if (i > count && !word.starts_with("-")) continue;
+    const bool is_of_any = word.starts_with("--") && command->get_option_no_throw(word) == nullptr;
+    for (const auto& [its, now, remark] : former) {
+      const bool is_listed =
+          is_of_any && its.starts_with("--") && (std::string(its) + ' ').find(word + ' ') != std::string::npos;
+      if (is_listed || its == name + word)
+        return '"' + (is_listed ? word : name + word) + "\" is '" + std::string(now) + "' now" + std::string(remark);
+    }
   }
   return "";
 }
@@ -58,7 +80,7 @@ std::string fault_of_former_words(std::span<const FormerWords> former, const std
 std::string fault_of_first_word(const CLI::App& app, std::span<const FormerWords> former,
                                 const std::vector<std::string>& words) {
   if (words.empty()) return "";
-  if (const std::string now = fault_of_former_words(former, words); !now.empty()) return now;
+  if (const std::string now = fault_of_former_words(app, former, words); !now.empty()) return now;
   const std::string& first = words.front();
   std::vector<std::string> names;
   for (const CLI::App* command : verbs_of(app)) names.push_back(command->get_name());
@@ -77,27 +99,14 @@ std::string fault_of_first_word(const CLI::App& app, std::span<const FormerWords
 
 // Drops --help where the word behind `mesh` or another group is not one of its commands, so that this is reported.
 std::vector<std::string> without_help_of_no_command(const CLI::App& app, std::vector<std::string> words) {
-  const CLI::App* command = &app;
-  for (const std::string& word : words) {
-    if (command->get_require_subcommand_min() == 0 || word.starts_with("-")) return words;
-    const auto below = command->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
-    if (below.empty()) {
-      std::erase_if(words, [](const std::string& each) { return each == "--help" || each == "-h"; });
-      return words;
-    }
-    command = below.front();
-  }
+  const auto [command, count] = command_in(app, words);
+  if (command->get_require_subcommand_min() > 0 && count < words.size() && !words[count].starts_with("-"))
+    std::erase_if(words, [](const std::string& each) { return each == "--help" || each == "-h"; });
   return words;
 }
 
 bool takes_a_subject(const CLI::App& app, const std::vector<std::string>& words) {
-  const CLI::App* command = &app;
-  for (const std::string& word : words) {
-    const auto below = command->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
-    if (below.empty()) break;
-    command = below.front();
-  }
-  return command->get_option_no_throw("--subject") != nullptr;
+  return command_in(app, words).first->get_option_no_throw("--subject") != nullptr;
 }
 
 int report(const CLI::App& app, const CLI::ParseError& error, const ExpandedLine& line) {

@@ -69,7 +69,7 @@ class Checks {
                       {"version", build.version},
                       {"library_digest", build.library_digest},
                       {"subjects", subjects_}};
-      write_file(options_.json, json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n");
+      write_json(options_.json, json);
     }
     if (!options_.junit.empty())
       write_file(options_.junit,

@@ -26,11 +26,8 @@ Region region_around(double x, double z, double width, double share_below) {
   return {x - width / 2, x + width / 2, z - share_below * height, z + (1 - share_below) * height};
 }
 
-// The bump with some of the plane beside it; of a height map as much as of the thesis's bump.
-Region region_of(const Description& what) {
-  double width = 25.4;
-  if (const auto* law = std::get_if<DescribedLaw>(&what.what); law != nullptr && has_bump_geometry(law->law))
-    width = static_cast<double>(law->parameters.width);
+// A bump as wide as this with some of the plane beside it.
+Region region_of(double width) {
   return region_around(0, 0, 2.6 * width, 0.35);
 }
 
@@ -129,16 +126,19 @@ Section cut_mesh(const mesh::TriangleMesh& mesh, const Region& region, double y)
 
 }  // namespace
 
-SurfaceCut::SurfaceCut(const Description& what, const Rendering& rendering) : mesh_(nullptr) {
-  if (const auto* its = std::get_if<MeshRendering>(&what.what)) {
-    mesh_ = &its->mesh();
-    const mesh::Facts facts = mesh::facts_of(its->checked);
-    region_ = region_of(facts);
-    middle_y_ = (vector_of(facts.low).y() + vector_of(facts.high).y()) / 2;
-  } else {
-    session_ = rendering.renderer.open();
-    region_ = region_of(what);
-  }
+SurfaceCut::SurfaceCut(const Description& what, const Rendering& rendering)
+    : mesh_(nullptr), session_(rendering.renderer.open()), region_(region_of(25.4)) {
+  what.visit(
+      [&](const DescribedLaw& law) {
+        if (has_bump_geometry(law.law)) region_ = region_of(static_cast<double>(law.parameters.width));
+      },
+      [&](const MeshRendering& its) {
+        mesh_ = &its.mesh();
+        const mesh::Facts facts = mesh::facts_of(its.checked);
+        region_ = region_of(facts);
+        middle_y_ = (vector_of(facts.low).y() + vector_of(facts.high).y()) / 2;
+      },
+      [](const auto&) {});
 }
 
 const window::Section& SurfaceCut::at(double y) {

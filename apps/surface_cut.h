@@ -27,7 +27,7 @@ class SurfaceCut {
   static constexpr double kKept = 0.02;
 
   const mesh::TriangleMesh* mesh_;          // null for a law or a height map
-  std::unique_ptr<fast::Session> session_;  // of one of these
+  std::unique_ptr<fast::Session> session_;  // of what is cut
   window::Region region_;
   double middle_y_ = 0, y_ = 0;
   std::optional<window::Section> section_;

@@ -20,7 +20,7 @@ std::string cause_and_help(const device::ServoResult& run) {
     return before + ". A lower --rate helps, or a surface of fewer parts or triangles.";
   const std::string cause = delay.before_ms > delay.late_ms / 2 ? before : "the system woke the loop late";
   const std::string rarer = "fewer other programs, or a machine that is not virtual.";
-  if (run.privileges.scheduling) return cause + ". What helps: another processor for the loop (--cpu), " + rarer;
+  if (run.privileges.scheduling) return cause + ". What helps: another processor for the loop (taskset), " + rarer;
   return cause +
          ", and it grants the loop no real-time scheduling. What helps: the right to it ('ulimit -r 90', or a line with rtprio "
          "in "

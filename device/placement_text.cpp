@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/placement_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,7 @@ namespace {
 // "z90", "x-90deg": the axis, and how many quarter turns.
 std::pair<int, int> quarter_turns(const std::string& text) {
   const auto refuse = [&] {
-    return Error("--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"" + text +
+    return Error("--place: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"" + text +
                  "\"; another angle would round the force");
   };
   const std::size_t axis = std::string_view("xyz").find(text.empty() ? ' ' : text[0]);
@@ -31,21 +32,22 @@ std::pair<int, int> quarter_turns(const std::string& text) {
 
 }  // namespace
 
-device::Placement parse_placement(const std::string& origin, const std::string& turn) {
+device::Placement parse_placement(const std::string& text) {
+  const std::vector<std::string> parts = text.empty() ? std::vector<std::string>{} : files::at_commas(text);
+  const auto is_turn = [](const std::string& part) { return !part.empty() && part[0] >= 'x' && part[0] <= 'z'; };
+  const auto first_turn = std::ranges::find_if(parts, is_turn);
+  const auto lengths = static_cast<std::size_t>(first_turn - parts.begin());
+  if (lengths != 0 && lengths != 3)
+    throw Error("--place: expected three lengths X,Y,Z such as 10mm,0,-1in, turns such as z90, or both, got \"" + text + '"');
   Eigen::Vector3f shift{0, 0, 0};
-  if (!origin.empty()) {
-    const std::vector<std::string> lengths = files::at_commas(origin);
-    if (lengths.size() != 3) throw Error("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"" + origin + '"');
-    for (std::size_t i = 0; i < 3; ++i) {
-      const float length = files::parse_length("--origin", lengths[i]);
-      if (!fast::in_domain(length)) throw Error("--origin: expected at most 10000 mm each way, got \"" + lengths[i] + '"');
-      shift[static_cast<Eigen::Index>(i)] = length;
-    }
+  for (std::size_t i = 0; i < lengths; ++i) {
+    const float length = files::parse_length("--place", parts[i]);
+    if (!fast::in_domain(length)) throw Error("--place: expected at most 10000 mm each way, got \"" + parts[i] + '"');
+    shift[static_cast<Eigen::Index>(i)] = length;
   }
   device::Placement placement(shift);
-  if (turn.empty()) return placement;
-  for (const std::string& one : files::at_commas(turn)) {
-    const auto [axis, quarters] = quarter_turns(one);
+  for (auto turn = first_turn; turn != parts.end(); ++turn) {
+    const auto [axis, quarters] = quarter_turns(*turn);
     placement = placement.turned(axis, quarters);
   }
   return placement;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The texts of --origin and --turn.
+// The text of --place.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace forceshade::device {
 
-// "X,Y,Z", lengths with or without units, within 10^4 mm; and AXIS and ANGLE, for instance "z90" or "x-90,z180deg": turns about
-// the device's axes, one after the other. An empty text is no shift, or no turn. Throw Error.
-device::Placement parse_placement(const std::string& origin, const std::string& turn);
+// "X,Y,Z", lengths with or without units, within 10^4 mm; turns about the device's axes, one after the other, each an AXIS and
+// an ANGLE, for instance "z90" or "x-90,z180deg"; or both, "X,Y,Z,x90". An empty text is no shift and no turn. Throws Error.
+device::Placement parse_placement(const std::string& text);
 
 }  // namespace forceshade::device

@@ -304,7 +304,7 @@ FORCESHADE_API forceshade_result forceshade_scene_step(forceshade_scene scene, c
 FORCESHADE_API forceshade_result forceshade_scene_object(forceshade_scene scene, size_t object, float* force,
                                                          forceshade_status* status);
 
-/* ---- A renderer of one's own, which `forceshade conform --object FILE.so` holds against the exact forces ---- */
+/* ---- A renderer of one's own, which `forceshade conform --command FILE.so` holds against the exact forces ---- */
 
 /* The functions of a shared object that is a renderer (examples/renderers/wall.c); it links nothing of forceshade, and a program
  * that only calls forceshade does not need them. The object is loaded in a process of its own, and its functions are called by

@@ -28,7 +28,7 @@ static void force_of(const Bump* its, const float at[3], float force[3]) {
   force[2] = (float)(is_shaded ? size * sqrt((R - x) * (R + x)) / R : size);
 }
 
-/* Functions for `forceshade conform --object`. Numbers of the scene are found by their keys, which a JSON library does, too. */
+/* Functions for `forceshade conform --command FILE.so`. Numbers of the scene are found by their keys, which a JSON library does, too. */
 static double number(const char* scene, const char* key) {
   const char* found = strstr(scene, key);
   return found ? strtod(found + strlen(key), NULL) : 0;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A device of one's own (docs/command-device.md), which needs Python alone: a simulated hand that strokes the surface.
 
-  forceshade drive --device "command:python3 examples/devices/stroking_hand.py" --law wall --uncertified --seconds 5
+  forceshade drive --device "command:python3 examples/devices/stroking_hand.py" --law wall --certificate none --seconds 5
 
 To drive hardware, put its commands in the place of the class Hand: it is given a force in N and gives a position in mm.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns what `forceshade recording export` or `drive --record NAME.csv` wrote into the recording of another system.
+"""Turns what `forceshade recording export` or `drive --out NAME.csv` wrote into the recording of another system.
 
 as_another_system.py EXPORTED.csv FROM TO > another_system.csv: the samples between two times of the device (s); in m and mN, in axes of
 its own, turned and shifted against those of the scene, with nine significant digits.

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A wall at z = 0 for `forceshade conform --object`, correctly rounded: a force is one product, which is rounded once. */
+/* A wall at z = 0 for `forceshade conform --command FILE.so`, correctly rounded: a force is one product, which is rounded once. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

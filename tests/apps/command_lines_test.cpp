@@ -108,16 +108,16 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
   // The command ends soon with any value of an option.
   const std::map<std::string, std::string> commands{
       {"laws", "--radius 1 --width 1"},
-      {"force", "--law wall --stiffness 1 --input in.csv"},
+      {"force", "in.csv --law wall --stiffness 1"},
       {"energy", "--law wall --depth 1"},
       {"plot", "--law bump-1p --out in.csv/none"},
       {"properties", "--law wall --cases 1"},
       {"certify", "--law bump-1p --points 1 --cases 1 --out in.csv/none"},
-      {"drive", "--law wall --uncertified --device null --seconds 0.001 --free-run"},
+      {"drive", "--law wall --certificate none --device null --seconds 0.001 --pace none"},
       {"device", ""},
       {"device check", "null --seconds 0.1"},
       {"device try", "null --stiffness 1"},
-      {"recording info", "none.fsr"},
+      {"recording check", "none.fsr"},
       {"recording export", "none.fsr"},
       {"mesh check", "none.off --unit mm"},
       {"mesh repair", "none.off --unit mm --out -"},
@@ -136,7 +136,7 @@ TEST(command_lines, every_option_of_every_command_refuses_what_it_cannot_read) {
     EXPECT_FALSE(options.empty()) << command;
     for (const std::string& option : options)
       for (const std::string& value : values) {
-        const bool is_file = option == "--json" || option == "--junit" || option == "--record" || option == "--out";
+        const bool is_file = option == "--json" || option == "--junit" || option == "--out" || option == "--out";
         if (is_file && !value.empty()) continue;
         if (option == "--json") continue;  // its value may be left out, and an empty one counts as left out
         std::vector<std::string> words = words_of(command);
@@ -176,17 +176,17 @@ TEST(command_lines, no_command_is_fine_when_standard_output_is_not) {
                            "laws --json",
                            "laws --radius 15.24 --width 25.4 --theta-critical 40",
                            "laws --radius 1 --width 1 --theta-critical 9 --json -",
-                           "force --law wall --stiffness 1 --input in.csv",
+                           "force in.csv --law wall --stiffness 1",
                            "energy --law wall --depth 1",
                            "energy --law wall --depth 1 --json -",
-                           "plot --law wall --what force --out pictures --overwrite",
+                           "plot force --law wall --out pictures --overwrite",
                            "properties --law wall --cases 1",
-                           "drive --law wall --uncertified --device null --seconds 0.001 --free-run --record run.fsr",
-                           "drive --law wall --uncertified --device null --seconds 0.001 --free-run --record -",
-                           "drive --law wall --uncertified --device null --seconds 0.001 --free-run --json -",
-                           "recording info run.fsr",
-                           "recording info run.fsr --json -",
-                           "recording verify run.fsr",
+                           "drive --law wall --certificate none --device null --seconds 0.001 --pace none --out run.fsr",
+                           "drive --law wall --certificate none --device null --seconds 0.001 --pace none --out -",
+                           "drive --law wall --certificate none --device null --seconds 0.001 --pace none --json -",
+                           "recording check run.fsr",
+                           "recording check run.fsr --json -",
+                           "recording check run.fsr --law wall",
                            "mesh make cube --out -",
                            "recording export run.fsr"}) {
     const CommandRun full = run_command(here, words_of(line), "/dev/full");
@@ -202,7 +202,7 @@ TEST(command_lines, a_command_that_fails_leaves_no_folder) {
   std::ofstream(here.file("map.toml")) << "render = \"height-map\"\n";
   for (const char* line :
        {"certify --law wall --points x --out a/b/c", "certify plan --exhaustive lines --law wall --out a/b/c",
-        "plot --law wall --what energy --radius x --out a/b/c", "certify --height-map map.toml --out a/b/c"}) {
+        "plot energy --law wall --radius x --out a/b/c", "certify --height-map map.toml --out a/b/c"}) {
     EXPECT_EQ(run_command(here, words_of(line)).code, 2) << line;
     EXPECT_FALSE(std::filesystem::exists(here.file("a"))) << line;
   }
@@ -211,7 +211,7 @@ TEST(command_lines, a_command_that_fails_leaves_no_folder) {
   EXPECT_EQ(run_command(here, words_of("certify --height-map map.toml --out a/b/c")).code, 2);
   EXPECT_TRUE(std::filesystem::exists(here.file("a")));
   EXPECT_FALSE(std::filesystem::exists(here.file("a/b")));
-  EXPECT_EQ(run_command(here, words_of("plot --law wall --what force --out a/b/c")).code, 0);
+  EXPECT_EQ(run_command(here, words_of("plot force --law wall --out a/b/c")).code, 0);
   EXPECT_TRUE(std::filesystem::exists(here.file("a/b/c/wall-force.png")));
 }
 

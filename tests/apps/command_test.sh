@@ -25,26 +25,26 @@ expect 0 "theta  0.42900073920 rad" -- "$forceshade" laws --radius 1.25 --width 
 
 # force: columns in any order, both paths, statuses.
 same "$(printf 'x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n3,0,-1,0.6,0,0.8,contact\n0,0,5,0,0,0,free\nnan,0,-1,0,0,0,invalid')" \
-  "$("$forceshade" force --law bump-1p-shaded --radius 5 --width 8 --stiffness 1 --input in.csv)"
+  "$("$forceshade" force in.csv --law bump-1p-shaded --radius 5 --width 8 --stiffness 1)"
 same "$(printf 'x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n3,0,-1,0.6000000,0,0.8000000,contact\n0,0,5,0,0,0,free\nnan,0,-1,0,0,0,invalid')" \
-  "$("$forceshade" force --law bump-1p-shaded --radius 5 --width 8 --stiffness 1 --path reference --digits 7 < in.csv)"
-expect 0 "" -- "$forceshade" force --law wall --stiffness 1 --input in.csv --out out.csv
+  "$("$forceshade" force --law bump-1p-shaded --radius 5 --width 8 --stiffness 1 --digits 7 < in.csv)"
+expect 0 "" -- "$forceshade" force in.csv --law wall --stiffness 1 --out out.csv
 same 4 "$(wc -l < out.csv)"
-same "$("$forceshade" force --law bump-2p --radius 600mil --width 1in --stiffness 500N/m --input in.csv)" \
-  "$("$forceshade" force --law bump-2p --input in.csv)"
-expect 2 "stiffness is 0 N/mm; expected" -- "$forceshade" force --law wall --stiffness 0 --input in.csv
+same "$("$forceshade" force in.csv --law bump-2p --radius 600mil --width 1in --stiffness 500N/m)" \
+  "$("$forceshade" force in.csv --law bump-2p)"
+expect 2 "stiffness is 0 N/mm; expected" -- "$forceshade" force in.csv --law wall --stiffness 0
 # A malformed row: file, line, column; exit 2; no output file, whole or partial.
 printf 'x_mm,y_mm,z_mm\n1,2,3\n1,oops,3\n' > bad.csv
 expect 2 'bad.csv:3: column 2 (y_mm): expected a number, got "oops"' -- \
-  "$forceshade" force --law wall --stiffness 1 --input bad.csv --out never.csv
+  "$forceshade" force bad.csv --law wall --stiffness 1 --out never.csv
 same "" "$(ls | grep never)"
 printf 'x_mm,y_mm,z_mm\n\302\2332J,0,0\n' > bad.csv
-expect 2 'got "\xc2\x9b2J"' -- "$forceshade" force --law wall --stiffness 1 --input bad.csv --out never.csv
+expect 2 'got "\xc2\x9b2J"' -- "$forceshade" force bad.csv --law wall --stiffness 1 --out never.csv
 printf '' > empty.csv
-expect 2 "empty.csv" -- "$forceshade" force --law wall --stiffness 1 --input empty.csv
+expect 2 "empty.csv" -- "$forceshade" force empty.csv --law wall --stiffness 1
 printf 'x_mm,y_mm\n1,2\n' > short.csv
-expect 2 "z_mm" -- "$forceshade" force --law wall --stiffness 1 --input short.csv
-expect 2 "nowhere" -- "$forceshade" force --law wall --stiffness 1 --input in.csv --out nowhere/out.csv
+expect 2 "z_mm" -- "$forceshade" force short.csv --law wall --stiffness 1
+expect 2 "nowhere" -- "$forceshade" force in.csv --law wall --stiffness 1 --out nowhere/out.csv
 
 # energy: a potential, a bound with a witness, depths that no witness could be given for.
 energy() { "$forceshade" energy "$@"; }
@@ -70,8 +70,8 @@ expect 2 "--depth is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh ene
 expect 0 "the hand 0.5 mm further (500 mm/s at 1000 ticks a second): at most" -- \
   energy --mesh energy.off --unit mm --depth 1 --step 0.5mm --shading none
 expect 2 "--step is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 1 --step 0
-expect 0 "drawn/energy-energy.png" -- "$forceshade" plot --mesh energy.off --unit mm --what energy --out drawn --overwrite
-expect 2 "--what: expected energy for a mesh, got" -- "$forceshade" plot --mesh energy.off --unit mm --what force --out drawn --overwrite
+expect 0 "drawn/energy-energy.png" -- "$forceshade" plot energy --mesh energy.off --unit mm --out drawn --overwrite
+expect 2 "plot: expected energy or a file of positions for a mesh, got" -- "$forceshade" plot force --mesh energy.off --unit mm --out drawn --overwrite
 
 # laws that count polygons
 printf 'render = "height-map"\n[[part]]\nshape = "sphere-cap"\nradius_mm = 20\nwidth_mm = 12\n' > cap.toml
@@ -82,23 +82,23 @@ expect 2 "--height-map: expected --theta-critical beside it" -- "$forceshade" la
 same "$("$forceshade" laws --theta-critical 40)" "$("$forceshade" laws --radius 600mil --width 1in --theta-critical 40deg)"
 same "$("$forceshade" laws --theta-critical 90)" "$("$forceshade" laws --theta-critical 1.57079632679489662rad)"
 expect 2 "--radius: expected without --height-map, got both" -- "$forceshade" laws --radius 5 --height-map x.toml --theta-critical 40
-expect 2 "rim of a cap" -- "$forceshade" laws --height-map "$examples/groove.toml" --from -6 --to 6 --theta-critical 40
-expect 0 "6 polygons: the normal turns by" -- "$forceshade" laws --height-map "$examples/gaussian.toml" --from -15 --to 15 \
+expect 2 "rim of a cap" -- "$forceshade" laws --height-map "$examples/groove.toml" --section x=-6..6 --theta-critical 40
+expect 0 "6 polygons: the normal turns by" -- "$forceshade" laws --height-map "$examples/gaussian.toml" --section x=-15..15 \
   --theta-critical 15 --out polygons.toml
 expect 0 ",contact" -- sh -c "printf 'x_mm,y_mm,z_mm\n3,0,-1\n' | '$forceshade' force --height-map 'polygons.toml' --stiffness 1"
-expect 2 "number of knots is 1036" -- "$forceshade" laws --height-map cap.toml --from -5 --to 5 --theta-critical 0.028 --out no.toml
-expect 0 "polygon" -- "$forceshade" laws --height-map "$examples/leather.toml" --from -2 --to 2 --theta-critical 90 --out leather.toml
+expect 2 "number of knots is 1036" -- "$forceshade" laws --height-map cap.toml --section x=-5..5 --theta-critical 0.028 --out no.toml
+expect 0 "polygon" -- "$forceshade" laws --height-map "$examples/leather.toml" --section x=-2..2 --theta-critical 90 --out leather.toml
 expect 0 ",contact" -- sh -c "printf 'x_mm,y_mm,z_mm\n1,0,-1\n' | '$forceshade' force --height-map 'leather.toml' --stiffness 1"
 
 # height maps
 felt() { printf 'x_mm,y_mm,z_mm\n0,0,2\n1,0,-0.5\n' | "$forceshade" force --stiffness 1 --height-map "$@"; }
-same "$(felt hill.toml)" "$(felt hill.toml --path reference)"
+same "$(felt hill.toml)" "$(felt hill.toml --digits binary32)"
 same "0,0,2,0,0,1,contact" "$(felt hill.toml | sed -n 2p)"
 expect 2 "--law: expected without --height-map, got both" -- "$forceshade" force --stiffness 1 --height-map hill.toml --law wall
 sed 's/sigma_mm = 5/sigma_mm = 0/' hill.toml > flat.toml
-expect 2 "flat.toml: " -- "$forceshade" force --stiffness 1 --height-map flat.toml --input in.csv
+expect 2 "flat.toml: " -- "$forceshade" force in.csv --stiffness 1 --height-map flat.toml
 sed 's/sigma_mm/sigma/' hill.toml > misspelt.toml
-expect 2 "misspelt.toml: line 2: key sigma_mm is missing" -- "$forceshade" force --stiffness 1 --height-map misspelt.toml --input in.csv
+expect 2 "misspelt.toml: line 2: key sigma_mm is missing" -- "$forceshade" force in.csv --stiffness 1 --height-map misspelt.toml
 
 expect 2 "flat.toml: line 5: sigma is 0 mm; expected 0.001 to 10000 mm" -- \
   "$forceshade" certify --stiffness 1 --height-map flat.toml --out map
@@ -112,10 +112,10 @@ expect 1 "the certificate has 3000 points for hill.toml; driving needs at least 
   "$forceshade" drive --height-map hill.toml --device null --certificate little/certificate.json
 printf 'render = "height-map"\n[[part]]\nshape = "plane"\nslope_x = 0.25\n' > ramp.toml  # of all kinds the fastest
 expect 0 "certified: 250000 points" -- "$forceshade" certify --height-map ramp.toml --out map
-press() { "$forceshade" drive --device simulated --free-run --seconds 1 --certificate map/certificate.json "$@"; }
-expect 0 "(time up)" -- press --height-map ramp.toml --record press.fsr --json press.json
+press() { "$forceshade" drive --device simulated --pace none --seconds 1 --certificate map/certificate.json "$@"; }
+expect 0 "(time up)" -- press --height-map ramp.toml --out press.fsr --json press.json
 grep -q '"rendering": "height-map"' press.json || { echo "FAILED: $(cat press.json)"; exit 1; }
-expect 0 "digest               $(sed -n 's/.*"digest": "\(.*\)".*/\1/p' press.json)" -- "$forceshade" recording info press.fsr
+expect 0 "digest               $(sed -n 's/.*"digest": "\(.*\)".*/\1/p' press.json)" -- "$forceshade" recording check press.fsr
 cp ramp.toml same.toml
 expect 0 "(time up)" -- press --height-map same.toml
 sed 's/0.25/0.25000003/' ramp.toml > other.toml
@@ -127,16 +127,16 @@ expect 1 "does not cover the law wall" -- press --law wall
 sed 's/"height-map"/"height-map-shaded"/' hill.toml > shaded.toml
 
 # plot
-expect 0 "drawn/bump-3p-directions.svg" -- "$forceshade" plot --law bump-3p --what directions --out drawn
+expect 0 "drawn/bump-3p-directions.svg" -- "$forceshade" plot directions --law bump-3p --out drawn
 same "PNG" "$(head -c 4 drawn/bump-3p-directions.png | tail -c 3)"
 grep -q "<svg " drawn/bump-3p-directions.svg || { echo "FAILED: no SVG was drawn"; exit 1; }
-expect 0 "drawn/hill-energy.png" -- "$forceshade" plot --height-map hill.toml --at 1 --from=-1cm --to 10mm --out drawn
-expect 2 "--to is -1 mm; expected 0.01 to 9999 mm" -- "$forceshade" plot --height-map hill.toml --from 0 --to=-1 --out drawn
+expect 0 "drawn/hill-energy.png" -- "$forceshade" plot --height-map hill.toml --section y=1,x=-1cm..10mm --out drawn
+expect 2 "--section: the end is -1 mm; expected 0.01 to 9999 mm" -- "$forceshade" plot --height-map hill.toml --section x=0..-1 --out drawn
 expect 2 "--law: expected without --height-map, got both" -- "$forceshade" plot --law wall --height-map hill.toml --out drawn
 expect 0 "gives the hand up to 0.118756 mJ" -- energy --height-map hill.toml --depth 2
 same '{"height_map":"shaded.toml","rendering":"height-map-shaded","parameters":{"stiffness_N_per_mm":2.0},'\
 '"slice":{"along":"y","at_mm":1.0,"from_mm":0.0,"to_mm":10.0},"depth_mm":2.0,"conservative":false,' \
-  "$(energy --height-map shaded.toml --stiffness 2 --depth 2mm --along y --at 1 --from 0 --to 1cm --json - |
+  "$(energy --height-map shaded.toml --stiffness 2 --depth 2mm --section y=0..1cm,x=1 --json - |
     grep -o '^.*"bound_mJ"' | sed 's/"bound_mJ"//')"
 sed 's/"height-map"/"height-map-conservative"/' hill.toml > conservative.toml
 expect 0 "conservative.toml, height-map-conservative: conservative" -- energy --height-map conservative.toml --depth 2
@@ -144,14 +144,14 @@ expect 2 "hill.toml: depth is 0 mm; expected 0.00127 to 4998.5 mm" -- energy --h
 # Steep and fine: met, not enclosed, interrupted.
 grating() { printf 'render = "height-map-shaded"\n[[part]]\nshape = "grating"\nheight_mm = %s\nwave_x_rad_per_mm = %s\n' "$@"; }
 grating 20 19.44 > steep.toml
-expect 0 "active: over y = 0 mm, x from -0.5 to 0.5 mm" -- energy --height-map steep.toml --depth 0.5 --from=-0.5 --to 0.5 --json steep.json
+expect 0 "active: over y = 0 mm, x from -0.5 to 0.5 mm" -- energy --height-map steep.toml --depth 0.5 --section x=-0.5..0.5 --json steep.json
 printed=$(cat steep.json); also '"bound_is_met":true'
 grating 1 1000 > far.toml
 printf 'render = "height-map"\n[[part]]\nshape = "cone"\nheight_mm = 3\nradius_mm = 4\nx_mm = 0.3\n' > missed.toml
 expect 1 "missed.toml: no verdict: not enclosed: the height map is so steep or so fine" -- \
-  energy --height-map missed.toml --depth 1 --at 1e-35 --json missed.json
+  energy --height-map missed.toml --depth 1 --section y=1e-35 --json missed.json
 [ ! -e missed.json ] || { echo "FAILED: a verdict that is none was written"; exit 1; }
-"$forceshade" energy --height-map far.toml --depth 2 --from=-100 --to 100 --json stopped.json > stopped.txt 2>&1 &
+"$forceshade" energy --height-map far.toml --depth 2 --section x=-100..100 --json stopped.json > stopped.txt 2>&1 &
 stopped INT; same 130 $?
 same "forceshade: interrupted: far.toml has no verdict, and nothing was written" "$(cat stopped.txt)"
 # A run of properties writes nothing where it is interrupted.
@@ -160,8 +160,8 @@ stopped TERM; same 130 $?
 same "forceshade: interrupted: not all properties were checked, and nothing was written" "$(cat stopped.txt)"
 same "" "$(ls | grep hung_up)"
 [ ! -e stopped.json ] || { echo "FAILED: a verdict that is none was written"; exit 1; }
-expect 2 "expected a directory" -- "$forceshade" plot --law wall --what force --out in.csv/no
-expect 0 "drawn/figure-5-5.csv" -- "$forceshade" plot --what thesis --out drawn
+expect 2 "expected a directory" -- "$forceshade" plot force --law wall --out in.csv/no
+expect 0 "drawn/figure-5-5.csv" -- "$forceshade" plot thesis --out drawn
 same "600 112.885" "$(sed -n 's/^\(600\),\(112.885\).*/\1 \2/p' drawn/figure-5-5.csv)"
 same "600 6.8157" "$(sed -n 's/^\(600\),\(......\).*/\1 \2/p' drawn/figure-5-4.csv)"
 same 6 "$(wc -l < drawn/figure-5-4.csv)"

@@ -10,12 +10,12 @@ expect 0 "" -- "$forceshade" conform positions "${bump[@]}" --points 10 --out as
 same NUMPY "$(head -c 6 asked.npy | tail -c 5)"
 
 # The program is ours; its rows are put beside the flags of the positions.
-expect 0 "" -- "$forceshade" force "${bump[@]}" --input asked.csv --out given.csv
+expect 0 "" -- "$forceshade" force asked.csv "${bump[@]}" --out given.csv
 paste -d, <(cut -d, -f1-6 given.csv) <(cut -d, -f4,5 asked.csv) > mine.csv
 judge() { "$forceshade" conform judge "${bump[@]}" "$@"; }
 expect 0 "held: 10000 of 10000 (100 %) within the tolerance, correctly rounded" -- judge mine.csv
 expect 0 "held: 10000 of 10000" -- sh -c "'$forceshade' conform judge ${bump[*]} - < mine.csv"
-expect 0 "" -- "$forceshade" force "${bump[@]}" --input asked.csv --out given.npy
+expect 0 "" -- "$forceshade" force asked.csv "${bump[@]}" --out given.npy
 expect 0 "held: 10000 of 10000" -- judge given.npy
 
 # One number off.
@@ -33,7 +33,7 @@ expect 1 "<failure" -- judge off.csv --junit -
 expect 0 "" -- "$forceshade" mesh make icosphere --cells 3 --radius 20mm --out sphere.off
 mesh=(--mesh sphere.off --unit mm)
 expect 0 "" -- "$forceshade" conform positions "${mesh[@]}" --points 60 --out path.csv
-expect 0 "" -- "$forceshade" force "${mesh[@]}" --input path.csv --out given_path.csv
+expect 0 "" -- "$forceshade" force path.csv "${mesh[@]}" --out given_path.csv
 expect 0 "held: " -- "$forceshade" conform judge "${mesh[@]}" given_path.csv
 expect 1 "correctly rounded" -- "$forceshade" conform judge "${mesh[@]}" --shading none given_path.csv
 
@@ -46,8 +46,10 @@ same 6 "$(ls made | wc -l)"
 fits "$vectors/schema.json" made/*.json
 expect 0 "0 wrong of 200" -- "$vectors/check.py" made/wall.json
 expect 1 "114 wrong of 200" -- "$vectors/check.py" made/bump-2p.json
-expect 0 '"id":5000' -- "$forceshade" conform vectors --law wall --points 5000
-expect 2 "--out: expected" -- "$forceshade" conform vectors --law wall --out vectors.csv
+expect 0 '"id":5000' -- bash -c "'$forceshade' conform positions --law wall --points 5000 --out vectors.json && cat vectors.json"
+expect 2 "--out: expected a name that ends in .csv or .npy or .json" -- "$forceshade" conform positions --law wall --out vectors.xml
+expect 2 "--points: expected at most 1000000 with their forces, got 1000001" -- \
+  "$forceshade" conform positions --law wall --points 1000001 --out more.json
 
 # Tables that cannot be judged.
 for tolerance in 4 "4 mN" "1.5 ulp" "-1 N" nan; do

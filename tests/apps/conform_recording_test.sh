@@ -3,7 +3,7 @@
 python_options=-SE
 . "$(dirname "$0")/expect.sh"
 clean=$examples/recordings/another_system.csv
-columns=(--columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy,fz=fz --units m,mN)
+columns=(--columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy,fz=fz,m,mN)
 judge() { "$forceshade" conform recording --law bump-2p "$1" "${columns[@]}" --fit --tolerance "${tolerance:-1e-5 N}" "${@:2}"; }
 alone() { "$forceshade" conform recording "$1" "${columns[@]}" "${@:2}"; }
 
@@ -29,7 +29,7 @@ height = sum(a * b for a, b in zip(fit["turn"][2], (40, -25, 110))) + fit["shift
 assert abs(height) < fit["shift_error_mm"] + 200 * math.radians(fit["turn_error_degrees"]), (height, fit)
 assert found["difference_N"]["most"] < 1e-6, found["difference_N"]
 END
-expect 0 "not applicable: no attraction: without a subject" -- alone "$clean" --energy 0.01
+expect 0 "not applicable: no attraction: without a subject" -- alone "$clean" --allow 0.01mJ
 expect 0 '<testcase' -- judge "$clean" --junit -
 
 # The page: with a fit and pictures, without a subject, and of a recording that has no fit; a folder that is not there is refused first.
@@ -38,7 +38,7 @@ for words in '<header class="held">' 'another_system.csv beside bump-2p</h1>' '<
   'The force over time' 'no attraction</th>' '1200 samples in 1.199 s, 1000 Hz'; do
   grep -qF -e "$words" page.html || { echo "FAILED: the page has no $words"; exit 1; }
 done
-expect 0 "held: time increases" -- alone "$clean" --energy 0.01 --out alone.html
+expect 0 "held: time increases" -- alone "$clean" --allow 0.01mJ --out alone.html
 grep -q 'time increases</th>' alone.html && ! grep -q '<svg' alone.html || { echo "FAILED: the page without a subject"; exit 1; }
 expect 2 "--out: " -- judge "$clean" --out nowhere/page.html
 
@@ -104,7 +104,7 @@ expect 1 "FAILED: no closed loop gives the hand energy" -- wall energy.csv --tol
 also "FAILED: all in all the hand gets no energy"
 same 2 "$(grep -c '^FAILED' <<< "$printed")"
 expect 1 "FAILED: all in all the hand gets no energy" -- "$forceshade" conform recording energy.csv
-expect 0 "held: all in all" -- wall energy.csv --tolerance "5 %" --energy 1
+expect 0 "held: all in all" -- wall energy.csv --tolerance "5 %" --allow 1mJ
 # A recording of 1000/N Hz that was copied up to 1000 Hz. copied N SAMPLES: of a hand that presses into a wall.
 copied() {
   python3 -c 'import math, sys
@@ -131,12 +131,12 @@ copied 33 9 > free.csv
 expect 1 "$repeated" -- wall free.csv "${with_ns[@]}"
 # Noise that is declared: held, and the stiffness within its error.
 fault noise 'for row in rows: row[4:] = [f + random.gauss(0, 3) for f in row[4:]]'
-tolerance="0.02 N" judge noise.csv --noise 0.02 --json noise.json > noise.txt || { echo "FAILED: noise: $(cat noise.json)"; exit 1; }
+tolerance="0.02 N" judge noise.csv --allow 0.02N --json noise.json > noise.txt || { echo "FAILED: noise: $(cat noise.json)"; exit 1; }
 python3 -c 'import json
 fit = json.load(open("noise.json"))["fit"]
 assert abs(fit["stiffness_N_per_mm"] - 0.5) < fit["stiffness_error_N_per_mm"] < 0.005, fit
 assert 0.004 < fit["rms_N"] < 0.006, fit' || exit 1
-tolerance="0.003 N" expect 1 "within the tolerance, 0.003 N" -- judge noise.csv --noise 0.02
+tolerance="0.003 N" expect 1 "within the tolerance, 0.003 N" -- judge noise.csv --allow 0.02N
 # A sensor that nobody has zeroed, whose force comes 4 ms late, in axes that are turned: found; as they are given, and as they are not.
 python3 -c 'import math
 c, s = math.cos(0.35), math.sin(0.35)
@@ -146,7 +146,7 @@ print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
 for i in range(2000):
     f = turn((0, 0, max(0, -0.5 * at(i / 1000 - 0.004)[2])))
     print(",".join(f"{v:.9g}" for v in (i / 1000, *turn(at(i / 1000)), f[0] + 0.12, f[1] - 0.07, f[2] + 0.31)))' > sensor.csv
-expect 0 "(100 %) within the tolerance, 1e-04 N" -- wall sensor.csv --fit --tolerance "1e-4 N" --noise 0.01 --json sensor.json
+expect 0 "(100 %) within the tolerance, 1e-04 N" -- wall sensor.csv --fit --tolerance "1e-4 N" --allow 0.01N --json sensor.json
 python3 -c 'import json
 fit = json.load(open("sensor.json"))["fit"]
 assert abs(fit["stiffness_N_per_mm"] - 0.5) < fit["stiffness_error_N_per_mm"] < 1e-3, fit
@@ -154,7 +154,7 @@ for found, error, true in zip(fit["offset_N"], fit["offset_error_N"], (0.12, -0.
 assert abs(fit["lag_s"] - 0.004) < fit["lag_error_s"] < 1e-4, fit
 assert 1100 < fit["rests"] < 1200 and fit["noise_at_rest_N"] < 1e-4, fit' || exit 1
 expect 0 "held: no force out of contact" -- \
-  "$forceshade" conform recording --law wall sensor.csv --fit --tolerance "1e-4 N" --noise 0.01 --offset 0.12,-0.07,0.31 --lag 4
+  "$forceshade" conform recording --law wall sensor.csv --fit --tolerance "1e-4 N" --allow 0.01N --offset 0.12,-0.07,0.31 --lag 4
 also "lag of the force 4 +- 0 ms"
 expect 1 "FAILED: there is no fit" -- wall sensor.csv --fit --tolerance "1e-4 N" --offset 2,2,2 --lag 4
 expect 2 "--offset: expected three forces in N" -- wall sensor.csv --offset 0.12,-0.07
@@ -167,9 +167,8 @@ printf '%s\n' t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N 0,3,0.5,0,0,0,0 0.001,3,-0.5,0,0
 expect 0 "wall: correctly rounded 4 of 4" -- wall turned.csv --frame x,z,-y
 expect 1 "FAILED: 0 of 4" -- wall turned.csv --frame x,-z,y
 sed -n '2,$s/,/   /gp' turned.csv > turned.traj
-expect 0 "wall: correctly rounded 4 of 4" -- wall turned.traj --frame x,z,-y --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=7 \
-  --units s,mm,N
-expect 2 "turned.traj:1: no column 8" -- wall turned.traj --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=8 --units s,mm,N
+expect 0 "wall: correctly rounded 4 of 4" -- wall turned.traj --frame x,z,-y --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=7,s,mm,N
+expect 2 "turned.traj:1: no column 8" -- wall turned.traj --columns t=1,x=2,y=3,z=4,fx=5,fy=6,fz=8,s,mm,N
 
 # No fit.
 python3 -c 'print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
@@ -184,12 +183,12 @@ expect 1 "there is no fit" -- wall pulls.csv --fit --tolerance "1 %"
 
 # Recordings that cannot be read.
 expect 2 "pz_m: expected columns" -- \
-  "$forceshade" conform recording "$clean" --columns t=time_s,x=px,y=py,z=pz_m,fx=fx,fy=fy,fz=fz --units m,mN
+  "$forceshade" conform recording "$clean" --columns t=time_s,x=px,y=py,z=pz_m,fx=fx,fy=fy,fz=fz,m,mN
 expect 2 '--columns: has no fz' -- "$forceshade" conform recording "$clean" --columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy
-expect 2 '--units: expected one of mm, cm, m, in, because the column px does not end in its unit' -- \
-  "$forceshade" conform recording "$clean" "${columns[@]:0:2}"
-expect 2 '--units: the column x_mm ends in mm; expected the unit m' -- wall turned.csv --units m
-expect 2 'and of force (N, mN), each once; got "kN"' -- wall turned.csv --units mm,kN
+expect 2 '--columns: expected one of mm, cm, m, in, because the column px does not end in its unit' -- \
+  "$forceshade" conform recording "$clean" "${columns[@]%,m,mN}"
+expect 2 '--columns: the column x_mm ends in mm; expected the unit m' -- wall turned.csv --columns m
+expect 2 'and of force (N, mN), each once; got "kN"' -- wall turned.csv --columns mm,kN
 expect 2 '--frame: expected three different ones' -- wall turned.csv --frame x,y,y
 expect 2 "--fit: expected --law" -- alone "$clean" --fit --tolerance "1 %"
 expect 2 "--tolerance: expected one in N or %" -- wall turned.csv --fit
@@ -200,4 +199,4 @@ expect 2 'text.csv:3: column 3 (y_mm): expected a number, got "deep"' -- wall te
 sed '3s/-0.5/nan/' turned.csv > nan.csv
 expect 2 'nan.csv:3: column 3 (y_mm): expected a finite number, got "nan"' -- wall nan.csv
 expect 2 'unknown option "--command"' -- wall turned.csv --command true
-expect 2 "--noise" -- wall turned.csv --noise -1
+expect 2 "--allow: expected a number from 0 to 1000" -- wall turned.csv --allow=-1N

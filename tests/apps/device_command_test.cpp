@@ -157,8 +157,8 @@ TEST(device_try, never_pushes_with_more_than_half_a_newton) {
   const TemporaryDirectory here;
   here.write("deep.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,4\n1,0,0,4\n2,0,0,-30\n4,0,0,-30\n");
   PseudoTerminal terminal = on_terminal(here,
-                                        "device try simulated:premium-1.5:deep.csv --uncertified --dead-man none "
-                                        "--stiffness 0.2 --record deep.fsr");
+                                        "device try simulated:premium-1.5:deep.csv --certificate none --dead-man none "
+                                        "--stiffness 0.2 --out deep.fsr");
   terminal.shown_until(kPrompt);
   terminal.type("\n");
   terminal.shown_until("rise again.\r\n" + std::string(kPrompt));
@@ -180,7 +180,7 @@ TEST(device_try, never_pushes_with_more_than_half_a_newton) {
 
 TEST(device_try, ends_without_a_run_where_a_step_is_not_done) {
   const TemporaryDirectory here;
-  PseudoTerminal terminal = on_terminal(here, "device try simulated --uncertified --dead-man none");
+  PseudoTerminal terminal = on_terminal(here, "device try simulated --certificate none --dead-man none");
   terminal.shown_until(kPrompt);
   terminal.type("\x03");
   EXPECT_EQ(terminal.end(), 130) << terminal.shown();
@@ -190,13 +190,13 @@ TEST(device_try, ends_without_a_run_where_a_step_is_not_done) {
 
 TEST(device_try, needs_a_button_to_hold_down) {
   const TemporaryDirectory here;
-  PseudoTerminal terminal = on_terminal(here, "device try simulated --uncertified");
+  PseudoTerminal terminal = on_terminal(here, "device try simulated --certificate none");
   terminal.shown_until(kPrompt);
   terminal.type("\n");
   EXPECT_EQ(terminal.end(), 2) << terminal.shown();
   expect_holds(terminal.shown(), {"--dead-man: expected none, because the device has no buttons, got \"0\""});
   ::setenv("FORCESHADE_HD_LIBRARY", STAND_IN_HD, 1);
-  PseudoTerminal with_buttons = on_terminal(here, "device try phantom --uncertified --dead-man none --in-reset-pose");
+  PseudoTerminal with_buttons = on_terminal(here, "device try phantom --certificate none --dead-man none --in-reset-pose");
   ::unsetenv("FORCESHADE_HD_LIBRARY");
   with_buttons.shown_until(kPrompt);
   with_buttons.type("\n");
@@ -216,8 +216,8 @@ TEST(device_try, refuses_what_is_not_gentle_or_not_certified) {
   refused("device try simulated --stiffness 0.201", 2, {"expected at most 0.2 N/mm for a first contact, got 0.201"});
   refused("device try simulated --stiffness 0", 2, {"--stiffness"});
   refused("device try simulated", 1, {"no certificate was given", "certify --law wall --stiffness 0.05 --out DIR"});
-  refused("device try simulated --uncertified --record run.csv", 2,
-          {"--record: expected a name that ends in .fsr", "\"run.csv\""});
+  refused("device try simulated --certificate none --out run.csv", 2,
+          {"--out: expected a name that ends in .fsr", "\"run.csv\""});
   refused("device try simulated --dead-man 16", 2, {"--dead-man", "\"16\""});
   refused("device try", 2, {"expected device, got none"});
   EXPECT_EQ(here.entries(), 2);  // .out and .err
@@ -226,7 +226,7 @@ TEST(device_try, refuses_what_is_not_gentle_or_not_certified) {
 // From a hand above the wall that lowers the tip onto it after half a second, and stays until somebody ends the run.
 std::string rehearsal(const TemporaryDirectory& here) {
   here.write("press.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.5,0,0,3\n1,0,0,-6\n3600,0,0,-6\n");
-  return "drive --law wall --uncertified --device simulated:premium-1.5:press.csv --dead-man 1 --record "
+  return "drive --law wall --certificate none --device simulated:premium-1.5:press.csv --dead-man 1 --out "
          "run.fsr";
 }
 
@@ -277,8 +277,9 @@ TEST(drive, gives_no_force_after_the_key_of_the_dead_man_switch_was_typed_again)
 TEST(drive, says_in_summary_and_recording_where_the_law_lies) {
   const TemporaryDirectory here;
   const std::string line =
-      "drive --law wall --uncertified --free-run --overwrite --device simulated --seconds 0.1 --record run.fsr --json run.json";
-  const CommandRun placed = run_command(here, words_of(line + " --origin=-5,1in,0.1 --turn x90,z-90deg"));
+      "drive --law wall --certificate none --pace none --overwrite --device simulated --seconds 0.1 --out run.fsr --json "
+      "run.json";
+  const CommandRun placed = run_command(here, words_of(line + " --place=-5,1in,0.1,x90,z-90deg"));
   EXPECT_EQ(placed.code, 0) << placed.err;
   expect_holds(placed.out, {"placement         origin at -5,25.4,0.1 mm, x, y, z along -y,+z,-x of the device\n"});
   const json summary = json::parse(here.read("run.json"));
@@ -292,9 +293,9 @@ TEST(drive, says_in_summary_and_recording_where_the_law_lies) {
   EXPECT_EQ(usual.out.find("placement"), std::string::npos);
   EXPECT_EQ(json::parse(here.read("run.json"))["placement"], (json{{"origin_mm", {0.0, 0.0, 0.0}}, {"axes", "+x,+y,+z"}}));
   EXPECT_EQ(recorder::Recording(here.file("run.fsr")).metadata().at("axes"), "+x,+y,+z");
-  const CommandRun refused = run_command(here, words_of("drive --law wall --uncertified --device null --turn z45"));
+  const CommandRun refused = run_command(here, words_of("drive --law wall --certificate none --device null --place z45"));
   EXPECT_EQ(refused.code, 2);
-  expect_holds(refused.err, {"--turn: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"z45\""});
+  expect_holds(refused.err, {"--place: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"z45\""});
 }
 
 TEST(drive, says_that_a_simulated_device_has_no_buttons_where_there_is_no_terminal) {
@@ -303,7 +304,7 @@ TEST(drive, says_that_a_simulated_device_has_no_buttons_where_there_is_no_termin
   const pid_t child = ::fork();
   if (child == 0) {
     ::setsid();
-    const CommandRun run = run_command(here, words_of("drive --law wall --uncertified --device simulated --dead-man 0"));
+    const CommandRun run = run_command(here, words_of("drive --law wall --certificate none --device simulated --dead-man 0"));
     here.write("err", run.err);
     ::_exit(run.code);
   }
@@ -320,7 +321,7 @@ TEST(drive, keeps_the_last_200_ms_before_a_trip) {
   // Free, then 6 mm deep, then torn 120 mm sideways within 10 ms.
   here.write("torn.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.19,0,0,3\n0.3,0,0,-6\n1.5,0,0,-6\n1.51,120,0,-6\n2,120,0,-6\n");
   const std::string line =
-      "drive --law wall --uncertified --free-run --device simulated:premium-1.5:torn.csv --record torn.fsr --json ";
+      "drive --law wall --certificate none --pace none --device simulated:premium-1.5:torn.csv --out torn.fsr --json ";
   const CommandRun run = run_command(here, words_of(line + "torn.json"));
   EXPECT_EQ(run.code, 3) << run.err;
   expect_holds(run.out, {"last tick         ", " mm/s; force 0.000 N, one tick before ", "before the end    201 ticks kept"});
@@ -342,8 +343,8 @@ TEST(drive, keeps_the_last_200_ms_before_a_trip) {
 
 TEST(drive, keeps_no_last_ticks_of_a_run_that_ended_well) {
   const TemporaryDirectory here;
-  const CommandRun run =
-      run_command(here, words_of("drive --law wall --uncertified --free-run --device simulated --seconds 0.5 --json run.json"));
+  const CommandRun run = run_command(
+      here, words_of("drive --law wall --certificate none --pace none --device simulated --seconds 0.5 --json run.json"));
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.out.find("last tick"), std::string::npos);
   EXPECT_EQ(json::parse(here.read("run.json"))["last_ticks"], json::array());

@@ -91,13 +91,13 @@ completes observer forceshade drive --passivity o
 completes bump-2p-shaded forceshade energy --law bump-2p-
 completes all forceshade certify --law a
 completes bump-1p forceshade energy --law = bump-1
-completes 'a file.csv' forceshade force --input a
+completes 'a file.csv' forceshade force a
 completes folder forceshade plot --out f
 completes 'a file.csv' forceshade energy --json a
 completes --depth forceshade energy --json --de
 completes recording forceshade man rec
 completes bash forceshade completion b
-completes 'a file.csv' forceshade recording verify a
+completes 'a file.csv' forceshade recording check a
 completes simulated forceshade drive --device s
 completes simulated forceshade device check s
 complete_words forceshade energy --law wal
@@ -124,7 +124,7 @@ EOF
   added observer forceshade drive --passivity ''
   added observer forceshade drive --passivity=
   added bump-2p-shaded forceshade energy --law ''
-  added 'files ' forceshade force --input ''
+  added 'files ' forceshade force ''
   added 'files -/' forceshade plot --out ''
   added --depth forceshade energy --json ''
   added check forceshade device ''
@@ -143,7 +143,7 @@ if command -v fish > /dev/null; then
   offered observer 'forceshade drive --passivity '
   offered --passivity=observer 'forceshade drive --passivity=o'
   offered bump-2p-shaded 'forceshade energy --law bump-2p-'
-  offered 'a file.csv' 'forceshade force --input a'
+  offered 'a file.csv' 'forceshade force a '
   offered folder/ 'forceshade plot --out f'
   offered --depth 'forceshade energy --json --de'
   offered check 'forceshade device c'

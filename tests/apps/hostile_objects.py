@@ -47,7 +47,7 @@ def object_case(name, words, code=1, prelude="", language="c", slow=False, **mac
     def run(mark, folder):
         lines = [f"#define {macro} {value}" for macro, value in macros.items()] + [f'#define MARK "{mark}"', prelude, template()]
         compiled(language, ["-include", os.path.join(os.environ["CACHE"], language + ".h"), "-shared", "-x", language, "-", "-o", os.path.join(folder, "tried.so")], lines)
-        return WALL + patience(words) + ["--object", "tried.so"]
+        return WALL + patience(words) + ["--command", "tried.so"]
 
     add("object " + name, Case(words, run, code=code, slow=slow))
 

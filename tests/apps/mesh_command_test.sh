@@ -26,7 +26,7 @@ expect 0 "box              -12.7, -12.7, -12.7 to 12.7, 12.7, 12.7 mm" -- mesh c
 expect 2 "expected one of icosphere, cube," -- mesh make sphere --out sphere.off
 expect 2 "mesh make bump: expected a width of at most twice the radius" -- mesh make bump --width 40 --out wide.off
 expect 2 "mesh make icosphere: expected at most 2^28 triangles" -- mesh make icosphere --cells 16384 --out large.off
-expect 2 '--across-radius: expected less than --radius, 5 mm, got "6mm"' -- mesh make torus --radius 5 --across-radius 6mm --out ring.off
+expect 2 '--radius: expected a radius across below that around, 5 mm, got "6mm"' -- mesh make torus --radius 5,6mm --out ring.off
 expect 2 '--out: expected a name that ends in .off or .obj, which is the format of the file that is written, got "cube.stl"' -- \
   mesh make cube --out cube.stl
 expect 0 "" -- mesh make wall --out WALL.OBJ

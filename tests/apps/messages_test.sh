@@ -13,8 +13,8 @@ for flag in --help -h; do expect 2 'got "chek"; the nearest is check' -- "$force
 expect 2 'got "chek"; the nearest is check' -- "$forceshade" help mesh chek
 expect 2 "forceshade: mesh check: expected --unit, got none" -- "$forceshade" mesh check -
 expect 2 'forceshade: mesh check: unknown option "--unti"; the nearest is --unit' -- "$forceshade" mesh check - --unti mm
-expect 2 'unknown device "simulatd"' -- "$forceshade" drive --law wall --uncertified --device simulatd
-expect 2 'the nearest is simulated' -- "$forceshade" drive --law wall --uncertified --device simulatd
+expect 2 'unknown device "simulatd"' -- "$forceshade" drive --law wall --certificate none --device simulatd
+expect 2 'the nearest is simulated' -- "$forceshade" drive --law wall --certificate none --device simulatd
 for version in --version -v version; do expect 0 "library digest" -- "$forceshade" $version; done
 for help in --help -h help; do expect 0 "Usage: forceshade COMMAND" -- "$forceshade" $help; done
 same "$("$forceshade" force --help)" "$("$forceshade" help force)"
@@ -22,7 +22,7 @@ same "$("$forceshade" device check --help)" "$("$forceshade" help device check)"
 
 # The help says what units are in one place, is at most 100 columns wide, and puts options under what they are for.
 for command in "" laws force energy plot properties certify "certify merge" drive \
-  recording "recording info" "recording verify" "recording recompute" "recording export" device "device check" \
+  recording "recording check" "recording export" device "device check" \
   "device try" mesh "mesh check" "mesh repair" "mesh make" man completion; do
   same "" "$("$forceshade" help $command | grep -nE '^.{101,}$')"
   same "$([ -z "$command" ] && echo 1 || echo 0)" "$("$forceshade" help $command | grep -c '1000mil')"
@@ -99,7 +99,7 @@ done
 
 # A file of another kind.
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --height-map "$examples/leather.png"
-expect 2 "leather.png: expected a CSV file, got a PNG picture" -- "$forceshade" force --law wall --input "$examples/leather.png"
+expect 2 "leather.png: expected a CSV file, got a PNG picture" -- "$forceshade" force "$examples/leather.png" --law wall
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --subject "$examples/leather.png"
 printf '{"law": "wall"}\n' > object.json
 printf '[{"law": "wall"},\n {"law": "wall"}]\n' > list.json
@@ -112,8 +112,8 @@ for file in object.json list.json; do
   done
 done
 expect 2 "positions.csv: expected a TOML file, got a CSV file" -- "$forceshade" force --height-map positions.csv
-expect 2 "object.json: expected a CSV file, got a JSON file" -- "$forceshade" force --law wall --input object.json
-for command in "recording info" "recording verify" "recording export" "recording recompute"; do
+expect 2 "object.json: expected a CSV file, got a JSON file" -- "$forceshade" force object.json --law wall
+for command in "recording check" "recording export"; do
   for file in "positions.csv a CSV file" "object.json a JSON file" "wall.toml a TOML file" "empty.txt an empty file" \
     "$examples/leather.png a PNG picture"; do
     expect 2 "${file%% *}: expected a recording (.fsr), got ${file#* }" -- "$forceshade" $command "${file%% *}"
@@ -133,7 +133,7 @@ toml 2 'render = "height-map"\nrender = "height-map"' "each key and table once (
 toml 1 'render = \xff' "UTF-8 ("
 
 head -c 100 /dev/zero > zeros.bin
-expect 2 "zeros.bin: expected a CSV file, got a binary file" -- "$forceshade" force --law wall --input zeros.bin
+expect 2 "zeros.bin: expected a CSV file, got a binary file" -- "$forceshade" force zeros.bin --law wall
 printf '{\n "a": [1,2,}' > broken.json
 expect 2 'line 2, column 12: expected JSON, got "}"' -- "$forceshade" drive --law wall --certificate broken.json --device null
 printf '{"a"' > broken.json
@@ -145,15 +145,15 @@ expect 2 "expected numbers that binary64 can hold" -- "$forceshade" drive --law 
 # CSV as some programs of other countries write it.
 printf 'x_mm;y_mm;z_mm\n1,5;0;-1\n' > semicolons.csv
 expect 2 "semicolons.csv:1: expected commas between the columns, and points in decimals, got semicolons" -- \
-  "$forceshade" force --law wall --input semicolons.csv
+  "$forceshade" force semicolons.csv --law wall
 tr ';' '\t' < semicolons.csv > tabs.csv
 expect 2 "tabs.csv:1: expected commas between the columns, and points in decimals, got tabs" -- \
-  "$forceshade" force --law wall --input tabs.csv
+  "$forceshade" force tabs.csv --law wall
 tr ';' ',' < semicolons.csv | sed 's/^1,5,0,-1/1,5,0,0,-1,0/' > commas.csv
-expect 2 "a decimal is written with a point, not a comma" -- "$forceshade" force --law wall --input commas.csv
+expect 2 "a decimal is written with a point, not a comma" -- "$forceshade" force commas.csv --law wall
 printf 'x_mm,y_mm,z_mm\n"1,5",0,-1\n' > quoted.csv
 expect 2 'quoted.csv:2: column 1 (x_mm): expected a number with a decimal point, got "1,5"' -- \
-  "$forceshade" force --law wall --input quoted.csv
+  "$forceshade" force quoted.csv --law wall
 
 # A radius that does not fit the width that nobody chose.
 expect 2 "the width is that of the thesis unless --width is given beside --radius" -- \

@@ -3,7 +3,7 @@
 # that its name says; an unfinished tick is called that.
 . "$(dirname "$0")/expect.sh"
 printf 'x_mm,y_mm,z_mm\n0,0,-1\n' > in.csv
-force() { "$forceshade" force --law wall --input in.csv "$@"; }
+force() { "$forceshade" force in.csv --law wall "$@"; }
 row=0,0,-1,0,0,0.5,contact
 
 # Descriptors and pipes.
@@ -32,8 +32,8 @@ same "$row" "$(tail -1 made.csv)"
 expect 0 "" -- "$forceshade" laws --json loose.json
 grep -q theta made.json || { echo "FAILED: no JSON behind the link"; exit 1; }
 for replacing in "" --overwrite; do
-  expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record loose.fsr $replacing
-  expect 0 "whole" -- "$forceshade" recording verify made.fsr
+  expect 0 "" -- "$forceshade" drive --law wall --certificate none --device null --seconds 0.01 --pace none --out loose.fsr $replacing
+  expect 0 "whole" -- "$forceshade" recording check made.fsr
 done
 expect 2 "nowhere/made.csv: cannot open for writing: No such file or directory" -- force --out lost.csv
 expect 2 "round.csv: cannot open for writing: Too many levels of symbolic links" -- force --out round.csv
@@ -45,15 +45,15 @@ same "folder loose.csv loose.fsr loose.json lost.csv round.csv" "$(find . -type 
 expect 0 "" -- force --out forces.npy
 same "NUMPY" "$(head -c 6 forces.npy | tail -c 5)"
 same 25 "$(($(stat -c %s forces.npy) % 64))"
-expect 0 "" -- force --out exact.npy --path reference
+expect 0 "" -- force --out exact.npy --digits binary32
 cmp forces.npy exact.npy || exit 1
 expect 0 "" -- force --out CAPITALS.NPY
 cmp forces.npy CAPITALS.NPY || exit 1
-expect 2 "--digits: expected a CSV file as --out beside it" -- force --out more.npy --path reference --digits 40
-expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record run.npy
+expect 2 "--digits: expected a CSV file as --out beside it" -- force --out more.npy --digits 40
+expect 0 "" -- "$forceshade" drive --law wall --certificate none --device null --seconds 0.01 --pace none --out run.npy
 same "NUMPY" "$(head -c 6 run.npy | tail -c 5)"
-expect 0 "" -- "$forceshade" drive --law wall --uncertified --device null --seconds 0.01 --free-run --record RUN.FSR
-expect 0 "whole" -- "$forceshade" recording verify RUN.FSR
+expect 0 "" -- "$forceshade" drive --law wall --certificate none --device null --seconds 0.01 --pace none --out RUN.FSR
+expect 0 "whole" -- "$forceshade" recording check RUN.FSR
 
 # A folder of files appears whole, also where it is interrupted or the disk is full.
 "$forceshade" plot --law all --out stopped > stopped.txt 2>&1 &
@@ -68,7 +68,7 @@ same 1 "$(ls -d killed.partial-* | wc -l)"
 # A folder is one command's until it ends, whether it was there or not; then it holds the files of that one alone.
 for folder in twice twice-there; do
   [ $folder = twice ] || mkdir twice-there
-  "$forceshade" plot --law all --what force --out $folder > first.txt 2>&1 &
+  "$forceshade" plot force --law all --out $folder > first.txt 2>&1 &
   until [ -e $folder.partial-00000000 ] || [ -e $folder/.partial-00000000 ]; do sleep 0.02; done
   kill -STOP $!
   for command in "plot --law wall" "certify --law wall --points 1000 --cases 10" "man"; do
@@ -87,7 +87,7 @@ for folder in new there; do
   full 20 "$folder/certificate.html: cannot write: File too large" certify --law wall --points 1000 --cases 10 --out $folder
   full 2 "$folder/forceshade" man --out $folder
 done
-full 2 "forceshade: new.csv: disk I/O error" drive --law wall --uncertified --device null --seconds 0.05 --free-run --record new.csv
+full 2 "forceshade: new.csv: disk I/O error" drive --law wall --certificate none --device null --seconds 0.05 --pace none --out new.csv
 same "there/mine" "$(ls -d new* there/* there/.partial* 2> /dev/null)"
 expect 2 "--out: expected a new file or a regular one" -- sh -c "mkdir -p there/certificate.json && exec '$forceshade' certify --law wall \
   --points 1000 --cases 10 --out there --overwrite"
@@ -98,13 +98,13 @@ awk 'BEGIN { n = 400; print "OFF"; print 2 * n + 2, 2 * n, 0
   for (i = 0; i < n; ++i) { print 3, 2 * i, 2 * i + 2, 2 * i + 1; print 3, 2 * i + 1, 2 * i + 2, 2 * i + 3 } }' > strip.off
 mesh="--mesh strip.off --unit mm --sides both --shading none"
 printf '%s\n' x_mm,y_mm,z_mm 1,0.1,1 1,0.1,-0.7 99.1,0.3,-0.7 99.1,0.3,-0.7 99.1,0.3,-0.7 99.1,0.3,-0.7 > path.csv
-for path in fast reference; do
+for side in "" "--digits binary32"; do
   same "free contact unfinished unfinished unfinished contact" \
-    "$("$forceshade" force $mesh --path $path --input path.csv | tail -n +2 | cut -d, -f7 | paste -sd ' ')"
+    "$("$forceshade" force path.csv $mesh $side | tail -n +2 | cut -d, -f7 | paste -sd ' ')"
 done
 awk -F, 'NR == 1 { print "t_s," $0; next } { printf "%.3f,%s\n", 0.001 * (NR - 2), $0 }' path.csv > hand.csv
-expect 0 "unfinished ticks  " -- "$forceshade" drive $mesh --uncertified --device replay:hand.csv --free-run --record run.csv
+expect 0 "unfinished ticks  " -- "$forceshade" drive $mesh --certificate none --device replay:hand.csv --pace none --out run.csv
 expect 0 ",unfinished," -- cat run.csv
-expect 0 "" -- "$forceshade" plot $mesh --input path.csv --out drawn
+expect 0 "" -- "$forceshade" plot path.csv $mesh --out drawn
 grep -q "3 of 6 ticks unfinished" drawn/strip-mesh.svg || { echo "FAILED: the picture does not count unfinished ticks"; exit 1; }
 echo "$checks checks passed"

@@ -16,7 +16,7 @@ printf 'render = "height-map"\n[[part]]\nshape = "plane"\nslope_x = 0.25\n' > ra
 # The blocks of shell commands, without those of the scripts, which build and test everything.
 { cat "$source/README.md"; cd "$source/docs" && sed -n '/^## First commands/,/^## Options/p' using.md; } | page_blocks sh |
   grep -v '^scripts/\|^export ' |
-  sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --free-run/' \
+  sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --pace none/' \
     -e '/ certify \| drive /s/examples\/leather\.toml/ramp.toml/' -e 's/ --cases 10000 / --cases 100 /' \
     -e '/ conform /s/$/ --points 256/' > commands
 setting=$(grep '^export PATH=' "$source/README.md") && eval "$setting" || { echo "FAILED: the README sets no PATH"; exit 1; }

@@ -8,85 +8,85 @@ expect 0 "" -- "$forceshade" mesh make wall --size 40 --cells 2 --out wall.off
 
 # force: positions are a path. A jump through the cube ends on the near side, and the way back leaves it free.
 printf 'x_mm,y_mm,z_mm\n0,0,30\n0,0,19\n0,0,-30\n5,0,-30\n0,0,30\n' > path.csv
-path=$("$forceshade" force $mesh --stiffness 0.5 --shading none --input path.csv)
+path=$("$forceshade" force path.csv $mesh --stiffness 0.5 --shading none)
 same "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status
 0,0,30,0,0,0,free
 0,0,19,0,0,0.5,contact
 0,0,-30,0,0,25,contact
 5,0,-30,0,0,25,contact
 0,0,30,0,0,0,free" "$path"
-same "$path" "$("$forceshade" force $mesh --stiffness 500N/m --shading none --path reference --input path.csv)"
+same "$path" "$("$forceshade" force path.csv $mesh --stiffness 500N/m --shading none --digits binary32)"
 # The unit changes nothing else: half the lengths in inches of 25.4 mm are not exact, so the file is one of 2^-3 m.
 printf 'OFF\n4 4 0\n0 0 0\n0.125 0 0\n0 0.125 0\n0 0 0.125\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' > m.off
 printf 'OFF\n4 4 0\n0 0 0\n125 0 0\n0 125 0\n0 0 125\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' > mm.off
 printf 'x_mm,y_mm,z_mm\n-1,20,20\n1,20,20\n2,25,21\n-1,0,0\n' > corner.csv
-same "$("$forceshade" force --mesh m.off --unit m --input corner.csv)" "$("$forceshade" force --mesh mm.off --unit mm --input corner.csv)"
+same "$("$forceshade" force corner.csv --mesh m.off --unit m)" "$("$forceshade" force corner.csv --mesh mm.off --unit mm)"
 # An open mesh blocks from both sides unless --sides says otherwise.
 printf 'x_mm,y_mm,z_mm\n1,2,-3\n1,2,1\n' > below.csv
-same "1,2,1,0,0,-0.5,contact" "$("$forceshade" force --mesh wall.off --unit mm --input below.csv | tail -n 1)"
-same "1,2,1,0,0,0,free" "$("$forceshade" force --mesh wall.off --unit mm --sides front --input below.csv | tail -n 1)"
+same "1,2,1,0,0,-0.5,contact" "$("$forceshade" force below.csv --mesh wall.off --unit mm | tail -n 1)"
+same "1,2,1,0,0,0,free" "$("$forceshade" force below.csv --mesh wall.off --unit mm --sides front | tail -n 1)"
 # Smooth everywhere, the vertex scheme tilts the force near an edge; with a crease at each right angle it does not.
 printf 'x_mm,y_mm,z_mm\n15,3,30\n15,3,19\n' > beside.csv
-tilted=$("$forceshade" force $mesh --input beside.csv | tail -n 1)
-straight=$("$forceshade" force $mesh --crease 45 --input beside.csv | tail -n 1)
+tilted=$("$forceshade" force beside.csv $mesh | tail -n 1)
+straight=$("$forceshade" force beside.csv $mesh --crease 45 | tail -n 1)
 same "15,3,19,0,0,0.5,contact" "$straight"
 [ "$tilted" != "$straight" ] || { echo "FAILED: --crease changes nothing"; exit 1; }
 
 # Friction holds the god-object where it landed, and lets it slip to where the pull is a quarter of the pressure. A material of
 # some faces has its own stiffness. Subject files have the same keys.
 printf 'x_mm,y_mm,z_mm\n5,10,30\n5,10,19\n5.125,10,19\n7,10,19\n' > stroke.csv
-rough=$("$forceshade" force $mesh --shading none --friction 0.5,0.25 --input stroke.csv)
+rough=$("$forceshade" force stroke.csv $mesh --shading none --friction 0.5,0.25)
 same "5.125,10,19,-0.0625,0,0.5,contact" "$(sed -n 4p <<< "$rough")"
 case $(sed -n 5p <<< "$rough") in 7,10,19,-0.12*,0.5,contact) ;; *) echo "FAILED: slips otherwise: $rough"; exit 1 ;; esac
-same "7,10,19,0,0,0.5,contact" "$("$forceshade" force $mesh --shading none --friction 0 --input stroke.csv | tail -n 1)"
-same "$("$forceshade" force $mesh --input stroke.csv)" "$("$forceshade" force $mesh --contact friction --input stroke.csv)"
+same "7,10,19,0,0,0.5,contact" "$("$forceshade" force stroke.csv $mesh --shading none --friction 0 | tail -n 1)"
+same "$("$forceshade" force stroke.csv $mesh)" "$("$forceshade" force stroke.csv $mesh --contact friction)"
 printf '[[material]]\nname = "hard"\nstiffness = "2N/mm"\nfaces = ["0-11"]\n' > hard.toml
 printf 'mesh = "cube.off"\nunit = "mm"\nshading = "none"\nmaterials = "hard.toml"\n' > hard_cube.toml
-same "7,10,19,0,0,2,contact" "$("$forceshade" force --subject hard_cube.toml --input stroke.csv | tail -n 1)"
-expect 2 "--friction: expected one coefficient of friction" -- "$forceshade" force $mesh --friction=-1 --input stroke.csv
-expect 2 "expected a dynamic coefficient of at most the static one" -- "$forceshade" force $mesh --friction 0.2,0.3 --input stroke.csv
+same "7,10,19,0,0,2,contact" "$("$forceshade" force stroke.csv --subject hard_cube.toml | tail -n 1)"
+expect 2 "--friction: expected one coefficient of friction" -- "$forceshade" force stroke.csv $mesh --friction=-1
+expect 2 "expected a dynamic coefficient of at most the static one" -- "$forceshade" force stroke.csv $mesh --friction 0.2,0.3
 expect 2 "--contact: expected friction, or no coefficient above 0 of --friction, got \"sub-goal\"" -- \
-  "$forceshade" force $mesh --friction 0.3 --contact sub-goal --input stroke.csv
+  "$forceshade" force stroke.csv $mesh --friction 0.3 --contact sub-goal
 expect 2 "--friction: expected without --materials, got both" -- \
-  "$forceshade" force $mesh --friction 0.3 --materials hard.toml --input stroke.csv
+  "$forceshade" force stroke.csv $mesh --friction 0.3 --materials hard.toml
 printf 'friction = [0.2, 0.3]\nmesh = "cube.off"\nunit = "mm"\n' > falling.toml
-expect 2 "falling.toml: line 1: friction: expected a dynamic" -- "$forceshade" force --subject falling.toml --input stroke.csv
+expect 2 "falling.toml: line 1: friction: expected a dynamic" -- "$forceshade" force stroke.csv --subject falling.toml
 printf 'v 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl rubber\ng tyre\nf 1 2 3\n' > named.obj
 "$forceshade" mesh check named.obj --unit mm > named.txt
 grep -q "^materials  *rubber (1 faces)$" named.txt && grep -q "^groups  *tyre (1 faces)$" named.txt || { cat named.txt; exit 1; }
 printf '[[material]]\nname = "a"\ngroups = ["tire"]\n' > tire.toml
 expect 2 "tire.toml: line 3: groups: expected a group or material of the mesh's file (rubber, tyre), got \"tire\"; the nearest is tyre" -- \
-  "$forceshade" force --mesh named.obj --unit mm --materials tire.toml --input stroke.csv
+  "$forceshade" force stroke.csv --mesh named.obj --unit mm --materials tire.toml
 
 # plot: the mesh alone, and a path on it.
 expect 0 "drawn/cube-mesh.svg" -- "$forceshade" plot $mesh --out drawn
 ! grep -q "god-object" drawn/cube-mesh.svg || { echo "FAILED: a path is drawn where none is given"; exit 1; }
-expect 2 "--out: expected" -- "$forceshade" plot $mesh --input path.csv --out drawn
-expect 0 "drawn/cube-mesh.png" -- "$forceshade" plot $mesh --input path.csv --azimuth=-40 --elevation 0.5rad --out drawn --overwrite
+expect 2 "--out: expected" -- "$forceshade" plot path.csv $mesh --out drawn
+expect 0 "drawn/cube-mesh.png" -- "$forceshade" plot path.csv $mesh --view=-40,0.5rad --out drawn --overwrite
 grep -q "ticks: 2 free, 3 touching" drawn/cube-mesh.svg || { echo "FAILED: the picture does not say what came of the path"; exit 1; }
 grep -q "azimuth -40°, elevation 28.6478" drawn/cube-mesh.svg || { echo "FAILED: the picture does not say from where it is seen"; exit 1; }
-expect 2 "--input" -- "$forceshade" plot --law wall --input path.csv --out drawn
-expect 2 "--azimuth" -- "$forceshade" plot --law wall --azimuth 3 --out drawn
-expect 2 "--elevation: expected an angle from -90 to 90 degrees" -- "$forceshade" plot $mesh --elevation 91 --out drawn
-expect 2 "--what" -- "$forceshade" plot $mesh --what force --out drawn
+expect 2 "plot: expected one of force" -- "$forceshade" plot path.csv --law wall --out drawn
+expect 2 "--view: expected --mesh or --scene beside it" -- "$forceshade" plot --law wall --view 3,0 --out drawn
+expect 2 "--view: expected an angle from -90 to 90 degrees" -- "$forceshade" plot $mesh --view 0,91 --out drawn
+expect 2 "plot: expected energy or a file" -- "$forceshade" plot force $mesh --out drawn
 printf 'x_mm,y_mm,z_mm\n0,0,up\n' > bad.csv
-expect 2 "bad.csv:2: column 3 (z_mm): expected a number" -- "$forceshade" plot $mesh --input bad.csv --out other
+expect 2 "bad.csv:2: column 3 (z_mm): expected a number" -- "$forceshade" plot bad.csv $mesh --out other
 [ ! -e other ] || { echo "FAILED: a folder is left behind"; exit 1; }
 
 # Files that are missing, wrong, or no mesh.
-expect 2 "--unit is required beside --mesh: expected mm, m or in" -- "$forceshade" force --mesh cube.off --input path.csv
-expect 2 "expected --law, --height-map, --mesh or --scene, got none" -- "$forceshade" force --input path.csv
-expect 2 "--sides: expected one of front, both" -- "$forceshade" force $mesh --sides back --input path.csv
-expect 2 "--shading: expected one of vertex, edge, none" -- "$forceshade" force $mesh --shading smooth --input path.csv
-expect 2 "--crease" -- "$forceshade" force $mesh --crease 200 --input path.csv
-expect 2 "--mesh" -- "$forceshade" force --law wall $mesh --input path.csv
-expect 2 "--unit" -- "$forceshade" force --law wall --unit mm --input path.csv
+expect 2 "--unit is required beside --mesh: expected mm, m or in" -- "$forceshade" force path.csv --mesh cube.off
+expect 2 "expected --law, --height-map, --mesh or --scene, got none" -- "$forceshade" force path.csv 
+expect 2 "--sides: expected one of front, both" -- "$forceshade" force path.csv $mesh --sides back
+expect 2 "--shading: expected one of vertex, edge, none" -- "$forceshade" force path.csv $mesh --shading smooth
+expect 2 "--crease" -- "$forceshade" force path.csv $mesh --crease 200
+expect 2 "--mesh" -- "$forceshade" force path.csv --law wall $mesh
+expect 2 "--unit" -- "$forceshade" force path.csv --law wall --unit mm
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n2 2 0\n3 0 1 2\n3 0 1 3\n' > folded.off
-expect 2 "folded.off: cannot be rendered" -- "$forceshade" force --mesh folded.off --unit mm --input path.csv
+expect 2 "folded.off: cannot be rendered" -- "$forceshade" force path.csv --mesh folded.off --unit mm
 expect 2 "cannot be rendered:
 lines 7 and 8: faces 0 and 1 run along their edge, of vertices 0 and 1, in the same direction: one of them is turned over
 lines 7 and 8: faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1
-'forceshade mesh repair' mends some of this" -- "$forceshade" force --mesh folded.off --unit mm --input path.csv
+'forceshade mesh repair' mends some of this" -- "$forceshade" force path.csv --mesh folded.off --unit mm
 expect 2 "none.off" -- "$forceshade" certify --mesh none.off --unit mm --out none
 [ ! -e none ] || { echo "FAILED: a folder is left behind"; exit 1; }
 
@@ -105,24 +105,24 @@ done
 for other in "$mesh" "$one --shading none" "$one --self-intersecting" "$one --contact sub-goal"; do
   expect 1 "refused to drive" -- "$forceshade" drive $other --device simulated --seconds 0.1 $certificate
 done
-expect 0 "(time up)" -- "$forceshade" drive $one --device simulated --free-run --seconds 0.1 $certificate
+expect 0 "(time up)" -- "$forceshade" drive $one --device simulated --pace none --seconds 0.1 $certificate
 awk 'BEGIN { print "t_s,x_mm,y_mm,z_mm"; for (i = 0; i < 1000; ++i) printf "0.%03d,%d.5,3,%d.%d\n", i, i / 50, 20 - int(i / 500), 9 - int(i / 100) }' > hand.csv
-expect 0 "(time up)" -- "$forceshade" drive $mesh --device replay:hand.csv --free-run --seconds 1 --record run.fsr --uncertified
-expect 0 " differ" -- "$forceshade" recording recompute run.fsr $mesh
-same 1 "$("$forceshade" recording recompute run.fsr $mesh | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
-expect 2 "run.fsr: sides is front; expected both" -- "$forceshade" recording recompute run.fsr $mesh --sides both
-expect 2 "expected wall" -- "$forceshade" recording recompute run.fsr --law wall
+expect 0 "(time up)" -- "$forceshade" drive $mesh --device replay:hand.csv --pace none --seconds 1 --out run.fsr --certificate none
+expect 0 " differ" -- "$forceshade" recording check run.fsr $mesh
+same 1 "$("$forceshade" recording check run.fsr $mesh | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
+expect 2 "run.fsr: sides is front; expected both" -- "$forceshade" recording check run.fsr $mesh --sides both
+expect 2 "expected wall" -- "$forceshade" recording check run.fsr --law wall
 
 # Another contact rule is part of what is certified and recorded, and what is not turned by a shading unless that is given.
 leading="$mesh --contact sub-goal"
-same "$("$forceshade" force $leading --shading none --input path.csv)" "$("$forceshade" force $leading --input path.csv)"
-same "$("$forceshade" force $leading --input path.csv)" "$("$forceshade" force $leading --path reference --input path.csv)"
+same "$("$forceshade" force path.csv $leading --shading none)" "$("$forceshade" force path.csv $leading)"
+same "$("$forceshade" force path.csv $leading)" "$("$forceshade" force path.csv $leading --digits binary32)"
 expect 0 "held, not certified: 6250 points" -- "$forceshade" certify $leading --points 5000 --cases 100 --out leading
 grep -q '"contact": "sub-goal"' leading/certificate.json || { echo "FAILED: the certificate does not name the rule"; exit 1; }
-expect 0 "(time up)" -- "$forceshade" drive $leading --device replay:hand.csv --free-run --seconds 1 --record leading.fsr --uncertified
-same 1 "$("$forceshade" recording recompute leading.fsr $leading | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
-expect 2 "leading.fsr: " -- "$forceshade" recording recompute leading.fsr $mesh
-expect 2 "--contact: " -- "$forceshade" force $mesh --contact subgoal --input path.csv
+expect 0 "(time up)" -- "$forceshade" drive $leading --device replay:hand.csv --pace none --seconds 1 --out leading.fsr --certificate none
+same 1 "$("$forceshade" recording check leading.fsr $leading | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
+expect 2 "leading.fsr: " -- "$forceshade" recording check leading.fsr $mesh
+expect 2 "--contact: " -- "$forceshade" force path.csv $mesh --contact subgoal
 
 # Faces that cross: refused, unless --self-intersecting is given; then part of what is certified and recorded. A floor and a wall
 # through it: the god-object stops before the wall and goes along it.
@@ -130,55 +130,55 @@ printf 'OFF\n8 4 0\n-20 -20 0\n20 -20 0\n20 20 0\n-20 20 0\n0 -19 -7\n0 19 -7\n0
 plates="--mesh plates.off --unit mm --sides front --shading none"
 crossing="$plates --self-intersecting"
 printf 'x_mm,y_mm,z_mm\n5,1,3\n5,1,-1\n-1,1,-1\n-1,3,-1\n5,3,-1\n' > groove.csv
-expect 2 "with --self-intersecting, faces without a common vertex may cross" -- "$forceshade" force $plates --input groove.csv
-for path in fast reference; do
+expect 2 "with --self-intersecting, faces without a common vertex may cross" -- "$forceshade" force groove.csv $plates
+for side in "" "--digits binary32"; do
   same "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status
 5,1,3,0,0,0,free
 5,1,-1,0.00,0.00,0.50,contact
 -1,1,-1,0.50,0.00,0.50,contact
 -1,3,-1,0.50,0.00,0.50,contact
-5,3,-1,0.00,0.00,0.50,contact" "$("$forceshade" force $crossing --stiffness 0.5 --path $path --input groove.csv |
+5,3,-1,0.00,0.00,0.50,contact" "$("$forceshade" force groove.csv $crossing --stiffness 0.5 $side |
     awk -F, -v OFS=, 'NR > 2 { for (i = 4; i < 7; ++i) $i = sprintf("%.2f", $i < 0 ? -$i : $i) } 1')"
 done
 expect 0 "plates.off      states        held    50 cases" -- "$forceshade" properties $crossing --cases 50
 expect 0 "held, not certified: 6250 points" -- "$forceshade" certify $crossing --points 5000 --cases 100 --out crossing
 grep -q '"self_intersections": "allowed"' crossing/certificate.json || { echo "FAILED: the certificate does not name the option"; exit 1; }
 awk 'BEGIN { print "t_s,x_mm,y_mm,z_mm"; for (i = 0; i < 1000; ++i) printf "0.%03d,%d.5,%d,%d\n", i, 5 - int(i / 100), i / 100, i == 0 ? 3 : -1 }' > across.csv
-expect 0 "(time up)" -- "$forceshade" drive $crossing --device replay:across.csv --free-run --seconds 1 --record crossing.fsr --uncertified
-expect 0 " differ" -- "$forceshade" recording recompute crossing.fsr $crossing
-same 1 "$("$forceshade" recording recompute crossing.fsr $crossing | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
-expect 2 "crossing.fsr: " -- "$forceshade" recording recompute crossing.fsr $mesh
+expect 0 "(time up)" -- "$forceshade" drive $crossing --device replay:across.csv --pace none --seconds 1 --out crossing.fsr --certificate none
+expect 0 " differ" -- "$forceshade" recording check crossing.fsr $crossing
+same 1 "$("$forceshade" recording check crossing.fsr $crossing | grep -c 'ticks, [1-9][0-9]* in contact, 0 differ')"
+expect 2 "crossing.fsr: " -- "$forceshade" recording check crossing.fsr $mesh
 printf 'OFF\n6 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 0\n2 5 0\n6 1 0\n3 0 1 2\n3 3 4 5\n' > flat_pair.off
 expect 2 "faces 0 and 1 meet in one plane, but have no vertex in common" -- "$forceshade" force --mesh flat_pair.off --unit mm \
-  --self-intersecting --input groove.csv
+  --self-intersecting groove.csv
 
 # A texture: on a wall the force is that of the force-shaded height map with the same slope, 0.75: (-3, 0, 4)/5.
 printf 'render = "height-map-shaded"\n[[part]]\nshape = "plane"\nslope_x = 0.75\n' > ramp.toml
 expect 0 "" -- "$forceshade" mesh make wall --size 40 --cells 3 --out wall.obj
 textured="--mesh wall.obj --unit mm --shading texture:ramp.toml --texture-scale 1mm"
 printf 'x_mm,y_mm,z_mm\n1,2,3\n1,2,-0.5\n' > above.csv
-for path in fast reference; do
-  same "1,2,-0.5,-0.15,0,0.2,contact" "$("$forceshade" force $textured --stiffness 0.5 --path $path --input above.csv | tail -n 1)"
+for side in "" "--digits binary32"; do
+  same "1,2,-0.5,-0.15,0,0.2,contact" "$("$forceshade" force above.csv $textured --stiffness 0.5 $side | tail -n 1)"
 done
 expect 0 "wall.obj        states        held    20 cases" -- "$forceshade" properties $textured --cases 20
 expect 2 "--texture-scale is required beside --shading texture:FILE" -- "$forceshade" force --mesh wall.obj --unit mm \
-  --shading texture:ramp.toml --input above.csv
+  --shading texture:ramp.toml above.csv
 expect 2 "--texture-scale: expected the shading texture:FILE beside it, got vertex" -- \
-  "$forceshade" force $mesh --texture-scale 1 --input above.csv
+  "$forceshade" force above.csv $mesh --texture-scale 1
 expect 2 "wall.off: has no texture coordinates" -- "$forceshade" force --mesh wall.off --unit mm --shading texture:ramp.toml \
-  --texture-scale 1 --input above.csv
+  --texture-scale 1 above.csv
 expect 2 "--shading: expected one of vertex, edge, none, texture:FILE; got \"texture\"" -- "$forceshade" force $mesh \
-  --shading texture --input above.csv
-expect 2 "none.toml" -- "$forceshade" force --mesh wall.obj --unit mm --shading texture:none.toml --texture-scale 1 --input above.csv
+  --shading texture above.csv
+expect 2 "none.toml" -- "$forceshade" force above.csv --mesh wall.obj --unit mm --shading texture:none.toml --texture-scale 1
 sed 's/^vt .*/vt 1 1/' wall.obj > flat.obj
 expect 2 "flat.obj: cannot be textured: face 0 has no area in the texture" -- "$forceshade" force --mesh flat.obj --unit mm \
-  --shading texture:ramp.toml --texture-scale 1 --input above.csv
+  --shading texture:ramp.toml --texture-scale 1 above.csv
 expect 0 "held, not certified: 6250 points" -- "$forceshade" certify $textured --points 5000 --cases 100 --out textured
 # It is the textured mesh that the certificate covers, though with too few points to drive it.
 expect 1 "the certificate has 5000 points for wall.obj; driving needs at least 200000" -- "$forceshade" drive $textured \
-  --device replay:hand.csv --free-run --seconds 1 --certificate textured/certificate.json
-expect 0 "(time up)" -- "$forceshade" drive $textured --device replay:hand.csv --free-run --seconds 1 --record textured.fsr --uncertified
-expect 0 " differ" -- "$forceshade" recording recompute textured.fsr $textured
-expect 2 "textured.fsr: digest is " -- "$forceshade" recording recompute textured.fsr --mesh wall.obj --unit mm
+  --device replay:hand.csv --pace none --seconds 1 --certificate textured/certificate.json
+expect 0 "(time up)" -- "$forceshade" drive $textured --device replay:hand.csv --pace none --seconds 1 --out textured.fsr --certificate none
+expect 0 " differ" -- "$forceshade" recording check textured.fsr $textured
+expect 2 "textured.fsr: digest is " -- "$forceshade" recording check textured.fsr --mesh wall.obj --unit mm
 
 echo "$checks checks"

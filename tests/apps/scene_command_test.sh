@@ -22,38 +22,38 @@ expect 2 "expected a mesh to repair, got a scene" -- "$forceshade" mesh repair s
 printf 'x_mm,y_mm,z_mm\n0,0,20\n0,0,14\n1,0,14\n3,2,14\n12,2,14\n12,2,20\n' > path.csv
 printf '[[object]]\nname = "a"\nmesh = "scenes/knob.obj"\nunit = "mm"\nmaterials = "scenes/knob.toml"\n' > one.toml
 knob="--mesh scenes/knob.obj --unit mm --materials scenes/knob.toml"
-same "$("$forceshade" force $knob --input path.csv)" "$("$forceshade" force --scene one.toml --input path.csv)"
-same "$("$forceshade" force $knob --shading edge --path reference --input path.csv)" \
-  "$("$forceshade" force --scene one.toml --shading edge --input path.csv)"
+same "$("$forceshade" force path.csv $knob)" "$("$forceshade" force path.csv --scene one.toml)"
+same "$("$forceshade" force path.csv $knob --shading edge --digits binary32)" \
+  "$("$forceshade" force path.csv --scene one.toml --shading edge)"
 
 # The box is turned by the angle of 3:4:5, so that the point 10 mm along its x is at (-20 + 6, 8). It is smooth and of 0.8 N/mm.
 # The board sticks and then slips.
 printf 'x_mm,y_mm,z_mm\n-11,12,10\n-16,5.3333333,10\n' > side.csv
-side=$("$forceshade" force $table --input side.csv | tail -n 1)
+side=$("$forceshade" force side.csv $table | tail -n 1)
 case $side in -16,5.3333335,10,1.[56]*,2.133*,0,contact) ;; *) echo "FAILED: the side of the box: $side"; exit 1 ;; esac
 printf 'x_mm,y_mm,z_mm\n0,-20,5\n0,-20,-1\n0.25,-20,-1\n' > stroke.csv
-same "0.25,-20,-1,-0.125,0,0.5,contact" "$("$forceshade" force $table --input stroke.csv | tail -n 1)"
+same "0.25,-20,-1,-0.125,0,0.5,contact" "$("$forceshade" force stroke.csv $table | tail -n 1)"
 
 # Every command takes it, named or in a subject file.
 printf 'scene = "scenes/table.toml"\nstiffness = 0.25\n' > subject.toml
-same "$("$forceshade" force $table --stiffness 0.25 --input stroke.csv)" "$("$forceshade" force --subject subject.toml --input stroke.csv)"
+same "$("$forceshade" force stroke.csv $table --stiffness 0.25)" "$("$forceshade" force stroke.csv --subject subject.toml)"
 expect 0 "table.toml      states        held    50 cases" -- "$forceshade" properties $table --cases 50
-expect 0 "drawn/table-mesh.svg" -- "$forceshade" plot $table --input stroke.csv --azimuth 30 --out drawn
-expect 2 "--azimuth: expected --mesh or --scene beside it" -- "$forceshade" plot --law wall --azimuth 3 --out other
+expect 0 "drawn/table-mesh.svg" -- "$forceshade" plot stroke.csv $table --view 30,25 --out drawn
+expect 2 "--view: expected --mesh or --scene beside it" -- "$forceshade" plot --law wall --view 3,0 --out other
 expect 0 "" -- "$forceshade" conform positions $table --points 60 --out points.csv
-expect 0 "" -- "$forceshade" force $table --input points.csv --out given.csv
+expect 0 "" -- "$forceshade" force points.csv $table --out given.csv
 expect 0 "held: " -- "$forceshade" conform judge $table given.csv
 expect 1 "correctly rounded" -- "$forceshade" conform judge $table --stiffness 0.3 given.csv
 expect 0 "held, not certified: 1250 points" -- "$forceshade" certify $table --points 1000 --cases 50 --out certificate
-certificate="--certificate certificate/certificate.json --device simulated --free-run"
-expect 0 "UNCERTIFIED" -- "$forceshade" drive $table --uncertified --device simulated --free-run --seconds 0.2 --record run.fsr
+certificate="--certificate certificate/certificate.json --device simulated --pace none"
+expect 0 "UNCERTIFIED" -- "$forceshade" drive $table --certificate none --device simulated --pace none --seconds 0.2 --out run.fsr
 sed 's/^shading.*/shading = "vertex"/' scenes/table.toml > scenes/shaded.toml
 expect 1 "covers another mesh" -- "$forceshade" drive --scene scenes/shaded.toml $certificate --seconds 0.1
 expect 1 "covers table.toml with other parameters: expected" -- "$forceshade" drive $table --stiffness 0.25 $certificate --seconds 0.1
-expect 0 "" -- "$forceshade" recording verify run.fsr
-expect 0 "" -- "$forceshade" recording recompute run.fsr $table
+expect 0 "" -- "$forceshade" recording check run.fsr
+expect 0 "" -- "$forceshade" recording check run.fsr $table
 sed 's/\[0.4, 0.3\]/[0.4, 0.2]/' scenes/table.toml > scenes/other.toml
-expect 2 "run.fsr: digest is " -- "$forceshade" recording recompute run.fsr --scene scenes/other.toml
+expect 2 "run.fsr: digest is " -- "$forceshade" recording check run.fsr --scene scenes/other.toml
 # A certificate quotes the scene, beside which its text means the same.
 python3 -c 'import json, sys; sys.stdout.write(json.load(open(sys.argv[1]))["subjects"][0]["subject_file"])' \
   certificate/certificate.json > scenes/quoted.toml
@@ -82,7 +82,7 @@ expect 2 "--self-intersecting: expected without friction" -- "$forceshade" mesh 
 sed -i '/^friction/d; /^materials/d' scenes/crossing.toml
 expect 0 "held: a scene of 42 faces; whether faces without a common vertex cross was not checked" -- \
   "$forceshade" mesh check scenes/crossing.toml --self-intersecting
-expect 0 "contact" -- "$forceshade" force --scene scenes/crossing.toml --self-intersecting --input stroke.csv
+expect 0 "contact" -- "$forceshade" force stroke.csv --scene scenes/crossing.toml --self-intersecting
 expect 2 "scenes/table.toml: line 2: shading: expected once, got several times" -- "$forceshade" force $table --shading edge
 expect 2 "--scene" -- "$forceshade" force $table --mesh scenes/knob.obj --unit mm
 expect 2 "--scene" -- "$forceshade" force $table --law wall
@@ -95,33 +95,33 @@ expect 2 "wrong.toml: line 4: friction" -- "$forceshade" force --subject wrong.t
 # Objects that move: both sides, every command, and the same force for the same tick of the path.
 moving="--scene scenes/moving.toml"
 printf 'x_mm,y_mm,z_mm\n-20,-15,25\n-20,-15,20\n-20,-15,20\n-20,-15,20\n' > hold.csv
-forces=$("$forceshade" force $moving --input hold.csv)
+forces=$("$forceshade" force hold.csv $moving)
 same "-20,-15,20,0,0.015749812,0.25,contact" "$(tail -n 1 <<< "$forces")"
-same "$forces" "$("$forceshade" force $moving --path reference --input hold.csv)"
+same "$forces" "$("$forceshade" force hold.csv $moving --digits binary32)"
 expect 0 "moving.toml     work of motion held    50 cases" -- "$forceshade" properties $moving --cases 50
 expect 0 "moving/moving-mesh.svg" -- "$forceshade" plot $moving --out moving
-expect 2 "--input: expected without objects that move" -- "$forceshade" plot $moving --input hold.csv --out other
+expect 2 "alone, whose objects move, got" -- "$forceshade" plot hold.csv $moving --out other
 expect 0 "held, not certified: 1250 points" -- "$forceshade" certify $moving --points 1000 --cases 50 --out moved
-expect 0 "" -- "$forceshade" drive $moving --uncertified --device simulated --free-run --seconds 2.5 --record moved.fsr
-expect 0 "" -- "$forceshade" recording verify moved.fsr
-expect 0 "computed again: 2500 ticks" -- "$forceshade" recording recompute moved.fsr $moving
+expect 0 "" -- "$forceshade" drive $moving --certificate none --device simulated --pace none --seconds 2.5 --out moved.fsr
+expect 0 "" -- "$forceshade" recording check moved.fsr
+expect 0 "computed again: 2500 ticks" -- "$forceshade" recording check moved.fsr $moving
 cp -r scenes otherwise && sed -i s/^2,-20,15/2,-20,14/ otherwise/box_sliding.csv
-expect 2 "moved.fsr: digest is " -- "$forceshade" recording recompute moved.fsr --scene otherwise/moving.toml
-expect 2 "expected 1000 Hz, for which the motions of moving.toml are made, got 500" -- "$forceshade" drive $moving --uncertified \
+expect 2 "moved.fsr: digest is " -- "$forceshade" recording check moved.fsr --scene otherwise/moving.toml
+expect 2 "expected 1000 Hz, for which the motions of moving.toml are made, got 500" -- "$forceshade" drive $moving --certificate none \
   --rate 500 --device simulated --seconds 0.1
 expect 2 "expected no object with a motion, since the window of a mouse shows a surface that stays" -- \
-  "$forceshade" drive $moving --uncertified \
+  "$forceshade" drive $moving --certificate none \
   --device mouse
-expect 0 '"kind": "scene"' -- bash -c "'$forceshade' conform vectors $moving --points 30 --out vectors.json && cat vectors.json"
+expect 0 '"kind": "scene"' -- bash -c "'$forceshade' conform positions $moving --points 30 --out vectors.json && cat vectors.json"
 expect 1 "a wall in Python 1 does not render moving.toml" -- "$forceshade" conform $moving --points 300 \
   --command "python3 $examples/renderers/wall.py"
 sed -i s/^2,/0,/ otherwise/box_sliding.csv
 expect 2 "box_sliding.csv:3: column 1 (time_s): expected a time after that of the row before" -- \
-  "$forceshade" force --scene otherwise/moving.toml --input hold.csv
+  "$forceshade" force hold.csv --scene otherwise/moving.toml
 # One that is certified in a moment: a law that moves.
 printf '[[object]]\nname = "wall"\nlaw = "wall"\nmotion = "box_sliding.csv"\n' > scenes/alone.toml
 expect 0 "certified: 250000 points" -- "$forceshade" certify --scene scenes/alone.toml --points 200000 --cases 2000 --out alone
-certificate="--certificate alone/certificate.json --device simulated --free-run --seconds 0.1"
+certificate="--certificate alone/certificate.json --device simulated --pace none --seconds 0.1"
 expect 0 "(time up)" -- "$forceshade" drive --scene scenes/alone.toml $certificate
 sed s/box_sliding/knob_turning/ scenes/alone.toml > scenes/turning.toml
 expect 1 "refused to drive" -- "$forceshade" drive --scene scenes/turning.toml $certificate

@@ -40,8 +40,8 @@ class Command {
 
   bool is_running() const;
 
-  // Waits for its end: "exit 0: " and all it printed, but for the warning of --uncertified. A process that is stopped instead
-  // is left to the destructor.
+  // Waits for its end: "exit 0: " and all it printed, but for the warning of --certificate none. A process that is stopped
+  // instead is left to the destructor.
   std::string end();
 
  private:
@@ -95,7 +95,7 @@ constexpr std::chrono::milliseconds kLook{10};
 
 // A run that no signal ends is over after an hour of ticks.
 Words drive(const char* seconds = "3600") {
-  return {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--seconds", seconds, "--record", "run.fsr"};
+  return {"drive", "--law", "wall", "--certificate", "none", "--device", "simulated", "--seconds", seconds, "--out", "run.fsr"};
 }
 
 // Waits until the run has written so many bytes more of its recording: its ticks go on.
@@ -185,8 +185,8 @@ TEST(signals, a_person_who_insists_ends_at_once_an_end_that_hangs) {
   ASSERT_EQ(::mkfifo(here.file("nobody").c_str(), 0600), 0);
   std::filesystem::create_directory(here.file("kept"));
   Command run(here,
-              {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--free-run", "--seconds", "1", "--record",
-               "nobody"},
+              {"drive", "--law", "wall", "--certificate", "none", "--device", "simulated", "--pace", "none", "--seconds", "1",
+               "--out", "nobody"},
               {"TMPDIR=" + here.file("kept")});
   // Closed, the recording holds a second of ticks, and its log is gone.
   while (run.is_running() && bytes_below(here.file("kept")) < 100'000) std::this_thread::sleep_for(kLook);
@@ -241,7 +241,7 @@ TEST(signals, before_the_run_leave_nothing_behind) {
   const TemporaryDirectory here;
   const std::string pipe = here.file("hand.csv");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  Command run(here, {"drive", "--law", "wall", "--uncertified", "--device", "replay:hand.csv", "--record", "run.fsr"});
+  Command run(here, {"drive", "--law", "wall", "--certificate", "none", "--device", "replay:hand.csv", "--out", "run.fsr"});
   std::ofstream hand(pipe);  // opened once the command reads it
   run.send(SIGINT);
   hand << "t_s,x_mm,y_mm,z_mm\n0,3,0,-1\n9,3,0,-1\n";
@@ -283,8 +283,8 @@ TEST(signals, a_file_size_limit_costs_the_ticks_that_it_refuses_and_nothing_else
 
 TEST(signals, a_summary_that_cannot_be_written_costs_nothing_else) {
   const TemporaryDirectory here;
-  Command run(here, {"drive", "--law", "wall", "--uncertified", "--device", "simulated", "--free-run", "--seconds", "0.5",
-                     "--record", "run.fsr", "--json", "nowhere/run.json"});
+  Command run(here, {"drive", "--law", "wall", "--certificate", "none", "--device", "simulated", "--pace", "none", "--seconds",
+                     "0.5", "--out", "run.fsr", "--json", "nowhere/run.json"});
   const std::string end = run.end();
   EXPECT_TRUE(end.starts_with("exit 2: ")) << end;
   EXPECT_NE(end.find("nowhere/run.json"), std::string::npos) << end;

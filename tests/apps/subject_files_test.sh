@@ -18,11 +18,11 @@ mesh="--mesh inputs/ball.off --unit mm --sides both --shading edge --contact sub
 
 for kind in law map mesh; do
   options=${!kind} file=inputs/$kind.toml
-  same "$("$forceshade" force $options --input positions.csv 2>&1)" "$("$forceshade" force --subject $file --input positions.csv 2>&1)"
+  same "$("$forceshade" force positions.csv $options 2>&1)" "$("$forceshade" force positions.csv --subject $file 2>&1)"
   same "$("$forceshade" properties $options --cases 20 2>&1)" "$("$forceshade" properties --subject=$file --cases 20 2>&1)"
   what=force; [ $kind != mesh ] || what=geometry
-  "$forceshade" plot $options --what $what --out plots-$kind > /dev/null &&
-    "$forceshade" plot --subject $file --what $what --out plots-of-$kind > /dev/null
+  "$forceshade" plot $what $options --out plots-$kind > /dev/null &&
+    "$forceshade" plot $what --subject $file --out plots-of-$kind > /dev/null
   same "$(cd plots-$kind && sha256sum ./*)" "$(cd plots-of-$kind && sha256sum ./*)"
   # A certificate quotes what it is of; saved beside the file, the text means the same again.
   "$forceshade" certify $options --points 100 --cases 20 --out certificate-$kind > /dev/null
@@ -35,7 +35,7 @@ sys.exit(any(a.get(key) != b.get(key) for key in ("name", "parameters", "digest"
     certificate-$kind/certificate.json again-$kind/certificate.json ||
     { echo "FAILED: the quoted file of $kind means something else"; exit 1; }
   expect 0 "UNCERTIFIED" -- "$forceshade" drive --subject $file --device replay:<(printf 't_s,x_mm,y_mm,z_mm\n0,0,0,-1\n0.001,0,0,-1\n') \
-    --uncertified --free-run
+    --certificate none --pace none
 done
 grep -q 'law = &quot;bump-2p&quot;' certificate-law/certificate.html || { echo "FAILED: the page does not quote"; exit 1; }
 

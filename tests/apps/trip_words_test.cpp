@@ -29,7 +29,7 @@ TEST(trip_words, state_how_late_a_tick_was_what_was_late_and_what_helps) {
   EXPECT_EQ(
       words_of_trip(stopped(device::Rule::watchdog, kWaited, true)),
       late +
-          "the tick before took 62 ms, of which 0.3 ms were computing. What helps: another processor for the loop (--cpu), "
+          "the tick before took 62 ms, of which 0.3 ms were computing. What helps: another processor for the loop (taskset), "
           "fewer other programs, or a machine that is not virtual.");
   EXPECT_EQ(
       words_of_trip(stopped(device::Rule::missed_deadlines, kOverslept)),

@@ -29,7 +29,7 @@ for page in "$source"/docs/tutorials/*.md; do
   ln -s "$source/examples" examples
   cp -r "$source/fast" .
   sed -e '/^scripts\//d' -e "s|^forceshade drive .* --device mouse .*|$display & --seconds 1|" -e "s| --device mouse | --device $device |" \
-    -e 's/^forceshade drive /&--free-run /' "$page" > page
+    -e 's/^forceshade drive /&--pace none /' "$page" > page
   what=$(type_page page) || { echo "$name: $what"; exit 1; }
   echo "$name: $what"
   case $what in *", "[0-2]" blocks "*) echo "FAILED: $name has hardly a command"; exit 1 ;; esac

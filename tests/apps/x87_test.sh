@@ -5,7 +5,7 @@ library=$(realpath "$2")
 export ASAN_OPTIONS=verify_asan_link_order=0  # of a build with sanitizers
 bump=(--law bump-cylinder)
 expect 0 "" -- "$forceshade" conform positions "${bump[@]}" --points 20000 --out asked.csv
-expect 0 "" -- "$forceshade" force "${bump[@]}" --input asked.csv --out forces.csv
+expect 0 "" -- "$forceshade" force asked.csv "${bump[@]}" --out forces.csv
 energy=("$forceshade" energy --height-map "$examples/leather.toml" --depth 0.2 --stiffness 0.5)
 same "$("${energy[@]}")" "$(LD_PRELOAD=$library "${energy[@]}")"
 for preloaded in "" "$library"; do

@@ -19,7 +19,7 @@ same_bytes() {
 }
 
 plan one
-expect 1 "0 of 24 units done" -- certify status one
+expect 1 "0 of 24 units done" -- certify merge one
 expect 0 "the plan is complete" -- work one
 same_bytes one
 # Without a plan.
@@ -39,7 +39,7 @@ done
 for i in 1 2 3; do work killed > "killed-$i.txt" & done
 wait
 same_bytes killed
-expect 0 "0 taken" -- certify status killed
+expect 0 "0 taken" -- certify merge killed
 
 # Stopped with SIGINT: no claim is left, and it says how to go on.
 plan stopped
@@ -77,7 +77,7 @@ for unit in 5 6 7; do
   expect 2 "damaged/results/0/$unit.json: is damaged" -- certify merge damaged --out no
   rm damaged/results/0/$unit.json
 done
-expect 1 "missing: units 5 to 7 of" -- certify status damaged
+expect 1 "missing: units 5 to 7 of" -- certify merge damaged
 expect 0 "3 units done here" -- work damaged
 same_bytes damaged
 
@@ -90,7 +90,7 @@ work wrong > wrong.txt 2>&1 & pid=$!
 ln wrong.json wrong/results/0/3.json 2> /dev/null
 wait $pid
 rm -f wrong/results/0/3.json; cp one/results/0/3.json wrong/results/0/3.differs-0123456789abcdef.json; ln wrong.json wrong/results/0/3.json
-expect 1 "ALARM" -- certify status wrong
+expect 1 "ALARM" -- certify merge wrong
 expect 1 "3.differs-0123456789abcdef.json differs from the result of the same unit" -- certify merge wrong --out no
 
 # Another build, another plan, no plan.
@@ -98,7 +98,7 @@ plan other
 sed -i 's/"instruction_set": "[a-z0-9]*"/"instruction_set": "scalar"/' other/plan.json
 expect 2 "the plan is for another instruction set: expected scalar" -- work other
 sed -i 's/"library_digest": "0/"library_digest": "1/; t; s/"library_digest": "./"library_digest": "0/' other/plan.json
-expect 2 "the plan is for another build of the library" -- certify status other
+expect 2 "the plan is for another build of the library" -- certify merge other
 expect 2 "one/plan.json: is there already" -- certify plan --law wall --out one
 expect 2 "no/plan.json" -- work no
 certify plan "${what[@]}" --seed 2 --units 20 --out seed > /dev/null; rm -r seed/results; cp -r one/results seed

@@ -103,7 +103,7 @@ until_so 180 "no task is left" is_over
 for task in 1 2 3 4 5 6 7 8; do
   [ "$task" = "$limited" ] || [ "$(state_of $task)" = COMPLETED ] || fail "task $task: $(state_of $task): $(cat task-$task.txt)"
 done
-"$forceshade" certify status many || fail "status"
+"$forceshade" certify merge many || fail "status"
 "$forceshade" certify merge many --out many-merged > /dev/null || fail "merge"
 cmp many-merged/evidence.json one-merged/evidence.json || fail "another evidence"
 diff -r -x '.*' one/results many/results || fail "other results"

@@ -44,7 +44,7 @@ TEST(exact_time, is_what_a_recording_counts_from_its_first_sample) {
       "t_ns,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N\n1690000000123456789,0,0,0,0,0,0\n1690000000124456789,0,0,0,0,0,0\n"
       "1690000000125456788,0,0,0,0,0,0\n");
   const Measurements measured =
-      read_measurements(file, "made.csv", columns_of("t=t_ns,x=x_mm,y=y_mm,z=z_mm,fx=fx_N,fy=fy_N,fz=fz_N", {}));
+      read_measurements(file, "made.csv", columns_of("t=t_ns,x=x_mm,y=y_mm,z=z_mm,fx=fx_N,fy=fy_N,fz=fz_N"));
   EXPECT_EQ(measured.samples[0].time, 0);
   EXPECT_EQ(measured.samples[2].time, 0.001999999);
   EXPECT_EQ(measured.samples[1].interval, 0.001);

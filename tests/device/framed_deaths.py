@@ -51,7 +51,7 @@ def died(kind, death, forceshade, patient=None):
     """ms from the death to the last moment of force, none where it stays until the device's own time-out; the client's exit code and
     words; and its faults, among them those of its recording. None of all where the moment did not come."""
     with made(kind, death, patient) as arm, tempfile.TemporaryDirectory() as folder:
-        command = [forceshade, "drive", "--device", arm.device, "--law", "wall", "--uncertified", "--watchdog-timeout", "1",
+        command = [forceshade, "drive", "--device", arm.device, "--law", "wall", "--certificate", "none", "--watchdog-timeout", "1",
                    "--seconds", "9"]
         if patient:
             command = [patient, arm.device]
@@ -74,7 +74,7 @@ def died(kind, death, forceshade, patient=None):
             end = STOPPED if stands_still else client.returncode
             faults = arm.verdict() if death.who in ("client", "cable") else set()
             if patient:
-                verify = subprocess.run([forceshade, "recording", "verify", "run.fsr"], cwd=folder, text=True, capture_output=True)
+                verify = subprocess.run([forceshade, "recording", "check", "run.fsr"], cwd=folder, text=True, capture_output=True)
                 said = verify.stdout + verify.stderr
                 if verify.returncode != 0 if end in (0, 3) else "no end: cut off" not in said:
                     faults = faults | {said}

@@ -29,7 +29,7 @@ pid_t started() {
   const pid_t program = fork();
   if (program != 0) return program;
   dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
-  execl(FORCESHADE_COMMAND, "forceshade", "drive", "--device", "phantom", "--law", "wall", "--uncertified", "--seconds", "2.2",
+  execl(FORCESHADE_COMMAND, "forceshade", "drive", "--device", "phantom", "--law", "wall", "--certificate", "none", "--seconds", "2.2",
         nullptr);
   _exit(127);
 }

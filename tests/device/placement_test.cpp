@@ -81,24 +81,24 @@ TEST(placement, shifts_by_one_correctly_rounded_difference_and_not_at_all_by_def
 }
 
 TEST(placement, is_read_from_lengths_with_units_and_quarter_turns) {
-  EXPECT_EQ(parse_placement("", ""), Placement());
-  EXPECT_EQ(parse_placement("1in,-2.5,100mil", "").origin(), Vector3f(25.4F, -2.5F, 2.54F));
-  EXPECT_EQ(parse_placement("", "z90"), Placement().turned(2, 1));
-  EXPECT_EQ(parse_placement("", "x-90deg,z180"), Placement().turned(0, 3).turned(2, 2));
-  EXPECT_EQ(parse_placement("", "y0"), Placement());
-  EXPECT_EQ(axes_words(parse_placement("", "z90")), "+y,-x,+z");
-  EXPECT_EQ(origin_words(parse_placement("0.1,-3,1in", "")), "0.1,-3,25.4");
-  const auto words_of = [](const char* origin, const char* turn) {
-    return tests::thrown_by<Error>([&] { parse_placement(origin, turn); });
-  };
-  for (const char* origin : {"1,2", "1,2,3,4", ","})
-    EXPECT_EQ(words_of(origin, ""),
-              std::string("--origin: expected three lengths X,Y,Z such as 10mm,0,-1in, got \"") + origin + '"');
-  EXPECT_NE(words_of("1,2,3furlong", "").find("--origin: expected a length"), std::string::npos);
-  EXPECT_EQ(words_of("0,10000,0", ""), "");
-  EXPECT_EQ(words_of("0,-10.001m,0", ""), "--origin: expected at most 10000 mm each way, got \"-10.001m\"");
-  for (const char* turn : {"45", "z45", "z90.5", "w90", "z", "z90rad", "z90,", "z99999999999", "90z", "x90 y90"})
-    EXPECT_TRUE(words_of("", turn).starts_with("--turn: expected an axis and a multiple of 90 degrees")) << turn;
+  EXPECT_EQ(parse_placement(""), Placement());
+  EXPECT_EQ(parse_placement("1in,-2.5,100mil").origin(), Vector3f(25.4F, -2.5F, 2.54F));
+  EXPECT_EQ(parse_placement("z90"), Placement().turned(2, 1));
+  EXPECT_EQ(parse_placement("x-90deg,z180"), Placement().turned(0, 3).turned(2, 2));
+  EXPECT_EQ(parse_placement("y0"), Placement());
+  EXPECT_EQ(axes_words(parse_placement("z90")), "+y,-x,+z");
+  EXPECT_EQ(origin_words(parse_placement("0.1,-3,1in")), "0.1,-3,25.4");
+  EXPECT_EQ(parse_placement("1,2,3,z90,x90"), Placement({1, 2, 3}).turned(2, 1).turned(0, 1));
+  const auto words_of = [](const char* text) { return tests::thrown_by<Error>([&] { parse_placement(text); }); };
+  for (const char* text : {"1,2", "1,2,3,4", ",", "45", "1,z90", "w90", "90z"})
+    EXPECT_EQ(words_of(text),
+              std::string("--place: expected three lengths X,Y,Z such as 10mm,0,-1in, turns such as z90, or both, got \"") +
+                  text + '"');
+  EXPECT_NE(words_of("1,2,3furlong").find("--place: expected a length"), std::string::npos);
+  EXPECT_EQ(words_of("0,10000,0"), "");
+  EXPECT_EQ(words_of("0,-10.001m,0"), "--place: expected at most 10000 mm each way, got \"-10.001m\"");
+  for (const char* turn : {"z45", "z90.5", "z", "z90rad", "z90,", "z99999999999", "x90 y90", "z90,1,2,3"})
+    EXPECT_TRUE(words_of(turn).starts_with("--place: expected an axis and a multiple of 90 degrees")) << turn;
 }
 
 // The device is given the correctly rounded force at the position that the recording holds, turned and not rounded again.

@@ -47,7 +47,7 @@ cmake --build "$scratch/programs" > "$scratch/build.log" || { cat "$scratch/buil
 refusal=$("$scratch/programs/drive" "$scratch/wall.json" null "$scratch/refused.fsr") && fail "a bump was driven with a wall's certificate"
 case $refusal in "refused: "*) ;; *) fail "expected a refusal, got: $refusal" ;; esac
 "$scratch/programs/drive" "$scratch/bump/certificate.json" "replay:$examples/recordings/strokes.csv" "$scratch/run.fsr"
-"$prefix/bin/forceshade" recording verify "$scratch/run.fsr" > "$scratch/verify.log" || { cat "$scratch/verify.log"; exit 1; }
+"$prefix/bin/forceshade" recording check "$scratch/run.fsr" > "$scratch/verify.log" || { cat "$scratch/verify.log"; exit 1; }
 # A program that drives a device links nothing of the exact side.
 ! ldd "$scratch/programs/drive" | grep -E 'gmp|mpfr|mpfi|CGAL' || fail "the program that drives links a library of the exact side"
 ! nm -C "$scratch/programs/drive" | grep -E 'CGAL::|rc::|forceshade::reference' || fail "the program that drives holds exact code"

@@ -30,7 +30,7 @@ class Recording(NamedTuple):
 
 
 def read_recording(file: File, *, frame: bool = False) -> Recording:
-    """The recording of a run, which forceshade drive --record writes.
+    """The recording of a run, which forceshade drive --out writes.
 
     frame: whether its samples are a pandas.DataFrame, which needs pandas; else they are a structured NumPy array.
 

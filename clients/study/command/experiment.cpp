@@ -98,10 +98,20 @@ int prepare(const std::string& file, const OutFolder& out, unsigned threads) {
   return held ? kHeld : kFailed;
 }
 
+// --certificates; `folder` is empty for none.
+CLI::Option* add_certificates(CLI::App& command, std::string& folder) {
+  return command
+      .add_option_function<std::string>(
+          "--certificates", [&folder](const std::string& given) { folder = given == kNoCertificate ? "" : given; },
+          "the folder that 'experiment prepare' has filled for this build; or none, which drives uncertified")
+      ->type_name("DIR|none")
+      ->required();
+}
+
 // The common options of run and resume.
 struct Driving {
-  std::string device, certificates, origin, settings;
-  bool uncertified = false, terminal = false, in_reset_pose = false, free_run = false;
+  std::string device, certificates, place, settings;
+  bool terminal = false, in_reset_pose = false, free_run = false;
   std::optional<int> dead_man;
   std::optional<double> watchdog_timeout;
 
@@ -112,16 +122,12 @@ struct Driving {
                     "as for drive --device; mouse is a PHANToM whose hand is the mouse over the participant's window")
         ->type_name("DEVICE")
         ->required();
-    CLI::Option* folder =
-        command.add_option("--certificates", certificates, "the folder that 'experiment prepare' has filled for this build")
-            ->type_name("DIR")
-            ->group(kEvidenceGroup);
-    command.add_flag("--uncertified", uncertified, "drive without certificates")->group(kEvidenceGroup)->excludes(folder);
+    add_certificates(command, certificates)->group(kEvidenceGroup);
     command.add_flag("--terminal", terminal, "texts and keys in the terminal instead of a window");
     command.add_option("--window", settings, "a TOML file: size of window and text, keys (clients/study/README.md)")
         ->type_name("FILE")
         ->excludes("--terminal");
-    command.add_option("--origin", origin, "the place of the scene's middle in the device's workspace: X,Y,Z; default: 0,0,0")
+    command.add_option("--place", place, "the place of the scene's middle in the device's workspace: X,Y,Z; default: 0,0,0")
         ->type_name("X,Y,Z")
         ->group(kPlaceGroup);
     add_whole(command, "--dead-man", "button of the device to be held down, from 0; else there is no force", {0, 15},
@@ -133,14 +139,14 @@ struct Driving {
   }
 
   SessionOptions options() const {
-    if (certificates.empty() && !uncertified)
-      throw Error(
-          "--certificates: expected the folder of 'forceshade-study experiment prepare', or --uncertified; got neither");
+    const device::Placement placement = device::parse_placement(place);
+    if (!(placement == device::Placement(placement.origin())))
+      throw Error("--place: expected three lengths X,Y,Z without a turn, got \"" + place + '"');
     if (terminal && dead_man && (device.starts_with("simulated") || device.starts_with("mouse")))
       throw Error("--dead-man: expected a device with buttons of its own beside --terminal, which has the keys; got " + device);
     return {.device = device,
             .certificates = certificates,
-            .origin = device::parse_placement(origin, "").origin(),
+            .origin = placement.origin(),
             .in_reset_pose = in_reset_pose,
             .servo = {.paced = !free_run, .watchdog_timeout = watchdog_timeout, .dead_man_button = dead_man}};
   }
@@ -270,7 +276,6 @@ void add_virtual(CLI::App& experiment, int& result) {
   const auto options = std::make_shared<VirtualOptions>();
   struct Texts {
     std::string protocol, certificates;
-    bool uncertified = false;
   };
   const auto texts = std::make_shared<Texts>();
   options->threads = std::max(1U, std::thread::hardware_concurrency());
@@ -281,15 +286,8 @@ void add_virtual(CLI::App& experiment, int& result) {
   add_whole(*command, "--threads", options->threads, "participants at a time", {1, 1024});
   const auto out = std::make_shared<OutFolder>(*command, "directory for the sessions, V1 and so on");
   out->require();
-  CLI::Option* folder =
-      command
-          ->add_option("--certificates", texts->certificates, "the folder that 'experiment prepare' has filled for this build")
-          ->type_name("DIR");
-  command->add_flag("--uncertified", texts->uncertified, "without certificates")->excludes(folder);
+  add_certificates(*command, texts->certificates);
   command->callback([options, texts, out, &result] {
-    if (texts->certificates.empty() && !texts->uncertified)
-      throw Error(
-          "--certificates: expected the folder of 'forceshade-study experiment prepare', or --uncertified; got neither");
     options->plan.protocol = texts->protocol;
     options->certificates = texts->certificates;
     out->make();

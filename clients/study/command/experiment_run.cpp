@@ -102,7 +102,7 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
   if (!options.certificates.empty())
     plan.certificates = apparatus::certificates_of(bumps, options.certificates);
   else
-    tell("*** DRIVING UNCERTIFIED, because of --uncertified ***");
+    tell("*** DRIVING UNCERTIFIED, because of --certificates none ***");
 
   end_runs_in_order();
   SteeringAttendant person(options.in_reset_pose, options.servo.dead_man_button.has_value(),

@@ -12,7 +12,7 @@ namespace forceshade::conformance {
 OpenRenderer object_door(const std::string& file, const files::ProcessLimits& limits) {
   namespace fs = std::filesystem;
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / kObjectProgram;
-  if (!fs::exists(program)) throw Error("--object: expected the program " + program.string() + ", which is not there");
+  if (!fs::exists(program)) throw Error("--command: expected the program " + program.string() + ", which is not there");
   files::ProcessLimits its = limits;
   its.ended_well = kObjectEndedWell;
   // A name without a slash would be looked for among the system's libraries.

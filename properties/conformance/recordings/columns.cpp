@@ -40,9 +40,9 @@ double unit_of(std::span<const std::string> names, std::span<const FileUnit> uni
     const FileUnit* const its = name.find('_') == std::string::npos ? nullptr : find(units, ending);
     if (its == nullptr && is_given) continue;
     if (its == nullptr)
-      throw Error("--units: expected one of " + choices + ", because the column " + name + " does not end in its unit");
+      throw Error("--columns: expected one of " + choices + ", because the column " + name + " does not end in its unit");
     if (unit != nullptr && unit != its)
-      throw Error("--units: the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
+      throw Error("--columns: the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
                   std::string(unit->name));
     unit = its;
   }
@@ -59,35 +59,39 @@ bool Columns::are_numbered() const {
   return std::ranges::all_of(names, is_whole);
 }
 
-Columns columns_of(const std::string& text, const std::string& units) {
+Columns columns_of(const std::string& text) {
+  const auto refused = [](const std::string& why) {
+    return Error("--columns: " + why + "; expected t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME");
+  };
   Columns columns;
-  if (!text.empty()) {
-    columns.names.fill("");
-    const auto refused = [](const std::string& why) {
-      return Error("--columns: " + why + "; expected t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME");
-    };
-    for (const std::string& part : files::at_commas(text)) {
-      const std::size_t sign = part.find('=');
-      const auto* const what = std::ranges::find(Columns::kWhat, part.substr(0, sign));
-      if (sign == std::string::npos || sign + 1 == part.size() || what == Columns::kWhat.end())
-        throw refused("got \"" + part + '"');
-      std::string& name = columns.names[static_cast<std::size_t>(what - Columns::kWhat.begin())];
-      if (!name.empty()) throw refused(std::string(*what) + " is given twice");
-      name = part.substr(sign + 1);
+  std::array<std::string, 7> given;
+  std::vector<std::string> units;
+  for (const std::string& part : text.empty() ? std::vector<std::string>{} : files::at_commas(text)) {
+    const std::size_t sign = part.find('=');
+    if (sign == std::string::npos) {
+      units.push_back(part);
+      continue;
     }
-    for (std::size_t i = 0; i < columns.names.size(); ++i)
-      if (columns.names[i].empty()) throw refused("has no " + std::string(Columns::kWhat[i]));
+    const auto* const what = std::ranges::find(Columns::kWhat, part.substr(0, sign));
+    if (sign + 1 == part.size() || what == Columns::kWhat.end()) throw refused("got \"" + part + '"');
+    std::string& name = given[static_cast<std::size_t>(what - Columns::kWhat.begin())];
+    if (!name.empty()) throw refused(std::string(*what) + " is given twice");
+    name = part.substr(sign + 1);
+  }
+  if (std::ranges::any_of(given, [](const std::string& name) { return !name.empty(); })) {
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (given[i].empty()) throw refused("has no " + std::string(Columns::kWhat[i]));
+    columns.names = given;
   }
   const std::span<const std::string> names(columns.names);
-  std::vector<std::string> given;
-  if (!units.empty()) given = files::at_commas(units);
-  columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, given));
-  columns.millimetres = unit_of(names.subspan(1, 3), kLengths, given);
-  columns.newtons = unit_of(names.last(3), kForces, given);
-  if (!given.empty())
+  columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, units));
+  columns.millimetres = unit_of(names.subspan(1, 3), kLengths, units);
+  columns.newtons = unit_of(names.last(3), kForces, units);
+  if (!units.empty())
     throw Error(
-        "--units: expected a unit of time (s, ms, us, ns), of length (mm, cm, m, in) and of force (N, mN), each once; got \"" +
-        given.front() + '"');
+        "--columns: expected a unit of time (s, ms, us, ns), of length (mm, cm, m, in) and of force (N, mN), each once; got "
+        "\"" +
+        units.front() + '"');
   return columns;
 }
 

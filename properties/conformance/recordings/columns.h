@@ -19,9 +19,10 @@ struct Columns {
   bool are_numbered() const;
 };
 
-// text: "t=time_s,x=px,y=py,z=pz,fx=f1,fy=f2,fz=f3", or nothing, for the names of `forceshade recording export`. A column's
-// name may end in its unit: px_m. units: those of the others, "m,mN". Throws Error, also for a unit that is not known.
-Columns columns_of(const std::string& text, const std::string& units);
+// text: "t=time_s,x=px,y=py,z=pz,fx=f1,fy=f2,fz=f3", or no names, for those of `forceshade recording export`; and units,
+// "m,mN", of what columns whose names do not end in their unit hold, as px_m does. Throws Error, also for a unit that is not
+// known.
+Columns columns_of(const std::string& text);
 
 // The turn of the recording's axes into those of the scene: "x,z,-y" says that its first axis is the scene's x, its second the
 // scene's z, its third the scene's -y. Throws Error.

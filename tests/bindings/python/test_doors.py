@@ -63,7 +63,7 @@ def through_a_shared_object(source, folder):
     built = folder / "wall.so"
     flags = ["-std=c11", "-O2", "-ffp-contract=off", "-shared", "-fPIC", f"-I{ROOT / 'include'}"]
     subprocess.run(["cc", *flags, "-o", built, source], check=True)
-    return run("conform", *ASKED, "--object", built)
+    return run("conform", *ASKED, "--command", built)
 
 
 def through_python(force):

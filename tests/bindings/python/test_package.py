@@ -151,7 +151,7 @@ def test_a_gaussian_beyond_all_decimals_is_no_fraction(tmp_path):
 def test_recordings_are_read(tmp_path):
     path = tmp_path / "run.fsr"
     ran = subprocess.run(
-        [command(), "drive", "--law", "wall", "--device", "simulated", "--seconds", "0.2", "--uncertified", "--record", path],
+        [command(), "drive", "--law", "wall", "--device", "simulated", "--seconds", "0.2", "--certificate", "none", "--out", path],
         capture_output=True,
         text=True,
     )

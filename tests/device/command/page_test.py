@@ -43,6 +43,7 @@ fits_schema()
 for device, code, words in (("command:echo no arm is connected >&2; exit 1", 3,
                              ("the program ended with exit code 1", "no arm is connected")),
                             ("command:no-such-program", 3, ("the shell knows no such command",)), ("command", 2, ("command:PROGRAM",))):
-    run = subprocess.run([sys.argv[1], "drive", "--law", "wall", "--uncertified", "--device", device], text=True, capture_output=True)
+    run = subprocess.run([sys.argv[1], "drive", "--law", "wall", "--certificate", "none", "--device", device],
+                         text=True, capture_output=True)
     checks.expect(run.returncode == code and all(word in run.stderr for word in words), f"{device}: {run}")
 sys.exit(checks.exit_code(3))

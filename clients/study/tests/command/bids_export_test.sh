@@ -21,11 +21,11 @@ sed -i 's/^repetitions = .*/repetitions = 1/; s/^reference_radii_mil = .*/refere
 # run KEYS COMMAND...: a part of a session, which the end of its input interrupts.
 run() {
   local keys=$1; shift
-  printf "$keys" | "$forceshade" experiment "$@" --device simulated --terminal --uncertified > out.txt 2>&1 ||
+  printf "$keys" | "$forceshade" experiment "$@" --device simulated --terminal --certificates none > out.txt 2>&1 ||
     { echo "FAILED: experiment $*: $(cat out.txt)"; exit 1; }
 }
 for experiment in matching classification; do
-  expect 0 "every trial done" -- "$forceshade" experiment virtual $experiment.toml --participants 1 --seed 1 --uncertified --out whole-$experiment
+  expect 0 "every trial done" -- "$forceshade" experiment virtual $experiment.toml --participants 1 --seed 1 --certificates none --out whole-$experiment
   answer='2\n'
   [ $experiment = matching ] && answer='kjkl7\n'
   # Interrupted at once; in the practice; in a trial; in a break; in a trial again.

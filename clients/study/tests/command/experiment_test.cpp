@@ -140,7 +140,7 @@ device::Sample last_of(const std::vector<fs::path>& parts) {
   return last;
 }
 
-constexpr const char* kDriving = " --device simulated --terminal --uncertified";
+constexpr const char* kDriving = " --device simulated --terminal --certificates none";
 
 std::string run_of(const std::string& protocol) {
   return "experiment run " + protocol + " --participant P1 --seed 3 --session S" + kDriving;
@@ -340,7 +340,7 @@ TEST(experiment, of_virtual_participants_is_recorded_and_can_be_computed_again) 
   const Lab lab;
   for (const char* protocol : {"matching", "classification"}) {
     const std::string line =
-        "experiment virtual " + std::string(protocol) + ".toml --participants 2 --uncertified --seed 5 --out ";
+        "experiment virtual " + std::string(protocol) + ".toml --participants 2 --certificates none --seed 5 --out ";
     const auto made = lab.run(line + protocol);
     ASSERT_EQ(made.code, 0) << made.err;
     for (const char* id : {"V1", "V2"}) {

@@ -8,7 +8,7 @@ expect 2 "forceshade-study: expected a command: experiment, analyze" -- "$study"
 expect 2 'unknown command "analyse"; expected one of: experiment analyze man completion; the nearest is analyze' -- "$study" analyse
 expect 2 "'forceshade-study help experiment check' shows what is expected" -- "$study" experiment check --sekonds 3
 expect 2 "--watchdog-timeout: expected without --free-run, got both" -- "$study" experiment run p.toml --participant P --session s \
-  --uncertified --device null --free-run --watchdog-timeout 1
+  --certificates none --device null --free-run --watchdog-timeout 1
 for command in "" experiment "experiment check" "experiment prepare" "experiment run" "experiment resume" "experiment virtual" \
   "experiment export" "experiment verify" "experiment recompute" analyze man completion; do
   same "" "$("$study" help $command | grep -nE '^.{101,}$')"
