@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "apps/certificate_files.h"
-#include "apps/certify_plan.h"
 #include "apps/command.h"
 #include "apps/junit.h"
 #include "apps/options.h"
@@ -141,9 +140,9 @@ void add_certify(CLI::App& app, int& result) {
   add_whole(*command, "--threads", options->threads, "threads", {1, 1024})->group(kOtherGroup);
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
   add_junit(*command, options->junit);
-  add_merge(*command, result);
-  add_plan(*command, result);
-  add_work(*command, result);
+  add_certify_merge(*command, result);
+  add_certify_plan(*command, result);
+  add_certify_work(*command, result);
   command->callback([options, subject, out, command, &result] {
     if (command->get_subcommands().empty()) result = run(*options, *subject, *out);
   });

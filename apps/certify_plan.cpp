@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade certify plan, work and merge: certificates of many processes.
 
-#include "apps/certify_plan.h"
-
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
@@ -110,7 +108,7 @@ int merge(const std::vector<std::string>& names, const OutFolder& out) {
 
 }  // namespace
 
-void add_plan(CLI::App& certify, int& result) {
+void add_certify_plan(CLI::App& certify, int& result) {
   struct Options {
     properties::PlanRequest request;
     std::vector<std::string> sweeps;
@@ -159,7 +157,7 @@ void add_plan(CLI::App& certify, int& result) {
   });
 }
 
-void add_work(CLI::App& certify, int& result) {
+void add_certify_work(CLI::App& certify, int& result) {
   struct Options {
     std::string folder;
     unsigned threads = std::max(1U, std::thread::hardware_concurrency());
@@ -173,7 +171,7 @@ void add_work(CLI::App& certify, int& result) {
   command->callback([options, &result] { result = work(options->folder, {options->threads, !options->does_not_wait}); });
 }
 
-void add_merge(CLI::App& certify, int& result) {
+void add_certify_merge(CLI::App& certify, int& result) {
   const auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* command = certify.add_subcommand(
       "merge",

@@ -10,7 +10,6 @@
 
 #include "apps/command.h"
 #include "apps/conform_outputs.h"
-#include "apps/conform_verbs.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/progress_line.h"
@@ -47,6 +46,13 @@ struct Answerer {
   }
 };
 
+// keep: gets the seconds.
+void add_answer_timeout(CLI::App& command, std::function<void(double)> keep) {
+  add_number(command, "--answer-timeout",
+             "the longest time for an answer to up to 1024 positions or forces, in seconds; default: 10", {0.01, 3600},
+             std::move(keep));
+}
+
 ConformResults results_of(const Description& description, const conformance::Conformance& found,
                           const conformance::Circumstances& circumstances) {
   const conformance::Tolerance& tolerance = circumstances.options.tolerance;
@@ -77,12 +83,6 @@ ConformResults results_of(const conformance::simulators::SimulatorConformance& f
 }
 
 }  // namespace
-
-void add_answer_timeout(CLI::App& command, std::function<void(double)> keep) {
-  add_number(command, "--answer-timeout",
-             "the longest time for an answer to up to 1024 positions or forces, in seconds; default: 10", {0.01, 3600},
-             std::move(keep));
-}
 
 void add_conform(CLI::App& app, int& result) {
   struct Options {

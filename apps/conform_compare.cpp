@@ -5,7 +5,6 @@
 #include <string>
 
 #include "apps/command.h"
-#include "apps/conform_verbs.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/standard_streams.h"

@@ -8,7 +8,6 @@
 
 #include "apps/command.h"
 #include "apps/conform_outputs.h"
-#include "apps/conform_verbs.h"
 #include "apps/options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"

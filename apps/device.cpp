@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/command.h"
-#include "apps/device_command.h"
 #include "apps/output_options.h"
 #include "device/kinds.h"
 #include "device/phantom/driver_folder.h"

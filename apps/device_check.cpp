@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "apps/command.h"
-#include "apps/device_command.h"
 #include "apps/device_run.h"
 #include "apps/options.h"
 #include "apps/output_options.h"

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "apps/command.h"
-#include "apps/device_command.h"
 #include "apps/device_run.h"
 #include "apps/options.h"
 #include "apps/output_options.h"

@@ -11,7 +11,6 @@
 
 #include "apps/command.h"
 #include "apps/mesh_input.h"
-#include "apps/mesh_make.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"

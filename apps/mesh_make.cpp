@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "apps/mesh_make.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>

@@ -2,6 +2,7 @@
 // forceshade recording: what a recording says of itself, whether it is whole and its forces are the exact ones, and its ticks
 // for other programs.
 
+#include <cinttypes>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -44,10 +45,8 @@ nlohmann::ordered_json described(recorder::Recording& recording, const std::vect
 
 void print_info(recorder::Recording& recording) {
   const auto extent = recording.extent();
-  std::printf("%-20s %llu (ticks %llu to %llu, %llu missing, %llu repeated)\n", "samples",
-              static_cast<unsigned long long>(extent.samples), static_cast<unsigned long long>(extent.first_tick),
-              static_cast<unsigned long long>(extent.last_tick), static_cast<unsigned long long>(extent.missing),
-              static_cast<unsigned long long>(extent.repeated));
+  std::printf("%-20s %" PRIu64 " (ticks %" PRIu64 " to %" PRIu64 ", %" PRIu64 " missing, %" PRIu64 " repeated)\n", "samples",
+              extent.samples, extent.first_tick, extent.last_tick, extent.missing, extent.repeated);
   for (const auto& [key, value] : recording.metadata())
     if (key != "samples" && key != "layout")
       std::printf("%-20s %s\n", files::printable(key).c_str(), files::printable(value).c_str());
@@ -67,14 +66,13 @@ struct Recomputed {
             {"commands_that_differ", commands.differences()}};
   }
   void print() const {
-    std::printf("computed again: %llu ticks, %llu in contact, %llu differ\n", static_cast<unsigned long long>(samples),
-                static_cast<unsigned long long>(contacts), static_cast<unsigned long long>(differences));
+    std::printf("computed again: %" PRIu64 " ticks, %" PRIu64 " in contact, %" PRIu64 " differ\n", samples, contacts,
+                differences);
     if (!commands.why_not().empty())
       std::printf("commands: not computed: %s\n", commands.why_not().c_str());
     else
-      std::printf("commands: %llu ticks, %llu changed by supervisor or controller, %llu differ\n",
-                  static_cast<unsigned long long>(commands.ticks()), static_cast<unsigned long long>(commands.changed()),
-                  static_cast<unsigned long long>(commands.differences()));
+      std::printf("commands: %" PRIu64 " ticks, %" PRIu64 " changed by supervisor or controller, %" PRIu64 " differ\n",
+                  commands.ticks(), commands.changed(), commands.differences());
   }
 };
 
@@ -129,8 +127,7 @@ int check(const RecordOptions& options, const SubjectOption& option) {
   const bool is_printed = options.json != "-", is_whole = problems.empty();
   if (is_printed) print_info(recording);
   if (is_printed && is_whole)
-    std::printf("whole: %llu samples, every tick and every checksum%s\n",
-                static_cast<unsigned long long>(recording.extent().samples),
+    std::printf("whole: %" PRIu64 " samples, every tick and every checksum%s\n", recording.extent().samples,
                 recording.has_digest() ? ", and the metadata"
                                        : "; format 2 has no checksum of the metadata: that the law, its parameters, the "
                                          "certificate and the device are those of the run cannot be verified");

@@ -318,8 +318,8 @@ TEST(experiment, is_refused_before_the_session_where_a_bump_is_not_certified) {
   const std::string base = "experiment run classification.toml --participant P1 --session S --device simulated --terminal";
   const auto neither = lab.run(base);
   EXPECT_EQ(neither.code, 2);
-  EXPECT_NE(neither.err.find("--certificates: expected the folder"), std::string::npos) << neither.err;
-  const auto lacking = lab.run(base + " --certificates none");
+  EXPECT_NE(neither.err.find("expected --certificates, got none"), std::string::npos) << neither.err;
+  const auto lacking = lab.run(base + " --certificates nowhere");
   EXPECT_EQ(lacking.code, 2);
   EXPECT_NE(lacking.err.find("no certificate of this build covers bump-1p, 600 mil"), std::string::npos) << lacking.err;
   EXPECT_FALSE(fs::exists(lab.file("S")));
