@@ -43,8 +43,6 @@ class Units {
   std::uint64_t count() const { return begins_.back(); }
   Unit at(std::uint64_t number) const;  // number: below count()
   const std::vector<Item>& items() const { return items_; }
-  std::uint64_t first_of(std::size_t item) const { return begins_[item]; }  // its first unit
-  std::uint64_t count_of(std::size_t item) const { return begins_[item + 1] - begins_[item]; }
 
  private:
   std::vector<Item> items_;

@@ -95,20 +95,12 @@ Verdict Supervisor::supervise(const Reading& reading, const State& state, const 
 
 void Supervisor::commanded(const Eigen::Vector3f& force, double owed) noexcept {
   owed_ = owed;
-  excused_ = std::min(excused_, owed);
   memory_.force = force;
   if (memory_.late_ticks == 0) memory_.punctual_force = force;
 }
 
 Eigen::Vector3f Supervisor::felt(const Reading& reading) const noexcept {
   return reading.sent ? reading.sent->acted : memory_.force;
-}
-
-void Supervisor::rearm() noexcept {
-  trip_.reset();
-  memory_ = Memory{};
-  oscillation_ = OscillationWatch(limits_.resolution, period_);
-  excused_ = owed_;
 }
 
 int Supervisor::ticks_in(double seconds) const noexcept {
@@ -123,7 +115,7 @@ std::optional<Rule> Supervisor::trip_rule(const Reading& reading, const State& s
   if (late > limits_.watchdog_timeout || std::isnan(late)) return Rule::watchdog;
   if (memory_.late_ticks >= std::max(limits_.held_ticks + ticks_in(limits_.ramp_down), ticks_in(limits_.watchdog_timeout)))
     return memory_.behind;
-  if (owed_ - excused_ > limits_.energy) return Rule::energy;
+  if (owed_ > limits_.energy) return Rule::energy;
   if (!memory_.position) return std::nullopt;
 
   // A late tick saw a longer step, and so did one whose device was late by its own clock; a tick that catches up is not held

@@ -43,9 +43,6 @@ class Supervisor {
 
   std::optional<Trip> tripped() const noexcept { return trip_; }
 
-  // The user's word after a trip. Starts gently again; motors stay as warm, and counts as high, as they were.
-  void rearm() noexcept;
-
   // The number of ticks in which a rule limited, or of times that it tripped.
   std::size_t count(Rule rule) const noexcept { return counts_[static_cast<std::size_t>(rule)]; }
 
@@ -69,9 +66,8 @@ class Supervisor {
   std::array<std::size_t, kRules> counts_{};
   Heat heat_;
   OscillationWatch oscillation_;
-  double owed_ = 0, excused_ = 0;  // mJ; of that, what rearm() excused
+  double owed_ = 0;  // mJ
 
-  // The state that rearm() resets.
   struct Memory {
     Eigen::Vector3f force{0, 0, 0};           // commanded last
     Eigen::Vector3f punctual_force{0, 0, 0};  // commanded last in a tick that was neither late nor unfinished

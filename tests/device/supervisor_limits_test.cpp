@@ -76,20 +76,6 @@ TEST(supervisor, allows_the_peak_shortly_and_the_continuous_force_for_ever) {
   EXPECT_EQ(always.supervisor.count(Rule::continuous_force), 0U);
 }
 
-TEST(supervisor, stays_warm_when_rearmed) {
-  SupervisorLimits limits = lenient();
-  limits.peak_force = 8.5;
-  limits.continuous_force = 1.4;
-  Hand hand(limits);
-  hand.supervise_for(60'000, {0, 0, 8.5F});
-  hand.supervise({0, 0, kNan});
-  hand.supervisor.rearm();
-  hand.supervise_for(2, {0, 0, 0});
-  hand.supervise({0, 0, 0}, Status::free);
-  hand.supervise({0, 0, 0}, Status::free);
-  EXPECT_LT(hand.supervise({0, 0, 8.5F}).force.z(), 3);
-}
-
 // A millimetre to and fro at 50 Hz, under a force that the device reports to have sent; the commanded one is constant.
 double swing(Hand& hand, int ticks, float sent) {
   float lowest = 1;
@@ -107,15 +93,6 @@ TEST(supervisor, watches_oscillation_by_the_force_that_the_device_reports) {
   EXPECT_LT(swing(driven, 400, 0.5F), 0.7);
   EXPECT_GT(driven.supervisor.count(Rule::oscillation), 0U);
   EXPECT_EQ(swing(not_driven, 400, 0.01F), 1);
-}
-
-TEST(supervisor, forgets_an_oscillation_when_rearmed) {
-  Hand hand(lenient());
-  EXPECT_LT(swing(hand, 400, 0.5F), 0.7);
-  hand.supervise({0, 0, kNan});
-  hand.supervisor.rearm();
-  for (int tick = 0; tick < 3; ++tick) hand.supervise({0, 0, 0}, Status::free);
-  EXPECT_EQ(hand.supervise({0, 0, 1}).force.z(), 1);
 }
 
 // 1000 N/s at 1 kHz: a newton a tick when it grows or turns, at once when it falls.
