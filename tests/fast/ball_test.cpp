@@ -66,5 +66,27 @@ TEST(ball, wide_loses_no_more_than_a_few_of_its_last_bits) {
   }
 }
 
+// Quotients and roots use Newton's method with more steps and longer numbers, the wider a number is.
+template <std::size_t kLimbs>
+void loses_few_bits() {
+  using Wide = BigFloatBall<kLimbs>;
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> uniform(1, 4);
+  for (int i = 0; i < 100; ++i) {
+    const double a = uniform(random), b = uniform(random);
+    const Wide quotient = Wide::exactly(a) / Wide::exactly(b), root = square_root(Wide::exactly(a));
+    const int least = kLostBits - 64 * static_cast<int>(kLimbs);
+    ASSERT_LE(quotient.error_exponent(), 2 + least);
+    ASSERT_LE(root.error_exponent(), 1 + least);
+  }
+}
+
+TEST(ball, of_the_width_of_every_law_loses_no_more_than_a_few_of_its_last_bits) {
+  loses_few_bits<4>();
+  loses_few_bits<12>();
+  loses_few_bits<32>();
+  loses_few_bits<64>();
+}
+
 }  // namespace
 }  // namespace forceshade::fast
