@@ -5,6 +5,7 @@
 
 #include <exception>
 
+#include "same_bits_damping.h"
 #include "same_bits_heights.h"
 #include "same_bits_meshes.h"
 
@@ -17,8 +18,9 @@ int main() {
   };
   const auto scenes = tests::height_scenes();
   try {
-    // First, so that an arithmetic that height maps, meshes or scenes alone refuse is refused at once.
+    // First, so that an arithmetic that height maps, meshes, scenes or damping alone refuse is refused at once.
     tests::bits_of_moving_objects();
+    tests::bits_of_damping();
     const auto built = fast::HeightMapField::build(scenes.front().map, height::Mode::true_height, 1);
     if (const auto* error = std::get_if<ParameterError>(&built)) throw std::runtime_error(error->message());
     for (const LawName& law : kLaws) print(std::string(law.name), tests::bits_of(law.id));
@@ -27,6 +29,7 @@ int main() {
         if (is_rendered(scene, mode)) print(name_of(scene, mode), bits_of(scene, mode));
     for (const tests::MeshScene& scene : tests::mesh_scenes()) print(scene.name, bits_of(scene));
     print("scene-of-moving-objects", tests::bits_of_moving_objects());
+    print("damping", tests::bits_of_damping());
   } catch (const std::runtime_error& error) {
     return std::fprintf(stderr, "refused: %s\n", error.what()), 1;
   }

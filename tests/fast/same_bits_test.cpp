@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "same_bits_damping.h"
 #include "same_bits_heights.h"
 #include "same_bits_meshes.h"
 #include "tests/support/set_control_words.h"
@@ -61,7 +62,7 @@ TEST(same_bits, every_instruction_set_makes_the_stored_hashes_of_height_maps) {
       EXPECT_EQ(bits.nans, 0U) << what;
       for (const std::size_t count : bits.statuses) EXPECT_GT(count, 10U) << what;
     }
-  EXPECT_EQ(stored.size(), kLaws.size() + maps + mesh_scenes().size() + 1);
+  EXPECT_EQ(stored.size(), kLaws.size() + maps + mesh_scenes().size() + 2);
 }
 
 TEST(same_bits, a_god_object_makes_the_stored_hashes) {
@@ -82,6 +83,15 @@ TEST(same_bits, objects_that_move_make_the_stored_hash) {
   const auto& [free, contact, invalid] = bits.statuses;
   std::printf("  %s  %zu free, %zu contact, %zu invalid\n", bits.hash.c_str(), free, contact, invalid);
   EXPECT_EQ(bits.hash, stored_hashes().at("scene-of-moving-objects"));
+  EXPECT_EQ(bits.nans, 0U);
+  for (const std::size_t count : bits.statuses) EXPECT_GT(count, 100U);
+}
+
+TEST(same_bits, damping_makes_the_stored_hash) {
+  const Bits bits = bits_of_damping();
+  const auto& [free, contact, invalid] = bits.statuses;
+  std::printf("  %s  %zu free, %zu contact, %zu invalid\n", bits.hash.c_str(), free, contact, invalid);
+  EXPECT_EQ(bits.hash, stored_hashes().at("damping"));
   EXPECT_EQ(bits.nans, 0U);
   for (const std::size_t count : bits.statuses) EXPECT_GT(count, 100U);
 }

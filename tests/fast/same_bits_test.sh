@@ -10,7 +10,7 @@ cache=$(command -v ccache || true)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-evaluating="law height_map_field heights/exact heights/grid heights/spline_force_avx2 heights/spline_force_avx512
+evaluating="damping/damping law height_map_field heights/exact heights/grid heights/spline_force_avx2 heights/spline_force_avx512
   meshes/force meshes/mesh meshes/session numbers/root_field scenes/scene simd/batch_avx2 simd/batch_avx512"
 every="$evaluating god_object heights/domain instruction_set meshes/box_tree meshes/spot"
 checks="box_tree check lines numbers predicates readers"  # of rendering/meshes/, because only a checked mesh is rendered
