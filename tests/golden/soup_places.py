@@ -6,7 +6,7 @@ from collections import Counter
 from fractions import Fraction
 from math import gcd, lcm
 
-from make_god_object_golden import GRID, cross, dot, minus, times
+from make_god_object_golden import cross, dot, minus, times
 from soup_cells import Near, primitive
 
 UNIT = 1 << 53

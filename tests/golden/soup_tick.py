@@ -4,7 +4,7 @@
 from fractions import Fraction
 from math import floor
 
-from make_god_object_golden import GRID, cross, dot, times
+from make_god_object_golden import GRID, times
 from soup_places import Places, along, apart, way
 
 MOST_MOVES = 256
