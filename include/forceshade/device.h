@@ -208,11 +208,15 @@ class Replay final : public Device {
   Capabilities capabilities() const noexcept override { return {.model = "replay", .moves_an_arm = false}; }
   std::optional<Fault> start(double rate) noexcept override;
   ReadResult read() noexcept override;
-  std::optional<Fault> command(const Eigen::Vector3f& /*force*/) noexcept override { return std::nullopt; }
+  std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {
+    last_command_ = force;
+    return std::nullopt;
+  }
   // Not known until it is started.
   std::optional<std::size_t> readings_left() const noexcept override;
 
   const std::vector<Reading>& recording() const noexcept { return recording_; }
+  const Eigen::Vector3f& last_command() const noexcept { return last_command_; }
 
  private:
   // s since the first time stamp
@@ -222,6 +226,7 @@ class Replay final : public Device {
   double period_ = 0;                    // s; 0 until started
   std::size_t readings_ = 0, read_ = 0;  // the numbers of those at this period, and of those read
   std::size_t last_ = 0;                 // the last recorded one that is not after the time of the reading
+  Eigen::Vector3f last_command_{0, 0, 0};
 };
 
 // No force of more than `peak` N reaches the device, whoever commands it; the supervisor takes `peak` for the device's own.

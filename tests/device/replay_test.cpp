@@ -138,6 +138,14 @@ TEST(replay, of_extreme_times_stays_finite) {
   EXPECT_EQ(close[2].position.x(), 4);
 }
 
+TEST(replay, keeps_the_last_command) {
+  Replay replay({Reading{}});
+  EXPECT_EQ(replay.last_command(), Eigen::Vector3f(0, 0, 0));
+  replay.command({1, 2, 3});
+  replay.command({4, 5, 6});
+  EXPECT_EQ(replay.last_command(), Eigen::Vector3f(4, 5, 6));
+}
+
 TEST(replay, refuses_a_time_that_does_not_increase_or_is_not_finite_and_no_positions) {
   const std::string time = ": column 1 (t_s): expected a ";
   for (const auto& [rows, words] : {std::pair{"0,0,0,0\n0.5,0,0,0\n0.25,0,0,0\n", ":4" + time + "time after 0.5, got \"0.25\""},
