@@ -85,7 +85,7 @@ class Shading {
         shared(f, h), [&](const auto& both) { return normals_[f.number][both.first] == normals_[h.number][both.second]; });
   }
 
-  // Where all triangles have one normal at this vertex, and nothing else passes.
+  // Only if all triangles have one normal at this vertex, and nothing else passes.
   Direction at_vertex() const {
     Direction N;
     for (const Triangle* triangle : star_.triangles()) {

@@ -37,7 +37,7 @@ struct Place {
 
 Vector point_of(const Soup& soup, const Place& place);
 
-// Of a point of kind `point`.
+// The place of a point of kind `point`.
 Place point_place(const Soup& soup, const Star& star, const Vector& x);
 Place line_place(const Line& line, const Whole& m);
 Place line_foot(const Line& line, const std::array<float, 3>& position);

@@ -23,7 +23,7 @@ struct Triangle {
   float static_friction = 0, dynamic_friction = 0;
 
   Vector side(std::size_t i) const { return corner[(i + 1) % 3] - corner[i]; }  // from corner i to the next
-  // How far x, in the triangle's plane, lies inside of side i: positive, 0 or negative.
+  // The distance of x, a point of the plane, from side i, times a positive number; negative outside.
   Rational inside(std::size_t i, const Vector& x) const { return dot(cross(side(i), x - corner[i]), normal); }
   bool has_in_plane(const Vector& x) const { return dot(normal, x - corner[0]).is_zero(); }
   // True if it blocks motion from where `up` points.

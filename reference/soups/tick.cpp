@@ -200,7 +200,7 @@ At Descent::rounded(const At& at) const {
   return at;
 }
 
-// Of a point that rounding gives.
+// The place of a point that rounding gives.
 Place Descent::grid_place(const At& at) const {
   if (at.star->kind() == Star::Kind::point) return point_place(soup_, *at.star, at.x);
   if (at.star->kind() == Star::Kind::line) {

@@ -23,7 +23,7 @@ struct At {
   bool is_rough() const;  // a triangle there has friction
 };
 
-// In the cell of back + εw for every small ε > 0, which is off the surface.
+// A point in the cell of back + εw, for every small ε > 0, which is off the surface.
 At at_end(const Soup& soup, const Vector& x, const Vector& back, const Vector& w);
 
 // v, along a ray or inside a piece, beside a wall; q: the point nearest to the hand p on the ray's line or in the piece's

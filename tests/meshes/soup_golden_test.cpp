@@ -42,7 +42,7 @@ std::string words(const Place& place) {
   return text;
 }
 
-// Of the cell, the lowest triangle and the number 0 left out.
+// The name of a cell; the lowest triangle and the number 0 are left out.
 std::string words(const Soup& soup, const State& state) {
   const auto& [triangle, is_behind, number] = state.cell;
   const bool is_lowest = triangle == Star(soup, point_of(soup, *state.place)).triangles().front()->number;
