@@ -6,8 +6,7 @@
 //   const auto law = std::get<fast::Law>(fast::Law::build(LawId::wall, {.stiffness = 0.5F}));
 //   const std::unique_ptr<fast::Session> session = fast::damped(fast::session_of(law), damping);
 //   session->step({0, 0, 0});
-//   const Eigen::Vector3f force = session->step({0, 0, -0.1F}).force;  // pressed at 100 mm/s: (0, 0, 0.1) N, twice the
-//   spring's
+//   const Eigen::Vector3f force = session->step({0, 0, -0.1F}).force;  // at 100 mm/s: 0.1 N, twice the spring's
 //
 // Positions are in mm and forces in N. Each step is a period, unless step_after() says how many it is.
 //
