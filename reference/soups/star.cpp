@@ -190,29 +190,27 @@ std::optional<Star::Side> Star::beside(std::size_t ray, const Vector& across) co
 
 // The region of a part in which d + εw lies.
 std::optional<std::size_t> Star::region(std::size_t part, const Vector& d, const Vector& w) const {
-  std::optional<std::size_t> ray, piece;
+  bool is_ray = false;  // what has the largest cosine to d, and its number
+  std::size_t nearest = 0;
   std::optional<Rational> most;
-  for (std::size_t i = 0; i < rays_.size(); ++i) {
-    if (part_of_ray_[i] != part) continue;
-    const Rational size = signed_square_along(d, rays_[i].along);
-    if (!most || size > *most) most = size, ray = i;
-  }
+  const auto offer = [&](const Rational& size, bool of_ray, std::size_t i) {
+    if (!most || size > *most) most = size, is_ray = of_ray, nearest = i;
+  };
+  for (std::size_t i = 0; i < rays_.size(); ++i)
+    if (part_of_ray_[i] == part) offer(signed_square_along(d, rays_[i].along), true, i);
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     if (part_of_piece_[i] != part) continue;
     const Vector projection = across(d, pieces_[i].normal);
     const bool is_whole = !pieces_[i].from;
-    if (!is_whole && !is_inside(pieces_[i], projection)) continue;
-    const Rational size = squared(projection);
-    if (!most || size > *most) most = size, piece = i, ray.reset();
+    if (is_whole || is_inside(pieces_[i], projection)) offer(squared(projection), false, i);
   }
-  if (ray) {
-    const Vector& along = rays_[*ray].along;
-    const std::optional<Side> side = beside(*ray, are_parallel(d, along) ? w : d);
+  if (is_ray) {
+    const std::optional<Side> side = beside(nearest, are_parallel(d, rays_[nearest].along) ? w : d);
     return side ? std::optional(region_of_side_[index(*side)]) : std::nullopt;
   }
-  const Vector& n = pieces_[*piece].normal;
+  const Vector& n = pieces_[nearest].normal;
   const Rational height = dot(n, d), side = height.is_zero() ? dot(n, w) : height;
-  return side.is_zero() ? std::nullopt : std::optional(region_of_side_[index({*piece, side > 0})]);
+  return side.is_zero() ? std::nullopt : std::optional(region_of_side_[index({nearest, side > 0})]);
 }
 
 std::optional<std::vector<std::size_t>> Star::key(const Vector& d, const Vector& w) const {
