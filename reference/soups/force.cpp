@@ -11,8 +11,8 @@ using Side = Star::Side;
 
 class Shading {
  public:
-  Shading(const Soup& soup, const Rest& rest, const mesh::CornerNormals& normals)
-      : soup_(soup), r_(rest.r.x), star_(*rest.r.star), cell_(rest.r.cell), D_n_(rest.D - rest.tangential), normals_(normals) {}
+  Shading(const Rest& rest, const mesh::CornerNormals& normals)
+      : r_(rest.r.x), star_(*rest.r.star), cell_(rest.r.cell), D_n_(rest.D - rest.tangential), normals_(normals) {}
 
   // N, which the force is turned to; nothing where it is not turned.
   Direction direction() const {
@@ -31,10 +31,8 @@ class Shading {
     return (1 - beta - gamma) * corner(f, 0) + beta * corner(f, 1) + gamma * corner(f, 2);
   }
   std::vector<Side> walls() const {
-    std::vector<Side> all;
-    for (std::size_t i = 0; i < star_.pieces().size(); ++i)
-      for (const bool is_above : {true, false})
-        if (const Side side{i, is_above}; star_.cell(side) == cell_ && star_.is_wall(side)) all.push_back(side);
+    std::vector<Side> all = star_.sides(cell_);
+    std::erase_if(all, [&](const Side& side) { return !star_.is_wall(side); });
     return all;
   }
   // The binary32 nearest to |n| mm².
@@ -101,7 +99,6 @@ class Shading {
     return seen(*piece.triangles.front(), star_.up(sides.front()), *N);
   }
 
-  const Soup& soup_;
   const Vector& r_;
   const Star& star_;
   Star::Cell cell_;
@@ -118,9 +115,8 @@ meshes::RootSum sum_of(const Rational& whole, bool is_negative, const Rational& 
 
 }  // namespace
 
-std::array<meshes::RootSum, 3> exact_force(const Soup& soup, const Rest& rest, float stiffness,
-                                           const mesh::CornerNormals& normals) {
-  const Direction N = normals.empty() ? std::nullopt : Shading(soup, rest, normals).direction();
+std::array<meshes::RootSum, 3> exact_force(const Rest& rest, float stiffness, const mesh::CornerNormals& normals) {
+  const Direction N = normals.empty() ? std::nullopt : Shading(rest, normals).direction();
   const Rational K(stiffness);
   if (!N) return {sum_of(K * rest.D.x, false, 0), sum_of(K * rest.D.y, false, 0), sum_of(K * rest.D.z, false, 0)};
   const Rational size = K * K * squared(rest.D - rest.tangential) / squared(*N);

@@ -10,7 +10,6 @@
 namespace forceshade::reference::soups {
 
 // K D; with corner normals, one for each corner of each triangle of the file, K (|D_n| N/|N| + D_t). stiffness: K, N/mm.
-std::array<meshes::RootSum, 3> exact_force(const Soup& soup, const Rest& rest, float stiffness,
-                                           const mesh::CornerNormals& normals = {});
+std::array<meshes::RootSum, 3> exact_force(const Rest& rest, float stiffness, const mesh::CornerNormals& normals = {});
 
 }  // namespace forceshade::reference::soups

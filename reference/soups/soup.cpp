@@ -2,9 +2,10 @@
 #include "reference/soups/soup.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
+
+#include "reference/position.h"
 
 namespace forceshade::reference::soups {
 namespace {
@@ -20,10 +21,7 @@ Names names_of(const mesh::TriangleMesh& mesh) {
   Names names(mesh.vertices.size());
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
     if (!is_used[v]) continue;
-    std::array<float, 3> at = mesh.vertices[v];
-    for (float& coordinate : at)
-      if (std::abs(coordinate) < 0x1p-30F) coordinate = 0;  // -0 too
-    names[v] = first.emplace(at, v).first->second;
+    names[v] = first.emplace(quantised(mesh.vertices[v]), v).first->second;
   }
   return names;
 }
@@ -34,9 +32,13 @@ Vector normal_of(const std::array<Vector, 3>& corner) {
 
 }  // namespace
 
+std::array<float, 3> quantised(const std::array<float, 3>& millimetres) {
+  return {reference::quantised(millimetres[0]), reference::quantised(millimetres[1]), reference::quantised(millimetres[2])};
+}
+
 Vector exact_point(const std::array<float, 3>& millimetres) {
-  const auto exact = [](float value) { return std::abs(value) < 0x1p-30F ? Rational(0) : Rational(value); };
-  return {exact(millimetres[0]), exact(millimetres[1]), exact(millimetres[2])};
+  const auto [x, y, z] = quantised(millimetres);
+  return {Rational(x), Rational(y), Rational(z)};
 }
 
 bool Triangle::holds(const Vector& x) const {
@@ -112,22 +114,6 @@ std::vector<Rational> Soup::changes(const Vector& from, const Vector& along, con
   std::ranges::sort(all);
   all.erase(std::ranges::unique(all).begin(), all.end());
   return all;
-}
-
-mesh::Sides usual_sides(const mesh::TriangleMesh& mesh) {
-  const Names names = names_of(mesh);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
-  for (const mesh::Triangle& triangle : mesh.triangles) {
-    if (is_zero(normal_of({exact_point(mesh.vertices[triangle[0]]), exact_point(mesh.vertices[triangle[1]]),
-                           exact_point(mesh.vertices[triangle[2]])})))
-      continue;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = names[triangle[i]], b = names[triangle[(i + 1) % 3]];
-      balance[std::minmax(a, b)] += a < b ? 1 : -1;
-    }
-  }
-  return std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; }) ? mesh::Sides::front
-                                                                                         : mesh::Sides::both;
 }
 
 }  // namespace forceshade::reference::soups

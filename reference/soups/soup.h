@@ -11,7 +11,8 @@
 
 namespace forceshade::reference::soups {
 
-// The exact value in mm; below 2^-30 mm in size it is read as 0.
+// As a position is read: below 2^-30 mm in size a coordinate is 0.
+std::array<float, 3> quantised(const std::array<float, 3>& millimetres);
 Vector exact_point(const std::array<float, 3>& millimetres);
 
 struct Triangle {
@@ -53,8 +54,5 @@ class Soup {
   std::vector<Vector> vertices_;
   std::vector<Triangle> triangles_;
 };
-
-// `front` if each edge has as many triangles in one direction as in the other, otherwise `both`.
-mesh::Sides usual_sides(const mesh::TriangleMesh& mesh);
 
 }  // namespace forceshade::reference::soups

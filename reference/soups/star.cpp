@@ -64,7 +64,7 @@ struct Star::Plane {
   }
 };
 
-Star::Star(const Soup& soup, const Vector& x) : x_(x) {
+Star::Star(const Soup& soup, const Vector& x) {
   std::vector<Plane> planes;
   for (const Triangle& triangle : soup.triangles()) {
     if (!triangle.holds(x)) continue;
@@ -239,9 +239,8 @@ std::set<Star::Cell> Star::reached(Cell from) const {
   for (std::vector<Cell> waiting{from}; !waiting.empty();) {
     const Cell cell = waiting.back();
     waiting.pop_back();
-    for (std::size_t i = 0; i < cell_of_side_.size(); ++i) {
-      const Side side{i / 2, i % 2 == 0};
-      if (cell_of_side_[i] != cell || is_wall(side)) continue;
+    for (const Side& side : sides(cell)) {
+      if (is_wall(side)) continue;
       const Cell other = this->cell(Side{side.piece, !side.is_above});
       if (all.insert(other).second) waiting.push_back(other);
     }
@@ -253,14 +252,15 @@ std::vector<Star::Side> Star::walls(Cell from) const {
   const std::set<Cell> cells = reached(from);
   std::vector<Side> all;
   for (std::size_t i = 0; i < cell_of_side_.size(); ++i)
-    if (const Side side{i / 2, i % 2 == 0}; cells.contains(cell_of_side_[i]) && is_wall(side)) all.push_back(side);
+    if (const Side side = side_at(i); cells.contains(cell_of_side_[i]) && is_wall(side)) all.push_back(side);
   return all;
 }
 
-bool Star::has_wall(Cell cell) const {
+std::vector<Star::Side> Star::sides(Cell cell) const {
+  std::vector<Side> all;
   for (std::size_t i = 0; i < cell_of_side_.size(); ++i)
-    if (cell_of_side_[i] == cell && is_wall({i / 2, i % 2 == 0})) return true;
-  return false;
+    if (cell_of_side_[i] == cell) all.push_back(side_at(i));
+  return all;
 }
 
 // The number of a piece among those of a triangle, by the angle of its middle around the normal from the first side.
@@ -283,9 +283,8 @@ Star::Name Star::name(const Side& side) const {
 
 Star::Name Star::name(Cell cell) const {
   std::optional<Name> least;
-  for (std::size_t i = 0; i < cell_of_side_.size(); ++i) {
-    if (cell_of_side_[i] != cell) continue;
-    const Name its = name(Side{i / 2, i % 2 == 0});
+  for (const Side& side : sides(cell)) {
+    const Name its = name(side);
     if (!least || its < *least) least = its;
   }
   return *least;
@@ -294,7 +293,7 @@ Star::Name Star::name(Cell cell) const {
 std::optional<Star::Cell> Star::cell(const Name& name) const {
   const auto& [number, is_behind, piece] = name;
   for (std::size_t i = 0; i < cell_of_side_.size(); ++i) {
-    const Side side{i / 2, i % 2 == 0};
+    const Side side = side_at(i);
     for (const Triangle* triangle : pieces_[side.piece].triangles)
       if (triangle->number == number && (dot(triangle->normal, up(side)) < 0) == is_behind &&
           number_in(*triangle, side.piece) == piece)

@@ -58,7 +58,7 @@ class Star {
   bool is_wall(const Side& side) const;
   std::set<Cell> reached(Cell from) const;
   std::vector<Side> walls(Cell from) const;  // beside cells that are reached
-  bool has_wall(Cell cell) const;
+  std::vector<Side> sides(Cell cell) const;  // beside it
 
   bool is_one_part() const { return parts_ == 1; }  // its directions are connected
 
@@ -82,7 +82,8 @@ class Star {
 
  private:
   struct Plane;
-  std::size_t index(const Side& side) const { return 2 * side.piece + (side.is_above ? 0 : 1); }
+  static std::size_t index(const Side& side) { return 2 * side.piece + (side.is_above ? 0 : 1); }
+  static Side side_at(std::size_t index) { return {index / 2, index % 2 == 0}; }
   void make_pieces(const std::vector<Plane>& planes);
   void make_cells();
   std::optional<std::size_t> region(std::size_t part, const Vector& d, const Vector& w) const;
@@ -90,7 +91,6 @@ class Star {
   std::optional<std::vector<std::size_t>> key(const Vector& d, const Vector& w) const;
   std::size_t number_in(const Triangle& triangle, std::size_t piece) const;
 
-  Vector x_;
   Kind kind_;
   std::vector<const Triangle*> triangles_;
   std::vector<Ray> rays_;

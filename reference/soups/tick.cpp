@@ -2,8 +2,6 @@
 #include "reference/soups/tick.h"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
 #include <utility>
 
 namespace forceshade::reference::soups {
@@ -15,10 +13,7 @@ using Side = Star::Side;
 class Descent {
  public:
   Descent(const Soup& soup, const std::array<float, 3>& position)
-      : soup_(soup), position_(position), p_(exact_point(position)) {
-    for (float& coordinate : position_)
-      if (std::abs(coordinate) < 0x1p-30F) coordinate = 0;
-  }
+      : soup_(soup), position_(quantised(position)), p_(exact_point(position)) {}
 
   Tick run(const State& before, unsigned most_moves);
 
@@ -39,7 +34,7 @@ class Descent {
   At rounded_on_line(const At& at) const;
   At rounded_in_plane(const At& at) const;
   Vector corner_of_cell(const Triangle& f, const Vector& x) const;
-  std::optional<Rational> next_point(const At& at, const Line& line, bool is_up) const;
+  Rational next_point(const At& at, const Line& line, bool is_up) const;
 
   State at_rest(const At& r) const;
   State on_line(const At& r) const;
@@ -55,16 +50,9 @@ class Descent {
 
 // The wall of a cell's side in a plane, or any side on a line.
 Side side_in(const At& at) {
-  const Star& star = *at.star;
-  std::optional<Side> any;
-  for (std::size_t i = 0; i < star.pieces().size(); ++i)
-    for (const bool is_above : {true, false}) {
-      const Side side{i, is_above};
-      if (star.cell(side) != at.cell) continue;
-      if (star.is_wall(side)) return side;
-      any = side;
-    }
-  return *any;
+  const std::vector<Side> sides = at.star->sides(at.cell);
+  const auto wall = std::ranges::find_if(sides, [&](const Side& side) { return at.star->is_wall(side); });
+  return wall == sides.end() ? sides.front() : *wall;
 }
 
 // A direction into the cell of a point on a line or in a plane, across it.
@@ -88,20 +76,22 @@ Cell cell_after_flight(const Star& star, Cell A, const Vector& u, bool is_at_p) 
       const Star::Piece& piece = star.pieces()[side.piece];
       return (dot(piece.normal, u).is_zero() && star.is_inside(piece, u)) || leads_along(piece.from) || leads_along(piece.to);
     };
-    const std::vector<Side> all = walls;
-    std::erase_if(walls, [&](const Side& side) { return !holds(side); });
-    if (!walls.empty()) return least(true);
-    walls = all;
+    if (std::ranges::any_of(walls, holds)) {
+      std::erase_if(walls, [&](const Side& side) { return !holds(side); });
+      return least(true);
+    }
   } else if (!is_at_p) {
     return A;
   }
-  return star.has_wall(A) || walls.empty() ? A : least(false);
+  const std::vector<Side> beside = star.sides(A);
+  const bool has_wall = std::ranges::any_of(beside, [&](const Side& side) { return star.is_wall(side); });
+  return has_wall || walls.empty() ? A : least(false);
 }
 
 std::optional<Descent::End> Descent::flight(const Vector& g) const {
   const Vector u = p_ - g;
   for (const Rational& t : soup_.changes(g, u, 1)) {
-    At at{g + t * u, std::make_shared<Star>(soup_, g + t * u), 0};
+    At at = at_point(soup_, g + t * u);
     const Cell A = at.star->cell(-u).value();
     const std::optional<Cell> ahead = at.star->cell(u);
     const bool is_at_p = t == 1;
@@ -147,7 +137,7 @@ Descent::End Descent::along_ray(const At& g, const Way& way) const {
 }
 
 // The parameter of the next point of a line's grid or of kind `point`; from a grid point, this.
-std::optional<Rational> Descent::next_point(const At& at, const Line& line, bool is_up) const {
+Rational Descent::next_point(const At& at, const Line& line, bool is_up) const {
   const Rational m = line.parameter(at.x);
   const Rational grid(floor(m) + (is_up && !is_whole(m) ? 1 : 0));
   const std::vector<Rational> changes = soup_.changes(at.x, line.at(grid) - at.x, 1);
@@ -158,7 +148,7 @@ At Descent::rounded_on_line(const At& at) const {
   const Line line = line_of(soup_, *at.star, at.x);
   const Rational m = line.parameter(at.x);
   if (is_whole(m)) return at;
-  const Vector below = line.at(*next_point(at, line, false)), above = line.at(*next_point(at, line, true));
+  const Vector below = line.at(next_point(at, line, false)), above = line.at(next_point(at, line, true));
   const Vector& nearer = is_nearer(above, below) ? above : below;
   return at_end(soup_, nearer, at.x - nearer, into_cell(at));
 }
@@ -260,7 +250,7 @@ Tick Descent::ended(const At& r, unsigned moves, State after, bool is_at_goal, S
 }
 
 At Descent::on_surface(const Vector& x, const std::optional<Star::Name>& name) const {
-  At at{x, std::make_shared<Star>(soup_, x), 0};
+  At at = at_point(soup_, x);
   at.cell = name ? at.star->cell(*name).value() : at.star->least_cell();
   return at;
 }

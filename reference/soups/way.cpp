@@ -63,8 +63,12 @@ bool At::is_rough() const {
   return std::ranges::any_of(star->triangles(), [](const Triangle* triangle) { return triangle->static_friction > 0; });
 }
 
+At at_point(const Soup& soup, const Vector& x) {
+  return {x, std::make_shared<Star>(soup, x), 0};
+}
+
 At at_end(const Soup& soup, const Vector& x, const Vector& back, const Vector& w) {
-  At at{x, std::make_shared<Star>(soup, x), 0};
+  At at = at_point(soup, x);
   at.cell = at.star->cell(back, w).value();
   return at;
 }

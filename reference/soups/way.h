@@ -23,6 +23,7 @@ struct At {
   bool is_rough() const;  // a triangle there has friction
 };
 
+At at_point(const Soup& soup, const Vector& x);  // in any cell
 // A point in the cell of back + εw, for every small ε > 0, which is off the surface.
 At at_end(const Soup& soup, const Vector& x, const Vector& back, const Vector& w);
 

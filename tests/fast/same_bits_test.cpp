@@ -78,22 +78,20 @@ TEST(same_bits, a_god_object_makes_the_stored_hashes) {
   }
 }
 
-TEST(same_bits, objects_that_move_make_the_stored_hash) {
-  const Bits bits = bits_of_moving_objects();
+void expect_stored(const Bits& bits, const std::string& name) {
   const auto& [free, contact, invalid] = bits.statuses;
   std::printf("  %s  %zu free, %zu contact, %zu invalid\n", bits.hash.c_str(), free, contact, invalid);
-  EXPECT_EQ(bits.hash, stored_hashes().at("scene-of-moving-objects"));
+  EXPECT_EQ(bits.hash, stored_hashes().at(name));
   EXPECT_EQ(bits.nans, 0U);
   for (const std::size_t count : bits.statuses) EXPECT_GT(count, 100U);
 }
 
+TEST(same_bits, objects_that_move_make_the_stored_hash) {
+  expect_stored(bits_of_moving_objects(), "scene-of-moving-objects");
+}
+
 TEST(same_bits, damping_makes_the_stored_hash) {
-  const Bits bits = bits_of_damping();
-  const auto& [free, contact, invalid] = bits.statuses;
-  std::printf("  %s  %zu free, %zu contact, %zu invalid\n", bits.hash.c_str(), free, contact, invalid);
-  EXPECT_EQ(bits.hash, stored_hashes().at("damping"));
-  EXPECT_EQ(bits.nans, 0U);
-  for (const std::size_t count : bits.statuses) EXPECT_GT(count, 100U);
+  expect_stored(bits_of_damping(), "damping");
 }
 
 // A kind that is added to height::Shape has to be among the scenes.

@@ -61,10 +61,8 @@ class Session {
     state_ = made.after;
     return made;
   }
-  Force force(const Tick& tick) const { return tick.rest ? rounded(exact_force(soup_, *tick.rest, kStiffness)) : Force{}; }
-  Force shaded(const Tick& tick) const {
-    return tick.rest ? rounded(exact_force(soup_, *tick.rest, kStiffness, normals_)) : Force{};
-  }
+  Force force(const Tick& tick) const { return tick.rest ? rounded(exact_force(*tick.rest, kStiffness)) : Force{}; }
+  Force shaded(const Tick& tick) const { return tick.rest ? rounded(exact_force(*tick.rest, kStiffness, normals_)) : Force{}; }
 
   std::string line(const std::array<float, 3>& position) {
     const std::string where = words(position) + ',';
