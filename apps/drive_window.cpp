@@ -58,8 +58,9 @@ DriveWindow::DriveWindow(const Description& what, SurfaceCut& cut, const device:
   scene_.region = cut.region();
   scene_.words = {
       files::printable(certified),
-      "The mouse moves a hand that holds the tip, and the surface pushes the tip back. Up and down arrow: y by 1 mm. "
-      "Escape or S: end."};
+      std::string("The mouse moves a hand that means to be at the cross, and the surface pushes the tip away from it. ") +
+          (cut.at(y_).felt.empty() ? "" : "Dashed: the shape that is felt. ") +
+          "Up and down arrow: y by 1 mm. Escape or S: end."};
 }
 
 run::Outcome DriveWindow::run(device::Device& device, const Rendering& what, run::Plan plan, const std::atomic<bool>& asked) {
@@ -109,6 +110,7 @@ bool DriveWindow::show(const std::optional<device::Sample>& latest, const mesh::
   }
   if (const auto pixel = canvas_.pointer()) {
     const auto [x, z] = window::SectionView(scene_.region, canvas_.size()).position(*pixel);
+    scene_.intended = {x, z};
     const Eigen::Vector3f aim = placement_.origin() + placement_.turned_to_device(Eigen::Vector3d(x, y_, z).cast<float>());
     steering_.aim(aim.cast<double>());
   }

@@ -20,6 +20,7 @@ using Segment = std::array<ProfilePoint, 2>;
 
 constexpr double kAspect = 1.9;
 constexpr int kColumns = 400, kRows = 160;  // places at which contact is looked for
+constexpr double kSeen = 0.3;               // mm: by which a shape that is felt differs from the surface
 
 Region region_around(double x, double z, double width, double share_below) {
   const double height = width / kAspect;
@@ -83,6 +84,38 @@ Section cut_field(fast::Session& session, const Region& region, double y) {
   return section;
 }
 
+// The curve that begins with the surface, and is everywhere at right angles to the force just below it. It begins again where
+// the surface breaks off.
+std::vector<Segment> felt_shape(fast::Session& session, const std::vector<Column>& columns, const Region& region, double y) {
+  struct Place {
+    double surface, slope;
+  };
+  const auto place_of = [&](const Column& column) -> std::optional<Place> {
+    if (column.inside.size() != 1 || column.inside[0].low > region.bottom) return std::nullopt;
+    const double surface = column.inside[0].high;
+    const Eigen::Vector3d force =
+        session.step(Eigen::Vector3d(column.x, y, surface - 2 * window::kBorderAccuracy).cast<float>()).force.cast<double>();
+    if (!(force.z() > 0.1 * force.norm())) return std::nullopt;
+    return Place{surface, -force.x() / force.z()};
+  };
+  std::vector<Segment> shape;
+  std::optional<Place> before;
+  double height = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::optional<Place> here = place_of(columns[i]);
+    if (here && before) {
+      const double x = columns[i - 1].x, next = height + (columns[i].x - x) * (before->slope + here->slope) / 2;
+      if (std::max(std::fabs(height - before->surface), std::fabs(next - here->surface)) > kSeen)
+        shape.push_back({{{x, height}, {columns[i].x, next}}});
+      height = next;
+    } else if (here) {
+      height = here->surface;
+    }
+    before = here;
+  }
+  return shape;
+}
+
 // The lines in which the plane cuts triangles. A vertex in the plane counts as behind it, so that no line comes twice.
 std::vector<Segment> cut_triangles(const mesh::TriangleMesh& mesh, double y) {
   std::vector<Segment> lines;
@@ -126,8 +159,7 @@ Section cut_mesh(const mesh::TriangleMesh& mesh, const Region& region, double y)
 
 }  // namespace
 
-SurfaceCut::SurfaceCut(const Description& what, const Rendering& rendering)
-    : mesh_(nullptr), session_(rendering.renderer.open()), region_(region_of(25.4)) {
+SurfaceCut::SurfaceCut(const Description& what, const Rendering& rendering) : region_(region_of(25.4)) {
   what.visit(
       [&](const DescribedLaw& law) {
         if (has_bump_geometry(law.law)) region_ = region_of(static_cast<double>(law.parameters.width));
@@ -138,13 +170,16 @@ SurfaceCut::SurfaceCut(const Description& what, const Rendering& rendering)
         region_ = region_of(facts);
         middle_y_ = (vector_of(facts.low).y() + vector_of(facts.high).y()) / 2;
       },
-      [](const auto&) {});
+      [](const DescribedHeightMap&) {}, [&](const DescribedScene&) { has_felt_shape_ = false; });
+  if (mesh_ == nullptr) session_ = rendering.renderer.open();
 }
 
 const window::Section& SurfaceCut::at(double y) {
   if (section_ && std::fabs(y - y_) < kKept) return *section_;
   y_ = y;
-  return section_.emplace(mesh_ != nullptr ? cut_mesh(*mesh_, region_, y) : cut_field(*session_, region_, y));
+  section_ = mesh_ != nullptr ? cut_mesh(*mesh_, region_, y) : cut_field(*session_, region_, y);
+  if (mesh_ == nullptr && has_felt_shape_) section_->felt = felt_shape(*session_, section_->columns, region_, y);
+  return *section_;
 }
 
 std::optional<window::Position> place_on(const mesh::TriangleMesh& mesh, const mesh::GodObject& state) {

@@ -26,8 +26,9 @@ class SurfaceCut {
  private:
   static constexpr double kKept = 0.02;
 
-  const mesh::TriangleMesh* mesh_;          // null for a law or a height map
-  std::unique_ptr<fast::Session> session_;  // of what is cut
+  const mesh::TriangleMesh* mesh_ = nullptr;  // of a mesh; otherwise:
+  std::unique_ptr<fast::Session> session_;
+  bool has_felt_shape_ = true;  // its force follows from the position alone
   window::Region region_;
   double middle_y_ = 0, y_ = 0;
   std::optional<window::Section> section_;

@@ -6,9 +6,11 @@
 
 namespace forceshade::window {
 
-// Between one place with contact and one without, on a line: where it changes, within a hundredth of a millimetre. mm.
+inline constexpr double kBorderAccuracy = 0.01;  // mm
+
+// Between one place with contact and one without, on a line: where it changes. mm.
 double contact_border(double inside, double outside, const auto& is_inside) {
-  while (std::fabs(outside - inside) > 0.01) {
+  while (std::fabs(outside - inside) > kBorderAccuracy) {
     const double middle = 0.5 * (inside + outside);
     (is_inside(middle) ? inside : outside) = middle;
   }

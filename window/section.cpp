@@ -34,6 +34,7 @@ class SectionPicture : private Composition {
     draw_inside();
     for (const auto& [a, b] : scene_.section.border)
       add(Line{{view_.pixel(a.x, a.z), view_.pixel(b.x, b.z)}, kBorder, std::max(1.5, window_.height / 400)});
+    draw_felt_shape();
     if (scene_.felt) draw_felt(*scene_.felt);
     draw_scales();
     draw_words();
@@ -61,9 +62,28 @@ class SectionPicture : private Composition {
     return view_.pixel(finite(p.x, r.left, r.right), finite(p.z, r.bottom, r.top));
   }
 
+  // Every other dash, by the length along the shape.
+  void draw_felt_shape() {
+    const double dash = window_.height / 50;
+    double length = 0;
+    for (const auto& [a, b] : scene_.section.felt) {
+      const Point from = view_.pixel(a.x, a.z), to = view_.pixel(b.x, b.z);
+      if (std::fmod(length, 2 * dash) < dash) add(Line{{from, to}, kFeltShape, window_.height / 200});
+      length += std::hypot(to.x - from.x, to.y - from.y);
+    }
+  }
+
+  void draw_intended(const ProfilePoint& place, Point tip, double radius) {
+    const Point at = pixel_within({place.x, 0, place.z});
+    add(Line{{at, tip}, kIntended, radius / 6});
+    for (const double slant : {-1.0, 1.0})
+      add(Line{{{at.x - radius, at.y - slant * radius}, {at.x + radius, at.y + slant * radius}}, kIntended, radius / 4});
+  }
+
   void draw_felt(const Felt& felt) {
     const Point tip = pixel_within(felt.tip);
     const double radius = window_.height / 70;
+    if (scene_.intended) draw_intended(*scene_.intended, tip, radius);
     if (felt.god_object) {
       const Point rest = pixel_within(*felt.god_object);
       add(Line{{tip, rest}, kWhite, radius / 3});

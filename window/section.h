@@ -31,6 +31,7 @@ struct Column {
 struct Section {
   std::vector<Column> columns;
   std::vector<std::array<ProfilePoint, 2>> border;  // lines within the region
+  std::vector<std::array<ProfilePoint, 2>> felt;    // in order, where shading lets another shape be felt than the surface
 };
 
 // One tick of the servo loop.
@@ -43,7 +44,8 @@ struct Felt {
 struct SectionScene {
   Region region;
   Section section;
-  std::optional<Felt> felt = std::nullopt;  // none before the first tick
+  std::optional<Felt> felt = std::nullopt;              // none before the first tick
+  std::optional<ProfilePoint> intended = std::nullopt;  // the place where the hand means to be; none before it is shown one
   std::string title;
   std::vector<std::string> words;  // below the picture, a paragraph each
 };
@@ -69,14 +71,16 @@ class SectionView {
   double scale_;
 };
 
-// The colour of the god-object's ring, which tests look for.
-inline constexpr Colour kGodObject{0.584F, 0.251F, 0.553F};
+// The colours of the god-object's ring, of the shape that is felt, and of the intended place, which tests look for.
+inline constexpr Colour kGodObject{0.584F, 0.251F, 0.553F}, kFeltShape{0.624F, 0.353F, 0.047F},
+    kIntended{0.125F, 0.145F, 0.169F};
 
 // Pixels per N, of the arrow of the force in a window of this size. It grows no longer than that of kLongestArrow.
 double arrow_scale(Size window);
 inline constexpr double kLongestArrow = 4;  // N
 
-// The ball is the tip, where it is; the ring is the god-object, tied to the tip by a line; the arrow begins at the tip.
+// The ball is the tip, where it is; the arrow begins there. Lines tie it to the ring of the god-object, and to the cross of the
+// intended place, from which the surface has pushed it. The shape that is felt is dashed.
 Picture picture_of(const SectionScene& scene, Size window, const Measure& measure);
 
 }  // namespace forceshade::window

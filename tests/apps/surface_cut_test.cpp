@@ -44,6 +44,26 @@ TEST(surface_cut, follows_the_height_of_a_law) {
   for (const window::Column& column : flat.columns) EXPECT_NEAR(column.inside.at(0).high, 0, kAccuracy);
 }
 
+// Forces that are at right angles to a circle let a circle be felt, on one polygon as on two (docs/laws.md).
+// The slope jumps by 1.5 between two columns, 0.165 mm from each other, which the sum takes for a line.
+TEST(surface_cut, has_the_shape_that_shading_lets_be_felt) {
+  const double half = 12.7, d = std::sqrt(15.24 * 15.24 - half * half);
+  for (const LawId law : {LawId::bump_1p_shaded, LawId::bump_2p_shaded}) {
+    const window::Section section = cut_of(bump(law), -2);
+    ASSERT_FALSE(section.felt.empty());
+    EXPECT_NEAR(section.felt.front()[0].x, -half, 3);
+    EXPECT_NEAR(section.felt.back()[1].x, half, 3);
+    for (const auto& [a, b] : section.felt) {
+      EXPECT_LT(a.x, b.x);
+      if (std::fabs(b.x) < half) EXPECT_NEAR(b.z, std::sqrt(15.24 * 15.24 - b.x * b.x) - d, 0.13) << name_of(law) << ' ' << b.x;
+    }
+  }
+}
+
+TEST(surface_cut, has_no_other_shape_to_feel_without_shading) {
+  for (const LawId law : {LawId::bump_2p, LawId::cylinder}) EXPECT_EQ(cut_of(bump(law), 0).felt.size(), 0U) << name_of(law);
+}
+
 // A cylinder that lies in the region as a whole has an underside.
 TEST(surface_cut, shows_the_underside_of_a_cylinder) {
   const Description cylinder{"cylinder", DescribedLaw{LawId::cylinder, {5, 10, 0.5F}}};

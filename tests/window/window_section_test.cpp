@@ -88,6 +88,41 @@ TEST(window_section, ties_the_god_object_to_the_tip) {
     EXPECT_NE(ellipse.colour, kGodObject);
 }
 
+TEST(window_section, dashes_the_shape_that_is_felt) {
+  SectionScene scene = plane_felt({});
+  for (int x = -20; x < 20; ++x) scene.section.felt.push_back({{{1.0 * x, 5}, {x + 1.0, 5}}});
+  const SectionView view(scene.region, kWindow);
+  double drawn = 0;
+  int dashes = 0;
+  double end = -1;
+  for (const Line& line : all_of<Line>(picture(scene))) {
+    if (line.colour != kFeltShape) continue;
+    EXPECT_NEAR(line.points[0].y, view.pixel(0, 5).y, 1e-9);
+    drawn += line.points[1].x - line.points[0].x;
+    dashes += line.points[0].x > end + 1e-9;
+    end = line.points[1].x;
+  }
+  EXPECT_NEAR(drawn / (40 * view.pixels_per_mm()), 0.5, 0.1);
+  EXPECT_GT(dashes, 10);
+}
+
+TEST(window_section, crosses_the_intended_place_and_ties_it_to_the_tip) {
+  SectionScene scene = plane_felt({.tip = {3, 1, -2}});
+  const auto lines_to = [&](Point place) {
+    int lines = 0;
+    for (const Line& line : all_of<Line>(picture(scene))) {
+      const Point middle{(line.points[0].x + line.points[1].x) / 2, (line.points[0].y + line.points[1].y) / 2};
+      lines += line.colour == kIntended && (std::hypot(middle.x - place.x, middle.y - place.y) < 1e-9 ||
+                                            std::hypot(line.points[0].x - place.x, line.points[0].y - place.y) < 1e-9);
+    }
+    return lines;
+  };
+  const Point place = SectionView(scene.region, kWindow).pixel(5, -6);
+  EXPECT_EQ(lines_to(place), 0);
+  scene.intended = {5, -6};
+  EXPECT_EQ(lines_to(place), 3);  // a cross, and the line
+}
+
 TEST(window_section, keeps_words_and_tip_in_the_window_whatever_they_are) {
   SectionScene scene = plane_felt({.tip = {NAN, NAN, -HUGE_VAL}, .god_object = Position{1e9, 0, 1e9}});
   scene.title = std::string(300, 'x');
