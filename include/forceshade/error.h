@@ -34,7 +34,7 @@ class Error : public std::runtime_error {
   // "FILE: reason", and "FILE:LINE: reason" where the line is known, not 0, which is the one that an editor shows.
   Error(const std::filesystem::path& file, const std::string& reason) : Error(file.string(), "", reason) {}
   Error(const std::filesystem::path& file, std::size_t line, const std::string& reason)
-      : Error(file.string(), line == 0 ? "" : ":" + std::to_string(line), reason) {}
+      : Error(file.string(), line == 0 ? "" : std::string(":") + std::to_string(line), reason) {}
 
   // The words behind the file and its line.
   std::string_view reason() const noexcept { return std::string_view(what()).substr(begin_); }
