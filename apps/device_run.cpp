@@ -84,13 +84,15 @@ std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::
   throw Interrupted(kNotBegun);
 }
 
-void warn_if_active(double stiffness, const device::Capabilities& capabilities, double rate) {
-  if (const std::string words = device::words_if_active(stiffness, capabilities, rate); !words.empty()) tell(words);
+void warn_if_active(double stiffness, const device::Capabilities& capabilities, double rate,
+                    const damping::Parameters& damping) {
+  if (const std::string words = device::words_if_active(stiffness, capabilities, rate, damping); !words.empty()) tell(words);
 }
 
 RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
   const device::Capabilities capabilities = device.capabilities();
-  warn_if_active(static_cast<double>(what.stiffness), capabilities, plan.run.servo.rate_hz);
+  warn_if_active(static_cast<double>(what.stiffness), capabilities, plan.run.servo.rate_hz,
+                 run::damping_of(what, plan.run.servo));
   std::optional<LiveView> view;
   if (is_watched()) view.emplace(bar_of(capabilities));
   if (view) plan.run.servo.sinks.push_back(&*view);

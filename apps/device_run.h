@@ -38,8 +38,9 @@ void add_watchdog_timeout(CLI::App& command, std::optional<double>& seconds);
 std::unique_ptr<device::Device> open_for_a_run(const std::string& name, device::Attendant& attendant,
                                                device::Forces forces = device::Forces::as_commanded);
 
-// Says on standard error that a stiffness (N/mm) cannot be passive at this rate (Hz) on this device.
-void warn_if_active(double stiffness, const device::Capabilities& capabilities, double rate);
+// Says on standard error that a stiffness (N/mm) with this damping cannot be passive at this rate (Hz) on this device.
+void warn_if_active(double stiffness, const device::Capabilities& capabilities, double rate,
+                    const damping::Parameters& damping = {});
 
 // Call end_runs_in_order() first. Records, runs, and writes the summary: to standard output unless something else goes there.
 // A file that cannot be written is reported on standard error; the others are still written. Throws Interrupted if a signal

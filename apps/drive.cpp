@@ -120,7 +120,7 @@ std::string kinds_of_device() {
 void add_drive(CLI::App& app, int& result) {
   const auto options = std::make_shared<DriveOptions>();
   CLI::App* command = app.add_subcommand("drive", "Drive a device with a certified renderer");
-  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one, true);
   command
       ->add_option("--place", options->place,
                    "the place of the law's or map's origin in the device's workspace: X,Y,Z in mm, or with units (mm, mil, in, "

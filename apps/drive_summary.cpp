@@ -8,6 +8,7 @@
 
 #include "run/rule_names.h"
 #include "run/summary.h"
+#include "run/words.h"
 
 namespace forceshade::apps {
 namespace {
@@ -88,6 +89,13 @@ void print(const ServoResult& result) {
               result.energy_taken_mJ());
   if (account.dissipated > 0) std::printf("; the arm's friction took at least %.3f mJ of what was given", account.dissipated);
   std::printf("\n");
+  if (!result.damping.is_off()) {
+    const device::DampedEnergy& its = result.damped_energy;
+    std::printf("damping           %s (certified with the build; no certificate names it)\n",
+                run::words_of(result.damping).c_str());
+    std::printf("                  the renderer's force gave %.3f mJ by its spring, %.3f by the damper, %.3f by its sampling\n",
+                its.spring, its.damper, its.sampling);
+  }
   print_safety(result);
   if (result.supervised)
     std::printf("passivity         %s: account %.3f mJ, lowest %.3f (bound %.3f); %zu ticks altered, by at most %.3f N\n",

@@ -30,7 +30,14 @@ using reference::binary64;
 struct EnergyOptions {
   std::string depth, json, length = "100mm", step = "0.1mm";
   Section section;
+  damping::Described damping;
 };
+
+// γ max(B, B_t), N·s/mm: the most that sampling gives for the sum of the squares of the steps over the period.
+double sampled(const damping::Described& damping) {
+  const damping::Parameters& its = damping.parameters;
+  return damping::sampling_factor(static_cast<double>(its.share)) * static_cast<double>(its.larger());
+}
 
 // The verdict on a law or a height map. What differs between the two is in its JSON and its words.
 struct Verdict {
@@ -151,7 +158,9 @@ void print(const Verdict& verdict) {
 }
 
 void answer(const Verdict& verdict, const EnergyOptions& options) {
-  write_json(options.json, json_of(verdict), -1);
+  Json json = json_of(verdict);
+  if (!options.damping.parameters.is_off()) json["damping_gives_at_most_N_s_per_mm"] = sampled(options.damping);
+  write_json(options.json, json, -1);
   if (options.json != "-") print(verdict);
 }
 
@@ -185,7 +194,7 @@ void add_energy(CLI::App& app, int& result) {
   const auto options = std::make_shared<EnergyOptions>();
   CLI::App* command = app.add_subcommand(
       "energy", "Show whether a law, a height map or a mesh is passive, and the most energy a loop can draw from it");
-  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one, true);
   add_length(*command, "--depth", options->depth, "of the loops, below the nominal surface or from a mesh's god-object")
       ->required();
   add_json(*command, options->json, "the verdict, with the loop,");
@@ -196,6 +205,11 @@ void add_energy(CLI::App& app, int& result) {
   command->callback([options, subject, &result] {
     const float depth = files::parse_length("--depth", options->depth);
     const Description what = subject->description();
+    options->damping = what.damping;
+    if (options->damping.time > 0)
+      throw Error(subject->options().name(subjects::kDampingFilter) +
+                  ": expected a share such as 0.5, since a time constant makes one of a rate, got \"" +
+                  subject->options().value(subjects::kDampingFilter) + '"');
     result = what.visit([&](const DescribedLaw& law) { return run_law(*options, law, depth); },
                         [&](const DescribedHeightMap& map) { return run_height_map(*options, what.name, map, depth); },
                         [&](const MeshRendering& mesh) {
@@ -205,6 +219,11 @@ void add_energy(CLI::App& app, int& result) {
                         [&](const DescribedScene&) -> int {
                           throw Error(what.name + ": expected a scene without objects that move, got one with them");
                         });
+    if (const double most = sampled(what.damping); most > 0 && options->json != "-")
+      std::printf(
+          "damping: takes energy at its own velocity; held from tick to tick it gives at most %.4g N s/mm times the sum "
+          "of |step|^2 / T, such as %.4g mJ in a second at 100 mm/s\n",
+          most, most * 1e4);
   });
 }
 

@@ -105,8 +105,8 @@ std::vector<std::string> without_help_of_no_command(const CLI::App& app, std::ve
   return words;
 }
 
-bool takes_a_subject(const CLI::App& app, const std::vector<std::string>& words) {
-  return command_in(app, words).first->get_option_no_throw("--subject") != nullptr;
+bool takes(const char* option, const CLI::App& app, const std::vector<std::string>& words) {
+  return command_in(app, words).first->get_option_no_throw(option) != nullptr;
 }
 
 int report(const CLI::App& app, const CLI::ParseError& error, const ExpandedLine& line) {
@@ -154,7 +154,7 @@ int run(const Program& program, const std::vector<std::string>& arguments) {
   }
   line.words = without_help_of_no_command(app, std::move(line.words));
   try {
-    if (takes_a_subject(app, line.words)) line = expand_subject_files(line.words);
+    if (takes("--subject", app, line.words)) line = expand_subject_files(line.words, takes("--damping", app, line.words));
     app.parse(std::vector<std::string>(line.words.rbegin(), line.words.rend()));  // CLI11 takes them from the back
   } catch (const CLI::ParseError& error) {
     return report(app, error, line);

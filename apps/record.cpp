@@ -2,6 +2,7 @@
 // forceshade recording: what a recording says of itself, whether it is whole and its forces are the exact ones, and its ticks
 // for other programs.
 
+#include <boost/multiprecision/gmp.hpp>
 #include <cinttypes>
 #include <cstdio>
 #include <memory>
@@ -14,10 +15,12 @@
 #include "apps/signals.h"
 #include "apps/subject_option.h"
 #include "apps/tell.h"
+#include "device/damped_work.h"
 #include "files/printable.h"
 #include "forceshade/checks.h"
 #include "forceshade/recording.h"
 #include "properties/binary32.h"
+#include "run/recorder/settings.h"
 #include "run/words.h"
 
 namespace forceshade::apps {
@@ -26,6 +29,9 @@ namespace {
 struct RecordOptions {
   std::string file, out = "-", json;
 };
+
+// No expression templates: what is computed is what is written.
+using Exact = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 constexpr std::uint64_t kListed = 10;  // forces that differ
 
@@ -57,13 +63,21 @@ void print_info(recorder::Recording& recording) {
 struct Recomputed {
   std::uint64_t samples = 0, contacts = 0, differences = 0;
   CommandCheck commands;
+  std::optional<damping::Parameters> damping;
+  device::DampedWork<Exact> work{};
 
   bool held() const { return differences == 0 && commands.differences() == 0; }
   nlohmann::ordered_json json() const {
-    return {{"ticks", samples},
-            {"in_contact", contacts},
-            {"forces_that_differ", differences},
-            {"commands_that_differ", commands.differences()}};
+    nlohmann::ordered_json json{{"ticks", samples},
+                                {"in_contact", contacts},
+                                {"forces_that_differ", differences},
+                                {"commands_that_differ", commands.differences()}};
+    if (damping)
+      json["damping"] = {{"spring_mJ", static_cast<double>(work.spring)},
+                         {"damper_mJ", static_cast<double>(work.damper)},
+                         {"sampling_mJ", static_cast<double>(work.sampling)},
+                         {"most_given_mJ", work.most(*damping)}};
+    return json;
   }
   void print() const {
     std::printf("computed again: %" PRIu64 " ticks, %" PRIu64 " in contact, %" PRIu64 " differ\n", samples, contacts,
@@ -73,12 +87,25 @@ struct Recomputed {
     else
       std::printf("commands: %" PRIu64 " ticks, %" PRIu64 " changed by supervisor or controller, %" PRIu64 " differ\n",
                   commands.ticks(), commands.changed(), commands.differences());
+    if (!damping) return;
+    std::printf("damping: %s\n", run::words_of(*damping).c_str());
+    std::printf(
+        "the renderer's force gave %.9g mJ by its spring, %.9g by the damper, %.9g by its sampling, exactly; damping can "
+        "give %.9g mJ at most along this path\n",
+        static_cast<double>(work.spring), static_cast<double>(work.damper), static_cast<double>(work.sampling),
+        work.most(*damping));
   }
 };
 
-// Throws Error where something else was recorded.
-void expect_recorded(const recorder::Recording& recording, const Identity& identity) {
-  for (const auto& [key, expected] : run::metadata_of(identity)) {
+// Throws Error where something else was recorded. damping: off where none was named.
+void expect_recorded(const recorder::Recording& recording, const Identity& identity, const damping::Described& damping) {
+  recorder::Metadata all = run::metadata_of(identity);
+  if (!damping.parameters.is_off()) {
+    const auto recorded = recorder::damping_in(recording.metadata(), recording.path());
+    if (!recorded) throw Error(recording.path() + ": the run had no damping; expected that of the subject");
+    all.merge(recorder::metadata_of(damping.at(static_cast<double>(recorded->rate))));
+  }
+  for (const auto& [key, expected] : all) {
     const auto found = recording.metadata().find(key);
     if (found == recording.metadata().end() || found->second != expected)
       throw Error(recording.path() + ": " + key + " is " +
@@ -92,7 +119,9 @@ Recomputed recompute(recorder::Recording& recording, const properties::Subject& 
   ProgressLine line(subject.identity().name);
   const auto reference = subject.open_reference();
   const std::uint64_t all = recording.extent().samples;
-  Recomputed its{.commands = CommandCheck(recording)};
+  Recomputed its{.commands = CommandCheck(recording), .damping = recorder::damping_in(recording.metadata(), recording.path())};
+  std::optional<reference::Damping> damping;
+  if (its.damping) damping = std::get<reference::Damping>(reference::Damping::build(*its.damping));
   recording.for_each_chunk([&](std::span<const device::Sample> chunk) {
     if (interrupted()) throw Interrupted(recording.path() + " was not computed to its end");
     for (const device::Sample& sample : chunk) {
@@ -100,8 +129,14 @@ Recomputed recompute(recorder::Recording& recording, const properties::Subject& 
       ++its.samples;
       if (!its.commands.is_same(sample) && its.commands.differences() <= kListed)
         tell("tick " + std::to_string(sample.tick) + ": the command is not what supervisor and controller make of the force");
-      const auto& [x, y, z] = sample.position;
-      const reference::Rounded exact = reference->step({x, y, z});
+      const Eigen::Vector3f position(sample.position.data());
+      const reference::Rounded spring = reference->step(position);
+      const reference::Rounded exact = damping ? damping->tick(position, sample.periods(), spring) : spring;
+      if (damping) {
+        std::optional<device::DampedTick> tick;
+        if (exact.status != Status::invalid) tick = {position, spring.force, exact.force, damping->state().velocity};
+        its.work.add(tick, sample.periods(), its.damping->rate);
+      }
       const auto& [fx, fy, fz] = sample.law_force;
       const bool is_same =
           finished(exact.status) == finished(sample.law_status()) && (exact.force.array() == Eigen::Array3f(fx, fy, fz)).all();
@@ -119,8 +154,9 @@ int check(const RecordOptions& options, const SubjectOption& option) {
   recorder::Recording recording(options.file);
   std::shared_ptr<const properties::Subject> subject;
   if (option.is_given()) {
-    subject = option.subject();
-    expect_recorded(recording, subject->identity());
+    const Description described = option.description();
+    subject = properties::subject_of(described);
+    expect_recorded(recording, subject->identity(), described.damping);
   }
   const std::vector<std::string> problems = problems_of(recording);
   for (const std::string& problem : problems) tell(problem);
@@ -165,7 +201,7 @@ void add_recording(CLI::App& app, int& result) {
           "Print the subject, the device and the settings of a recording, and check that it is whole: 0 if so, 1 if cut off, "
           "damaged or with ticks missing. With a subject: that every force is the exact one, rounded, and every command what "
           "supervisor and controller make of it");
-  const auto subject = std::make_shared<SubjectOption>(*check_verb, subjects::Laws::one);
+  const auto subject = std::make_shared<SubjectOption>(*check_verb, subjects::Laws::one, true);
   add_json(*check_verb, check_options->json, "the same");
   check_verb->callback([options = check_options, subject, &result] { result = check(*options, *subject); });
   const auto [export_verb, export_options] = add("export", "The ticks for other programs");

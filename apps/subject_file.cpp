@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "apps/tell.h"
 #include "subjects/file.h"
 
 namespace forceshade::apps {
@@ -10,15 +11,21 @@ namespace {
 
 constexpr std::string_view kOption = "--subject";
 
-void append(const std::string& file, ExpandedLine& line) {
+void append(const std::string& file, bool damps, ExpandedLine& line) {
+  bool is_left_out = false;
   for (const auto& [key, value, place] : subjects::options_of_file(file)) {
     const std::string option = "--" + key;
+    if (!damps && (key == subjects::kDamping || key == subjects::kDrag || key == subjects::kDampingFilter)) {
+      is_left_out = true;
+      continue;
+    }
     line.places.emplace(option, place);
     if (!subjects::is_flag(key))
       line.words.push_back(option + '=' + value);
     else if (value == "true")
       line.words.push_back(option);
   }
+  if (is_left_out) tell(file + kDampingLeftOut);
 }
 
 }  // namespace
@@ -29,7 +36,7 @@ std::string ExpandedLine::placed(const std::string& message) const {
   return found == places.end() ? message : found->second + message.substr(option.size());
 }
 
-ExpandedLine expand_subject_files(const std::vector<std::string>& words) {
+ExpandedLine expand_subject_files(const std::vector<std::string>& words, bool damps) {
   ExpandedLine line;
   bool is_expanded = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -42,7 +49,7 @@ ExpandedLine expand_subject_files(const std::vector<std::string>& words) {
     is_expanded = true;
     const std::string file = has_value ? words[i].substr(kOption.size() + 1) : i + 1 < words.size() ? words[++i] : "";
     if (file.empty() || (!has_value && file.starts_with("-"))) throw Error("--subject: expected a file after it, got none");
-    append(file, line);
+    append(file, damps, line);
   }
   return line;
 }

@@ -9,6 +9,9 @@
 
 namespace forceshade::apps {
 
+// Behind the name of a file, for a command that gives the forces of the spring.
+inline constexpr const char* kDampingLeftOut = ": its damping is left out here: this command is about the force without it";
+
 // A command line whose --subject options were replaced by what their files say.
 struct ExpandedLine {
   std::vector<std::string> words;
@@ -18,7 +21,8 @@ struct ExpandedLine {
   std::string placed(const std::string& message) const;
 };
 
-// Throws Error as subjects::options_of_file() does, and where several files are named, or none.
-ExpandedLine expand_subject_files(const std::vector<std::string>& words);
+// Throws Error as subjects::options_of_file() does, and where several files are named, or none. damps: the command has the
+// options of damping; else those of a file are left out, and standard error says so.
+ExpandedLine expand_subject_files(const std::vector<std::string>& words, bool damps);
 
 }  // namespace forceshade::apps

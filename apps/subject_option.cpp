@@ -7,6 +7,8 @@
 #include "apps/options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
+#include "apps/subject_file.h"
+#include "apps/tell.h"
 #include "forceshade/checks.h"
 #include "forceshade/mesh.h"
 #include "forceshade/meshes.h"
@@ -33,7 +35,7 @@ auto read_by(const subjects::Options& options, const Read& read) {
 
 }  // namespace
 
-SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws) : laws_(laws) {
+SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, bool damps) : laws_(laws), damps_(damps) {
   const std::string group = command.option_defaults()->get_group();
   command.option_defaults()->group(kSubjectGroup);
   const auto add = [&](const std::string& key, const std::string& type, const std::string& help) {
@@ -83,6 +85,13 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws) : laws_(law
       "--self-intersecting", is_self_intersecting_,
       "of a mesh or scene: faces without a common vertex may cross; each way is tested against the whole mesh");
   add("crease", "ANGLE (0 to 180)", "of a mesh or scene: an edge that turns by more is not shaded over");
+  if (damps) {
+    add(std::string(subjects::kDamping), "DAMPING", "B, damping along the force, in N s/mm (docs/damping.md); default: none");
+    add(std::string(subjects::kDrag), "DAMPING", "drag across the force, in N s/mm; default: none");
+    add(std::string(subjects::kDampingFilter), "SHARE|TIME",
+        "the filter of the damper's velocity: the share of the newest one, 2^-10 to 1, or a time constant such as 2ms; "
+        "default: 1, no filter");
+  }
   // expand_subject_files() has put the file's options in its place before the command line is parsed.
   command.add_option("--subject", "a TOML file that has these options as its keys (docs/subjects.md)")->type_name("FILE");
   command.option_defaults()->group(group);
@@ -105,8 +114,10 @@ subjects::Options SubjectOption::options() const {
 }
 
 std::vector<Description> SubjectOption::descriptions() const {
-  if (laws_ == subjects::Laws::one) return {read_with_progress(options())};
-  return read_by(options(), subjects::read);
+  if (laws_ == subjects::Laws::several) return read_by(options(), subjects::read);
+  std::vector<Description> one{read_with_progress(options())};
+  if (!damps_ && !one.front().damping.parameters.is_off()) tell(one.front().name + kDampingLeftOut);
+  return one;
 }
 
 std::vector<std::shared_ptr<const properties::Subject>> SubjectOption::subjects() const {

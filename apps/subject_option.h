@@ -18,8 +18,9 @@ namespace forceshade::apps {
 
 class SubjectOption {
  public:
-  // --law is needed where one is expected, and is "all" by default where several are.
-  SubjectOption(CLI::App& command, subjects::Laws laws);
+  // --law is needed where one is expected, and is "all" by default where several are. damps: the command has the options of
+  // damping; else that of a file is left out, and said so.
+  SubjectOption(CLI::App& command, subjects::Laws laws, bool damps = false);
 
   // Returns true if a subject option was given.
   bool is_given() const;
@@ -40,6 +41,7 @@ class SubjectOption {
 
  private:
   subjects::Laws laws_;
+  bool damps_;
   std::map<std::string, std::string> values_;
   bool is_self_intersecting_ = false;
   std::map<std::string, CLI::Option*> options_;  // by their keys

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 
+#include "device/damped_work.h"
 #include "device/passivity_controller.h"
 #include "device/supervisor.h"
 #include "device/timing.h"
@@ -39,6 +41,8 @@ void check(const ServoOptions& options, const Capabilities& capabilities) {
     refuse("seconds: expected a positive number", *options.max_seconds);
   if (options.watchdog_timeout && !(*options.watchdog_timeout > 0 && *options.watchdog_timeout <= kLongestWatchdogTimeout))
     refuse("watchdog timeout: expected at most " + shortest(kLongestWatchdogTimeout) + " s", *options.watchdog_timeout);
+  if (const auto damping = fast::Damping::build(options.damping_at_rate()); std::holds_alternative<ParameterError>(damping))
+    throw std::invalid_argument("damping at this rate: " + std::get<ParameterError>(damping).message());
   // A limit that is not a number would limit nothing.
   const auto expect_number = [](const char* what, bool number) {
     if (!number) throw std::invalid_argument(std::string("the device's ") + what + " is not a number");
@@ -90,6 +94,8 @@ class Run {
     result.passivity = settings.passivity;
     result.passivity_settings = settings.passivity_settings;
     controller_.emplace(result.passivity_settings, result.passivity);
+    result.damping = options.damping_at_rate();
+    if (!result.damping.is_off()) damping_ = std::get<fast::Damping>(fast::Damping::build(result.damping));
   }
 
   // Start, ticks, and the zero force that ends them.
@@ -104,6 +110,7 @@ class Run {
     for (std::size_t rule = 0; supervisor_ && rule < kRules; ++rule)
       result.limited_ticks[rule] = supervisor_->count(static_cast<Rule>(rule));
     if (supervisor_) result.trip = supervisor_->tripped();
+    result.damped_energy = {work_.spring, work_.damper, work_.sampling, damping_ ? work_.most(result.damping) : 0};
     if (result.trip) --result.limited_ticks[static_cast<std::size_t>(result.trip->rule)];
   }
 
@@ -120,6 +127,8 @@ class Run {
     result.fault = fault->words;
   }
   void tick() noexcept;
+  std::uint32_t periods(std::int64_t woken_at) noexcept;
+  fast::Evaluation rendered(const Eigen::Vector3f& position, std::uint32_t periods) noexcept;
   void render(const Reading& reading, std::int64_t woken_at, std::int64_t read_at) noexcept;
   void finish() noexcept;
 
@@ -138,6 +147,10 @@ class Run {
   std::size_t ticks_;
   std::optional<Supervisor> supervisor_;
   std::optional<PassivityController> controller_;
+  std::optional<fast::Damping> damping_;  // none where it is off
+  DampedWork<double> work_;
+  std::int64_t slot_ = -1,
+               frame_ = 0;  // of the tick before: the last whole period since the start; the beginning of its frame, ns
   struct {
     double took_ms = 0, computed_ms = 0;
   } before_;  // of the tick before, as Delay has it
@@ -188,10 +201,35 @@ void Run::tick() noexcept {
   ++result.ticks;
 }
 
+// The periods since the tick before, at most 17, which stands for all above. A late tick, after which others follow at once,
+// has those that passed, and they have none.
+std::uint32_t Run::periods(std::int64_t woken_at) noexcept {
+  std::int64_t passed = 1;
+  if (result.followed_device) {
+    const std::int64_t since = due_ - std::exchange(frame_, due_);
+    passed = since == 0 ? 0 : std::max<std::int64_t>((since + period_ / 2) / period_, 1);
+  } else if (options_.paced) {
+    const std::int64_t slot = std::max<std::int64_t>(slot_, (woken_at - start_) / period_);
+    passed = slot - std::exchange(slot_, slot);
+  }
+  return static_cast<std::uint32_t>(std::min<std::int64_t>(passed, 17));
+}
+
+fast::Evaluation Run::rendered(const Eigen::Vector3f& position, std::uint32_t periods) noexcept {
+  const fast::Evaluation spring = session_.step(position);
+  if (!damping_) return spring;
+  const fast::Evaluation damped = damping_->tick(position, periods, spring);
+  std::optional<DampedTick> tick;
+  if (damped.status != Status::invalid) tick = {position, spring.force, damped.force, damping_->state().velocity};
+  work_.add(tick, periods, result.damping.rate);
+  return damped;
+}
+
 void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t read_at) noexcept {
   const std::int64_t latency = options_.paced ? woken_at - due_ : 0;
   const Placement& placement = options_.placement;
-  const fast::Evaluation evaluation = session_.step(placement.to_subject(reading.position));
+  const std::uint32_t passed = damping_ ? periods(woken_at) : 0;
+  const fast::Evaluation evaluation = rendered(placement.to_subject(reading.position), passed);
   const Eigen::Vector3f desired = placement.turned_to_device(evaluation.force);
   const State state = device_.state();
   Verdict verdict{.force = desired};
@@ -235,7 +273,7 @@ void Run::render(const Reading& reading, std::int64_t woken_at, std::int64_t rea
   sample.shown = session_.shown();
   sample.temperature = state.temperature;
   sample.device_state = (state.calibrated ? Sample::kCalibrated : 0) | (state.forces_on ? Sample::kForcesOn : 0) |
-                        (evaluation.status == Status::unfinished ? Sample::kUnfinished : 0);
+                        (evaluation.status == Status::unfinished ? Sample::kUnfinished : 0) | passed << Sample::kPeriodsBit;
   if (reading.sent) {
     sample.device_state |= Sample::kReportsSent;
     sample.sent_work = reading.sent->work;

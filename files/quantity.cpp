@@ -20,8 +20,14 @@ struct Unit {
 constexpr std::array kLengths{Unit{"", "1"},      Unit{"mm", "1"},  Unit{"mil", "0.0254"},
                               Unit{"in", "25.4"}, Unit{"cm", "10"}, Unit{"m", "1000"}};
 constexpr std::array kStiffnesses{Unit{"", "1"}, Unit{"N/mm", "1"}, Unit{"N/m", "0.001"}};
+constexpr std::array kDampings{Unit{"", "1"}, Unit{"Ns/mm", "1"}, Unit{"Ns/m", "0.001"}};
+constexpr std::array kForces{Unit{"", "1"}, Unit{"N", "1"}};
+constexpr std::array kTimes{Unit{"s", "1"}, Unit{"ms", "0.001"}};
+constexpr std::array kNumbers{Unit{"", "1"}};
 constexpr const char *kLength = "a length such as 15.24, 15.24mm, 600mil, 0.6in, 2.54cm or 0.01m",
                      *kStiffness = "a stiffness such as 0.5, 0.5N/mm or 500N/m",
+                     *kDamping = "a damping such as 0.002, 0.002Ns/mm or 2Ns/m", *kForce = "a force such as 0.25 or 0.25N",
+                     *kTime = "a time such as 2ms or 0.002s", *kNumber = "a number such as 0.5",
                      *kAngle = "an angle such as 30, 30deg or 0.5rad";
 
 Error refusal(const std::string& name, const std::string& expected, const std::string& text) {
@@ -70,6 +76,22 @@ float parse_length(const std::string& name, const std::string& text) {
 
 float parse_stiffness(const std::string& name, const std::string& text) {
   return rounded(name, text, parse(name, text, kStiffnesses, kStiffness), kStiffness);
+}
+
+float parse_damping(const std::string& name, const std::string& text) {
+  return rounded(name, text, parse(name, text, kDampings, kDamping), kDamping);
+}
+
+float parse_force(const std::string& name, const std::string& text) {
+  return rounded(name, text, parse(name, text, kForces, kForce), kForce);
+}
+
+float parse_time(const std::string& name, const std::string& text) {
+  return rounded(name, text, parse(name, text, kTimes, kTime), kTime);
+}
+
+float parse_binary32(const std::string& name, const std::string& text) {
+  return rounded(name, text, parse(name, text, kNumbers, kNumber), kNumber);
 }
 
 Angle exact_angle(const std::string& name, const std::string& text) {

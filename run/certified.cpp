@@ -6,6 +6,8 @@
 
 namespace forceshade::run {
 
+// Decides by the identity, of which damping is no part: its stage is right for every rate, parameter and force
+// (docs/damping.md).
 Certified certified(const std::string& file, const Identity& rendering) {
   if (file.empty())
     return {std::nullopt, "no certificate was given; expected --certificate FILE, as written by 'forceshade certify'"};

@@ -20,8 +20,9 @@ namespace {
 
 constexpr double kKeptBeforeTheEnd = 0.2;  // s
 
-recorder::Metadata metadata(const Plan& plan, const Identity& identity, const device::Capabilities& capabilities) {
-  recorder::Metadata metadata = metadata_of_run(plan.device, capabilities, plan.servo);
+recorder::Metadata metadata(const Plan& plan, const device::ServoOptions& servo, const Identity& identity,
+                            const device::Capabilities& capabilities) {
+  recorder::Metadata metadata = metadata_of_run(plan.device, capabilities, servo);
   metadata.insert({{"certificate_digest", plan.digest.value_or("none")},
                    {"origin_mm", origin_words(plan.servo.placement)},
                    {"axes", axes_words(plan.servo.placement)}});
@@ -37,17 +38,22 @@ void expect_rate_of(const Rendering& what, double rate_hz) {
 
 }  // namespace
 
+damping::Parameters damping_of(const Rendering& what, const device::ServoOptions& servo) {
+  return what.damping.parameters.is_off() ? servo.damping_at_rate() : what.damping.at(servo.rate_hz);
+}
+
 bool has_failed(const device::ServoResult& result) {
   return result.trip || result.end_reason == device::EndReason::device_fault;
 }
 
 Outcome run(device::Device& device, const Rendering& what, const Plan& plan, const std::atomic<bool>& stop) {
   expect_rate_of(what, plan.servo.rate_hz);
+  device::ServoOptions servo = plan.servo;
+  servo.damping = damping_of(what, plan.servo);
   std::optional<Record> record;
   if (!plan.record.empty())
-    record.emplace(plan.record, metadata(plan, what.identity, device.capabilities()), plan.servo.paced, plan.overwrite);
+    record.emplace(plan.record, metadata(plan, servo, what.identity, device.capabilities()), plan.servo.paced, plan.overwrite);
   device::LastSamples last(kKeptBeforeTheEnd, plan.servo.rate_hz);
-  device::ServoOptions servo = plan.servo;
   servo.sinks.push_back(&last);
   if (record) servo.sinks.push_back(&record->sink());
   if (stop) throw Interrupted("the run had not begun");
@@ -67,9 +73,11 @@ nlohmann::ordered_json summary(const Outcome& outcome, const Rendering& what, co
   json["placement"] = {{"origin_mm", {origin.x(), origin.y(), origin.z()}}, {"axes", axes_words(plan.servo.placement)}};
   json["device"] = {{"name", plan.device}};
   for (const auto& [what_it_is, words] : words_of(capabilities)) json["device"][what_it_is] = words;
-  const std::string warning = device::words_if_active(static_cast<double>(what.stiffness), capabilities, plan.servo.rate_hz);
+  const std::string warning = device::words_if_active(static_cast<double>(what.stiffness), capabilities, plan.servo.rate_hz,
+                                                      damping_of(what, plan.servo));
   json["warning"] = warning.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(warning);
   json.update(to_json(outcome.result));
+  if (!outcome.result.damping.is_off()) json["damping"] = damping_json(outcome.result);
   json["signal"] = signal.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(signal);
   json["last_ticks"] = last_ticks_json(outcome.last_ticks);
   return json;

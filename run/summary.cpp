@@ -100,6 +100,21 @@ ordered_json to_json(const ServoResult& run) {
           {"cpu", run.privileges.cpu ? ordered_json(*run.privileges.cpu) : ordered_json(nullptr)}};
 }
 
+ordered_json damping_json(const ServoResult& run) {
+  const damping::Parameters& p = run.damping;
+  const device::DampedEnergy& energy = run.damped_energy;
+  return {{"rate_hz", p.rate},
+          {"share", p.share},
+          {"damping_N_s_per_mm", p.damping},
+          {"most", p.most},
+          {"drag_N_s_per_mm", p.drag},
+          {"full_at_N", p.full_at},
+          {"spring_mJ", energy.spring},
+          {"damper_mJ", energy.damper},
+          {"sampling_mJ", energy.sampling},
+          {"most_given_mJ", energy.most}};
+}
+
 ordered_json last_ticks_json(const std::vector<Sample>& samples) {
   ordered_json all = ordered_json::array();
   for (const Sample& sample : samples) {

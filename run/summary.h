@@ -23,6 +23,9 @@ nlohmann::ordered_json summary_of(const Identity& identity);
 // The servo loop's measurements.
 nlohmann::ordered_json to_json(const device::ServoResult& run);
 
+// The damping of a run that had some, and what it gave; an infinite `most` is null.
+nlohmann::ordered_json damping_json(const device::ServoResult& run);
+
 // The pacer of the ticks, "device" or "clock"; null where ticks followed one another.
 const char* pacer_of(const device::ServoResult& run);
 

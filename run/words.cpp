@@ -46,7 +46,16 @@ recorder::Metadata metadata_of_run(const std::string& device, const device::Capa
                               {"paced", servo.paced ? "yes" : "no"}};
   for (const auto& [what, words] : words_of(capabilities)) metadata["device_" + what] = words;
   metadata.merge(recorder::metadata_of(device::safety_settings(capabilities, servo)));
+  metadata.merge(recorder::metadata_of(servo.damping_at_rate()));
   return metadata;
+}
+
+std::string words_of(const damping::Parameters& damping) {
+  std::string words;
+  if (damping.damping > 0)
+    words += shortest(damping.damping) + " N s/mm along the force, up to " + shortest(damping.most) + " times it; ";
+  if (damping.drag > 0) words += "drag of " + shortest(damping.drag) + " N s/mm, full at " + shortest(damping.full_at) + " N; ";
+  return words + "share " + shortest(damping.share) + " at " + shortest(damping.rate) + " Hz";
 }
 
 std::string origin_words(const device::Placement& placement) {

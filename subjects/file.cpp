@@ -25,8 +25,13 @@ constexpr std::size_t kLargestFile = 1 << 16;
 
 Options options_of(const files::TomlDocument& document, const fs::path& file) {
   Options options;
-  for (const auto& [key, node] : document.root())
-    options.add(option_of(std::string(key.str()), node, document, file, names_of_keys(), "subject"));
+  for (const auto& [key, node] : document.root()) {
+    if (key.str() != kDamping) {
+      options.add(option_of(std::string(key.str()), node, document, file, names_of_keys(), "subject"));
+      continue;
+    }
+    for (Option& one : options_of_damping(node, document, file)) options.add(std::move(one));
+  }
   if (!options.has_kind())
     throw Error(file.string() + ": has none of the keys " + words_of_kinds("and", "") + "; expected one of them");
   return options;

@@ -23,6 +23,9 @@ struct Option {
 // The kinds of a subject: just one of these keys is given.
 inline constexpr std::array<std::string_view, 4> kKinds{"law", "height-map", "mesh", "scene"};
 
+// The keys of damping; a file has the table [damping] instead.
+inline constexpr std::string_view kDamping = "damping", kDrag = "drag", kDampingFilter = "damping-filter";
+
 struct Key {
   std::string_view name;
   std::array<std::string_view, 2> of = {};  // the kinds that it can stand beside; none: all of them
@@ -31,7 +34,7 @@ struct Key {
   bool is_of(std::string_view kind) const { return !kind.empty() && (of[0] == kind || of[1] == kind); }
 };
 // In the order in which an option of each is looked at.
-inline constexpr std::array<Key, 16> kKeys{{{"law"},
+inline constexpr std::array<Key, 19> kKeys{{{"law"},
                                             {"radius", {"law"}},
                                             {"width", {"law"}},
                                             {"stiffness"},
@@ -46,7 +49,10 @@ inline constexpr std::array<Key, 16> kKeys{{{"law"},
                                             {"materials", {"mesh"}},
                                             {"texture-scale", {"mesh"}},
                                             {"self-intersecting", {"mesh", "scene"}, true},
-                                            {"crease", {"mesh", "scene"}}}};
+                                            {"crease", {"mesh", "scene"}},
+                                            {kDamping},
+                                            {kDrag},
+                                            {kDampingFilter}}};
 
 // True if it is the key of a flag; false for a word that is no key.
 bool is_flag(std::string_view key);

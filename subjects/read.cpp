@@ -8,6 +8,7 @@
 #include "files/quantity.h"
 #include "forceshade/fast.h"
 #include "forceshade/subjects.h"
+#include "subjects/damping.h"
 #include "subjects/height_map.h"
 #include "subjects/mesh.h"
 #include "subjects/scene.h"
@@ -40,15 +41,16 @@ std::vector<Description> read(const Options& options, Laws laws, const Monitor& 
   expect_consistent(options, laws);
   const std::string mesh = options.value("mesh"), scene = options.value("scene"), map = options.value("height-map");
   const float stiffness = stiffness_of(options);
+  const damping::Described damping = read_damping(options);
   const auto name_of_file = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
-  if (!mesh.empty()) return {{name_of_file(mesh), read_mesh(options, stiffness, monitor)}};
+  if (!mesh.empty()) return {{name_of_file(mesh), read_mesh(options, stiffness, monitor), damping}};
   if (!scene.empty()) return {read_scene(options, stiffness, monitor)};
   if (!map.empty()) {
     heights::Spec spec = read_height_map(options, stiffness);
-    return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.mode, stiffness}}};
+    return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.mode, stiffness}, damping}};
   }
   std::vector<Description> all;
-  for (const DescribedLaw& law : laws_of(options)) all.push_back({std::string(name_of(law.law)), law});
+  for (const DescribedLaw& law : laws_of(options)) all.push_back({std::string(name_of(law.law)), law, damping});
   return all;
 }
 

@@ -8,6 +8,7 @@
 
 #include "files/printable.h"
 #include "files/quantity.h"
+#include "subjects/damping.h"
 #include "subjects/materials.h"
 #include "subjects/mesh.h"
 #include "subjects/motion.h"
@@ -49,10 +50,12 @@ class SceneReader {
   // Those in the file, then those given, of which none may be in the file.
   Options options(const Options& given) const {
     std::vector<std::string> keys = keys_of_options();
-    keys.insert(keys.end(), {"object", "rate"});
+    keys.insert(keys.end(), {"object", "rate", std::string(kDamping)});
     Options all;
+    if (const toml::node* its = in_.root().get(kDamping))
+      for (Option& one : options_of_damping(*its, in_.document(), in_.file())) all.add(std::move(one));
     for (const auto& [key, node] : in_.root())
-      if (key.str() != "object" && key.str() != "rate")
+      if (key.str() != "object" && key.str() != "rate" && key.str() != kDamping)
         all.add(option_of(std::string(key.str()), node, in_.document(), in_.file(), keys, "scene"));
     for (const Option& one : given) all.add(one);
     expect_consistent(all, Laws::one);
@@ -102,7 +105,7 @@ class SceneReader {
   // An object with a motion has the keys of a subject file.
   void add_moving(const toml::table& table) {
     std::vector<std::string> keys = names_of_keys();
-    std::erase(keys, "scene");
+    for (const std::string_view key : {std::string_view("scene"), kDamping}) std::erase(keys, key);
     UnreadObject made;
     made.name = name_of(table);
     bool repeats = false;
@@ -225,9 +228,13 @@ Description read_scene(const Options& options, float stiffness, const Monitor& m
       const auto words = [ground = std::move(scene.ground)](const mesh::Findings& findings) { return ground.words(findings); };
       return {std::move(loaded), std::move(scene.materials), words};
     };
-    return Description{name, rendered(all, stiffness, load, monitor)};
+    return Description{name, rendered(all, stiffness, load, monitor), read_damping(all)};
   };
   if (scene.moving.empty()) return ground();
+  if (!read_damping(all).parameters.is_off())
+    throw Error(all.name(all.has(kDamping) ? kDamping : kDrag) +
+                ": expected no object with a motion, of which damping would have to know the velocity, got " +
+                scene.moving.front().name);
   DescribedScene described{{}, scene.rate, stiffness};
   if (!scene.ground.objects.empty()) described.objects.push_back({"ground", ground(), {}});
   for (UnreadObject& one : scene.moving) {

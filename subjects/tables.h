@@ -26,6 +26,11 @@ std::string beside(const std::filesystem::path& file, const std::string& name);
 Option option_of(const std::string& key, const toml::node& node, const files::TomlDocument& document,
                  const std::filesystem::path& file, const std::vector<std::string>& keys, const std::string& whose);
 
+// The options that the table [damping] of a file stands for. Throws Error as option_of() does, and where a number is out of its
+// range.
+std::vector<Option> options_of_damping(const toml::node& node, const files::TomlDocument& document,
+                                       const std::filesystem::path& file);
+
 // A TOML file of materials or of a scene.
 class Tables {
  public:

@@ -17,9 +17,11 @@ inline bool is_texture(const std::string& shading) {
   return shading.starts_with(kTexturePrefix) && shading.size() > kTexturePrefix.size();
 }
 
+// The keys that a file has.
 inline std::vector<std::string> names_of_keys() {
   std::vector<std::string> names;
-  for (const Key& key : kKeys) names.emplace_back(key.name);
+  for (const Key& key : kKeys)
+    if (key.name != kDrag && key.name != kDampingFilter) names.emplace_back(key.name);
   return names;
 }
 

@@ -10,7 +10,7 @@
 //
 // Positions are in mm and forces in N. Each step is a period, unless step_after() says how many it is.
 //
-// Not promised: that a run with damping can be certified, recorded or driven from the command yet.
+// Not promised: that a servo loop's late ticks count as the periods that passed; ServoOptions::damping of servo_loop.h does it.
 
 #include <Eigen/Core>
 #include <cstdint>

@@ -16,9 +16,29 @@
 // Not promised: that a device with these parameters is passive or stable.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace forceshade::damping {
+
+// The share of a filter with a time constant: the binary32 number nearest to 1/(1 + rate * time). rate: Hz, time: s, positive.
+inline float share_of(float rate, float time) noexcept {
+  const double product = double{rate} * double{time};  // exact
+  // The sign of middle * (1 + product) - 1.
+  const auto side = [product](double middle) {
+    const double high = middle * product;
+    return middle - 1 + high + std::fma(middle, product, -high);
+  };
+  const auto share = static_cast<float>(1 / (1 + product));
+  const float above = std::nextafter(share, 2.0F), below = std::nextafter(share, 0.0F);
+  if (side((double{share} + double{above}) / 2) < 0) return above;
+  return side((double{share} + double{below}) / 2) > 0 ? below : share;
+}
+
+// γ: by sampling, damping B at the rate 1/T gives at most γ (B/T) times the sum of the squares of the hand's steps.
+constexpr double sampling_factor(double share) noexcept {
+  return share >= 0.5 ? share / (2 - share) : 1 / (4 * (1 - share) * (2 - share));
+}
 
 struct Parameters {
   float rate = 0;         // r, Hz: 1 to 2^17, of the device or file; there is no default
@@ -31,7 +51,23 @@ struct Parameters {
   // The damped force is the spring's own, bit for bit, and there is no state.
   constexpr bool is_off() const noexcept { return damping == 0 && drag == 0; }
 
+  constexpr float larger() const noexcept { return damping > drag ? damping : drag; }  // of B and B_t
+
   friend bool operator==(const Parameters&, const Parameters&) = default;
+};
+
+// Damping as a subject has it, before a rate is known.
+struct Described {
+  Parameters parameters;  // without their rate
+  float time = 0;         // s: the filter's time constant, of which the rate makes the share; 0: the share is that above
+
+  // rate: Hz, rounded to binary32.
+  Parameters at(double rate) const noexcept {
+    Parameters its = parameters;
+    its.rate = static_cast<float>(rate);
+    if (time > 0) its.share = share_of(its.rate, time);
+    return its;
+  }
 };
 
 // The state between two ticks. At the start and after a reset there is no position; then all else is 0, too.

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "forceshade/damping.h"
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
@@ -43,6 +44,7 @@ struct DescribedScene {
 struct Description {
   std::string name;  // for people: the law's, or that of the file of a height map, mesh or scene
   std::variant<DescribedLaw, DescribedHeightMap, MeshRendering, DescribedScene> what;
+  damping::Described damping = {};  // behind it, of no part in its identity or a certificate (docs/damping.md)
 
   // The result of the case for what it is, which is called with the members of `what` and gives one type. It does not compile
   // while a kind has no case.

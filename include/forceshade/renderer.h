@@ -77,7 +77,8 @@ struct Rendering {
   Renderer renderer;
   // Ticks per second for which the motion of its objects was made, Hz: run() of run.h refuses another rate. None: any.
   std::optional<double> rate_hz = {};
-  float stiffness = 0;  // N/mm: the largest of what it renders; 0: not known
+  float stiffness = 0;              // N/mm: the largest of what it renders; 0: not known
+  damping::Described damping = {};  // which run() of run.h puts behind the sessions: they are without it
 };
 
 // By the fast path. The error names the first number that is outside its domain (docs/laws.md, docs/height-maps.md,

@@ -53,6 +53,9 @@ struct Plan {
   device::ServoOptions servo = {};
 };
 
+// The damping of such a run, at the rate of its loop: that of the rendering, or where it has none that of the loop's options.
+damping::Parameters damping_of(const Rendering& what, const device::ServoOptions& servo);
+
 // The outcome of a run.
 struct Outcome {
   device::ServoResult result;

@@ -31,6 +31,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "forceshade/damping.h"
 #include "forceshade/device.h"
 #include "forceshade/placement.h"
 #include "forceshade/session.h"
@@ -54,7 +55,7 @@ struct Sample {
   std::int64_t compute_ns = 0;                                           // from position read to force commanded
   std::int64_t wakeup_ns = 0;                                            // from due to awake; 0 if nothing was due
   std::array<float, 3> position = {kUnknown, kUnknown, kUnknown};        // mm
-  std::array<float, 3> law_force = {0, 0, 0};                            // N, as the law has it
+  std::array<float, 3> law_force = {0, 0, 0};                            // N, as the law has it, damped
   std::array<float, 3> force = {0, 0, 0};                                // N, as commanded
   std::array<float, 3> gimbal = {kUnknown, kUnknown, kUnknown};          // rad
   std::uint16_t buttons = 0;                                             // bit k is set while button k is down
@@ -72,6 +73,9 @@ struct Sample {
   float temperature = 0;                         // State::temperature
   std::uint32_t device_state = 0;                // kCalibrated and so on, of this reading
   static constexpr std::uint32_t kCalibrated = 1, kForcesOn = 2, kReportsSent = 4, kUnfinished = 8;
+  static constexpr unsigned kPeriodsBit = 8;  // from here on, of a damped run: the periods since the tick before, at most 17
+
+  std::uint32_t periods() const noexcept { return device_state >> kPeriodsBit; }
 
   // The law's answer of the tick, unless that is the end.
   Status law_status() const noexcept {
@@ -238,6 +242,15 @@ struct PassivityAccount {
   double owed() const noexcept { return forgiven + (balance < 0 ? -balance : 0); }
 };
 
+// The work of a renderer's damped force on the hand, before supervisor and controller: each force is held until the next tick.
+// In three parts that sum up to it (docs/damping.md), mJ. Computed in binary64; `recording check` does it exactly.
+struct DampedEnergy {
+  double spring = 0;    // of the force without damping
+  double damper = 0;    // of the damping at its own velocity; never positive but for a rounding
+  double sampling = 0;  // of the damping for that the hand did not go at that velocity
+  double most = 0;      // what damper and sampling can give at most along this path, where no tick was late or invalid
+};
+
 // The privileges that were requested and granted; all for the calling thread, but for the memory.
 struct Privileges {
   bool scheduling = false;  // SCHED_FIFO
@@ -290,6 +303,11 @@ struct ServoOptions {
   // The place of the law or map. The device, the supervisor and the passivity controller keep to the device's frame; the law is
   // given the position in its own frame, rounded, and the samples hold that position, and forces, in the law's frame.
   Placement placement = {};
+
+  // Behind the session and in its frame; its rate is that of the loop, whatever stands here. A tick that came late, or a frame
+  // that was missed, counts as the periods that passed.
+  damping::Parameters damping = {};
+  damping::Parameters damping_at_rate() const noexcept { return damping::Described{damping}.at(rate_hz); }
 
   // Each given every tick as it happens, and the zero force that ends the run.
   std::vector<SampleSink*> sinks = {};
@@ -352,6 +370,9 @@ struct ServoResult {
   PassivityAccount account;
   double energy_given_mJ() const noexcept { return account.given; }
   double energy_taken_mJ() const noexcept { return account.taken(); }
+
+  damping::Parameters damping;  // off where the run had none
+  DampedEnergy damped_energy;
 
   bool followed_device = false;  // as ServoOptions says, and the device paces
   Privileges privileges;         // requested only when paced

@@ -15,10 +15,13 @@ namespace forceshade::recorder {
 using device::Sample;
 
 // The header of every recording has "FSHR", and the version that a change of the schema, of a sample's bytes or of the
-// metadata raises. Format 4 has more columns behind those of format 3, which is format 2 with a digest of the metadata; no
-// other is read.
+// metadata raises. Format 4 has more columns behind those of format 3, which is format 2 with a digest of the metadata; format
+// 5 is that of a damped run, which a reader of format 4 would misread; no other is read.
 inline constexpr int kApplicationId = 0x46534852;
-inline constexpr int kFormatVersion = 4, kFormatOfFewerColumns = 3, kFormatWithoutDigest = 2;
+inline constexpr int kFormatOfDamping = 5, kFormatVersion = 4, kFormatOfFewerColumns = 3, kFormatWithoutDigest = 2;
+
+// The key that the metadata of a damped run have.
+inline constexpr const char* kDampingKey = "damping_rate_hz";
 
 // The tables as SQLite keeps them, word for word: a file with any other table, a view or a trigger is no recording.
 inline constexpr std::array<std::string_view, 2> kTables{

@@ -48,8 +48,8 @@ void make_file(const std::string& path, Metadata& metadata) {
       Database database(path, Database::Access::write, made);
       if (database.text("PRAGMA journal_mode = WAL") != "wal")
         throw Error(path + ": cannot make the recording: SQLite has no write-ahead log on this file system");
-      database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kApplicationId) +
-                       "; PRAGMA user_version = " + std::to_string(kFormatVersion));
+      database.execute("BEGIN; PRAGMA application_id = " + std::to_string(kApplicationId) + "; PRAGMA user_version = " +
+                       std::to_string(metadata.contains(kDampingKey) ? kFormatOfDamping : kFormatVersion));
       for (const std::string_view table : kTables) database.execute(std::string(table));
       insert(database, metadata, std::exchange(metadata, {}));
       database.execute("COMMIT; PRAGMA wal_checkpoint(TRUNCATE)");

@@ -52,9 +52,9 @@ Recording::Recording(const std::string& path) : database_(std::make_unique<Datab
   if (database_->integer("PRAGMA application_id") != kApplicationId)
     throw Error(path + ": a database, but not a forceshade recording");
   const auto version = database_->integer("PRAGMA user_version");
-  if (version < kFormatWithoutDigest || version > kFormatVersion)
+  if (version < kFormatWithoutDigest || version > kFormatOfDamping)
     throw Error(path + ": expected a recording of format " + std::to_string(kFormatWithoutDigest) + " to " +
-                std::to_string(kFormatVersion) + ", got format " + std::to_string(version));
+                std::to_string(kFormatOfDamping) + ", got format " + std::to_string(version));
   const bool has_fewer = version <= kFormatOfFewerColumns;
   if (has_fewer) sample_bytes_ = kFewerBytes;
   expect_tables_of_a_recording();

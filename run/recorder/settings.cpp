@@ -13,7 +13,9 @@
 
 #include "device/passivity_controller.h"
 #include "files/csv.h"
+#include "forceshade/fast.h"
 #include "forceshade/servo_loop.h"
+#include "run/recorder/layout.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -52,6 +54,17 @@ void for_each_number(Settings& settings, Visit visit) {
   visit("passivity_epsilon_mJ", passivity.epsilon);
   visit("passivity_friction_N", passivity.friction);
   visit("passivity_period_s", passivity.period);
+}
+
+// The same of a damping; the key of the rate is that by which a recording is known to be of a damped run.
+template <class Parameters, class Visit>
+void for_each_parameter(Parameters& damping, Visit visit) {
+  visit(kDampingKey, damping.rate);
+  visit("damping_share", damping.share);
+  visit("damping_N_s_per_mm", damping.damping);
+  visit("damping_most", damping.most);
+  visit("damping_drag_N_s_per_mm", damping.drag);
+  visit("damping_full_at_N", damping.full_at);
 }
 
 class Reader {
@@ -128,6 +141,24 @@ std::optional<device::SafetySettings> safety_settings_in(const Metadata& metadat
     if (read.text(kController) == name_of(kind)) return settings;
   }
   read.refuse(kController, "observer, tank or damping");
+}
+
+Metadata metadata_of(const damping::Parameters& damping) {
+  Metadata metadata;
+  if (!damping.is_off()) for_each_parameter(damping, [&](const char* key, float number) { metadata[key] = shortest(number); });
+  return metadata;
+}
+
+std::optional<damping::Parameters> damping_in(const Metadata& metadata, const std::string& path) {
+  if (!metadata.contains(kDampingKey)) return std::nullopt;
+  damping::Parameters damping;
+  const Reader read(metadata, path);
+  for_each_parameter(damping, [&](const char* key, float& number) { number = read.number<float>(key); });
+  if (const auto rate = static_cast<float>(read.number<double>(kRate)); damping.rate != rate)
+    read.refuse(kDampingKey, "the rate of the run, " + shortest(rate));
+  const auto built = fast::Damping::build(damping);
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw Error(path + ": damping: " + error->message());
+  return damping;
 }
 
 }  // namespace forceshade::recorder

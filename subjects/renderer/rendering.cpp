@@ -53,9 +53,12 @@ std::variant<Rendering, ParameterError> rendering_of(const std::string& name, co
 
 std::variant<Rendering, ParameterError> rendering_of(const Description& description) {
   const std::string& name = description.name;
-  return description.visit([](const DescribedLaw& law) { return rendering_of(law.law, law.parameters); },
-                           [&](const DescribedHeightMap& map) { return rendering_of(name, map.map, map.mode, map.stiffness); },
-                           [&](const auto& other) { return rendering_of(name, other); });
+  auto built =
+      description.visit([](const DescribedLaw& law) { return rendering_of(law.law, law.parameters); },
+                        [&](const DescribedHeightMap& map) { return rendering_of(name, map.map, map.mode, map.stiffness); },
+                        [&](const auto& other) { return rendering_of(name, other); });
+  if (auto* rendering = std::get_if<Rendering>(&built)) rendering->damping = description.damping;
+  return built;
 }
 
 }  // namespace forceshade

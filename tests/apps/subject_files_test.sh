@@ -61,6 +61,56 @@ refused 'mesh = "ball.off"\nself-intersecting = 1\n' "line 2: self-intersecting:
 refused 'stiffness = 1\n' "has none of the keys law, height-map, mesh and scene; expected one of them"
 refused '' "has none of the keys law, height-map, mesh and scene; expected one of them"
 refused 'law = \n' "line 1: "
+# Damping: drive has it, and its recording; other commands leave it out and say so.
+printf 'law = "wall"\nstiffness = 1\n\n[damping]\ndamping = 0.002\nmost = 3\ndrag = "1Ns/m"\nfull_at = 0.5\ntime = "2ms"\n' > oil.toml
+grep -v '^most\|^drag\|^full' oil.toml > thin.toml
+expect 0 "oil.toml: its damping is left out here" -- "$forceshade" force positions.csv --subject oil.toml
+same "$("$forceshade" force positions.csv --law wall --stiffness 1)" "$("$forceshade" force positions.csv --subject oil.toml 2> /dev/null)"
+drive() { "$forceshade" drive --certificate none --device simulated --seconds 2 --pace none "$@"; }
+expect 0 "0.002 N s/mm along the force, up to 3 times it; drag of 0.001 N s/mm, full at 0.5 N; share 0.3333333 at 1000 Hz" -- \
+  drive --subject oil.toml --out oil.fsr --json oil.json
+grep -q '"sampling_mJ"' oil.json || { echo "FAILED: the summary has no account of damping"; exit 1; }
+check() { "$forceshade" recording check "$@" --json checked.json --overwrite; }
+expect 0 ", 0 differ" -- check oil.fsr --law wall --stiffness 1
+also "commands: 2000 ticks" "by its sampling, exactly"
+# The account of the run in binary64 is the exact one, and the damping gives less than it can at most.
+python3 -c 'import json
+of = json.load(open("oil.json"))["damping"]
+its = json.load(open("checked.json"))["computed_again"]["damping"]
+assert all(abs(of[key] - its[key]) < 1e-9 for key in its) and its["damper_mJ"] < 0
+assert its["damper_mJ"] + its["sampling_mJ"] <= its["most_given_mJ"]' || { echo "FAILED: other energies"; exit 1; }
+expect 0 ", 0 differ" -- check oil.fsr --subject oil.toml
+expect 2 "oil.fsr: damping_drag_N_s_per_mm is 0.001; expected 0" -- check oil.fsr --subject thin.toml
+expect 0 "share 0.5 at 500 Hz" -- drive --law wall --rate 500 --damping 2Ns/m --damping-filter 2ms --out half.fsr
+expect 0 ", 0 differ" -- check half.fsr --law wall --damping 0.002 --damping-filter 2ms
+expect 2 "half.fsr: damping_share is 0.5; expected 1" -- check half.fsr --law wall --damping 0.002
+drive --law wall --out dry.fsr > /dev/null
+expect 2 "dry.fsr: the run had no damping; expected that of the subject" -- check dry.fsr --law wall --damping 0.002
+same 45 "$(python3 -c 'import sqlite3, sys
+for file in sys.argv[1:]: print(sqlite3.connect(file).execute("PRAGMA user_version").fetchone()[0], end="")' dry.fsr oil.fsr)"
+# A force that was not damped as its recording says is found.
+python3 - << 'end'
+import ast, hashlib, sqlite3, struct
+file = sqlite3.connect("oil.fsr")
+meta = dict(file.execute("SELECT key, value FROM metadata"))
+meta["damping_N_s_per_mm"] = "0.003"
+seal = meta.pop("metadata_sha256")
+words = b"".join(b"%d:%s," % (len(w), w) for pair in sorted(meta.items()) for w in (s.encode() for s in pair))
+meta["metadata_sha256"] = hashlib.sha256(words).hexdigest()
+file.executemany("UPDATE metadata SET value = ? WHERE key = ?", [(value, key) for key, value in meta.items()])
+file.commit()
+end
+expect 1 "N, expected" -- check oil.fsr --law wall --stiffness 1
+expect 0 "damping: takes energy at its own velocity; held from tick to tick it gives at most 0.0006667 N s/mm" -- \
+  "$forceshade" energy --law wall --depth 1 --damping 0.002 --damping-filter 0.5
+expect 2 "oil.toml: line 9: time: expected a share such as 0.5" -- "$forceshade" energy --subject oil.toml --depth 1
+# A scene has it, too, and one in which something moves not.
+printf '[damping]\ndrag = 0.001\n[[object]]\nname = "ball"\nmesh = "ball.off"\nunit = "mm"\n' > scene.toml
+expect 0 "drag of 0.001 N s/mm" -- drive --scene scene.toml
+expect 0 "scene.toml: its damping is left out here" -- "$forceshade" force positions.csv --scene scene.toml
+printf 'time_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,0,0,0\n' > still.csv
+printf 'motion = "still.csv"\n' >> scene.toml
+expect 2 "scene.toml: line 2: drag: expected no object with a motion" -- drive --scene scene.toml
 expect 2 "--subject: expected once, got several times" -- "$forceshade" force --subject two.toml --subject two.toml
 expect 2 "inputs/law.toml: line 1: law: expected once, got several times" -- \
   "$forceshade" force --law wall --subject inputs/law.toml

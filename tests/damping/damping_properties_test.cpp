@@ -249,5 +249,25 @@ TEST(damping_properties, paths_come_near_the_bound_of_sampling) {
   }
 }
 
+// The rows are those at which binary64 alone rounds to the other side.
+TEST(damping_properties, the_share_of_a_time_constant_is_the_nearest_number) {
+  std::vector<std::array<float, 3>> cases{{5998, 0x1.50bb42p-11F, 0x1.a6115ap-3F},
+                                          {7374, 0x1.7a802p-11F, 0x1.43deaap-3F},
+                                          {294, 0x1.cd57c6p-9F, 0x1.f73da2p-2F},
+                                          {500, 0.002F, 0.5F}};
+  std::mt19937 draw(54);
+  for (int i = 0; i < 10'000; ++i) {
+    const float rate = static_cast<float>(1 + draw() % 131072), time = std::ldexp(static_cast<float>(draw() | 1U), -40);
+    cases.push_back({rate, time, damping::share_of(rate, time)});
+  }
+  for (const auto& [rate, time, share] : cases) {
+    EXPECT_EQ(damping::share_of(rate, time), share);
+    const mpq_class exact = 1 / (1 + exactly(rate) * exactly(time));
+    const auto off = [&](float other) { return mpq_class(abs(exact - exactly(other))); };
+    EXPECT_TRUE(off(share) <= off(std::nextafter(share, 0.0F)) && off(share) <= off(std::nextafter(share, 2.0F)))
+        << rate << " Hz, " << time << " s";
+  }
+}
+
 }  // namespace
 }  // namespace forceshade

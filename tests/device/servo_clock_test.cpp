@@ -67,6 +67,15 @@ TEST(servo_loop, measures_each_part_of_a_tick) {
   EXPECT_NEAR(run.achieved_rate_hz, 10 / 0.0102, 1e-9);
 }
 
+// Tick 5 takes 3.4 ms: tick 6 begins 3 periods after it instead of one, and of the two that follow at once no time passes.
+TEST(servo_loop, counts_the_periods_that_passed_for_damping) {
+  World clock;
+  Timed device(clock, [&](std::size_t tick) { clock.pass(tick == 5 ? 3.4 : 0.1); });
+  const Kept run(device, wall(), {.max_seconds = 0.012, .damping = {.damping = 0.001F}});
+  ASSERT_EQ(run.ticks, 12U);
+  for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(run.samples[k].periods(), k == 6 ? 3U : k == 7 || k == 8 ? 0U : 1U) << k;
+}
+
 TEST(servo_loop, counts_an_overrun_only_if_it_computed_for_longer_than_a_period) {
   for (const auto& [computed, overruns] : {std::pair{0.99, 0U}, std::pair{1.0, 0U}, std::pair{1.01, 1U}}) {
     World clock;

@@ -85,6 +85,22 @@ TEST(passive_rate, names_stiffness_rate_and_damping_where_they_cannot_be_passive
   EXPECT_NE(unknown.find("the device's own is not known, and a hand's flesh has some 1.3"), std::string::npos) << unknown;
 }
 
+TEST(passive_rate, counts_what_damping_gives_and_names_what_a_count_of_the_device_does) {
+  const Capabilities device{.model = "its", .peak_force = 8};
+  const damping::Parameters oil{.rate = 1000, .share = 0.5F, .damping = 0.003F}, tar{.rate = 1000, .damping = 0.002F};
+  EXPECT_EQ(words_if_active(0.59, device, 1000, oil), "");
+  EXPECT_EQ(
+      words_if_active(0.7, device, 1000, oil),
+      "a stiffness of 0.7 N/mm at 1000 Hz with a damping of 0.003 N s/mm cannot be passive, so a hand may be made to swing: "
+      "b >= KT/2 + 1 N s/m takes a damping of 1.35 N s/m; the device's own is not known, and a hand's flesh has some 1.3. "
+      "That suffices for 0.6 N/mm at this rate, or for this stiffness from 1167 Hz on");
+  EXPECT_NE(words_if_active(0.1, device, 1000, tar).find("suffices for no stiffness with this damping"), std::string::npos);
+  EXPECT_EQ(
+      words_if_active(0.1, {.resolution = 0.03F, .peak_force = 8}, 1000, {.rate = 1000, .drag = 0.001F}),
+      "one count of the device, 0.03 mm, changes the damped force by 0.03 N, which may be felt as chatter; with a smaller "
+      "share of the filter, or less damping, it is less");
+}
+
 // 2 b/T is 2.6 N/mm at 1 kHz by the hand's flesh alone.
 TEST(passive_rate, is_silent_where_they_may_be_and_where_nobody_is_pushed) {
   EXPECT_EQ(words_if_active(2.6, {.peak_force = 8}, 1000), "");

@@ -320,7 +320,7 @@ TEST(recording, is_told_from_other_files) {
   EXPECT_EQ(words_of(empty), empty + ": a database, but not a forceshade recording");
   record(path);
   execute(path, "PRAGMA user_version = 1");
-  EXPECT_EQ(words_of(path), path + ": expected a recording of format 2 to 4, got format 1");
+  EXPECT_EQ(words_of(path), path + ": expected a recording of format 2 to 5, got format 1");
   execute(path, "PRAGMA user_version = 4; UPDATE metadata SET value = '[(''x'', ''<f4'')]' WHERE key = 'layout'");
   EXPECT_TRUE(words_of(path).ends_with("got [('x', '<f4')]")) << words_of(path);
 }

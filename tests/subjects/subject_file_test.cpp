@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -71,6 +72,42 @@ TEST(subject_file, names_a_height_map_and_a_mesh_that_lie_beside_it) {
   EXPECT_EQ(rendering.stiffness, 0.25F);
   EXPECT_EQ(rendering.mesh().vertices.size(), 4U);
   EXPECT_EQ(rendering.mesh().vertices[1][0], 9000.0F) << "m are 1000 mm";
+}
+
+TEST(subject_file, has_damping_in_a_table) {
+  const auto damping_of = [](const std::string& keys) {
+    return read_text("law = \"wall\"\n[damping]\n" + keys, "its.toml").damping;
+  };
+  EXPECT_TRUE(read_text("law = \"wall\"\n", "its.toml").damping.parameters.is_off());
+  const damping::Described all = damping_of("damping = 0.002\nmost = inf\ndrag = \"3Ns/m\"\nfull_at = \"0.5N\"\nshare = 0.1\n");
+  EXPECT_EQ(
+      all.parameters,
+      (damping::Parameters{
+          .share = 0.1F, .damping = 0.002F, .most = std::numeric_limits<float>::infinity(), .drag = 0.003F, .full_at = 0.5F}));
+  EXPECT_EQ(all.time, 0);
+  const damping::Described timed = damping_of("drag = \"0.003Ns/mm\"\ntime = \"2ms\"\n");
+  EXPECT_EQ(timed.at(500).share, 0.5F);
+  EXPECT_EQ(timed.at(500).rate, 500.0F);
+  const auto expect = [&](const std::string& keys, const std::string& words) {
+    tests::expect_words(tests::thrown_by<Error>([&] { damping_of(keys); }), {"its.toml: line " + words});
+  };
+  expect("", "2: damping: expected the key damping or drag in its table, got none");
+  expect("share = 0.5\n", "2: damping: expected the key damping or drag in its table, got none");
+  expect("dampin = 1\n", "3: unknown key dampin; expected keys of [damping]; the nearest is damping");
+  expect("drag = 1\nmost = 3\n", "4: most: expected damping beside it, got it alone");
+  expect("drag = 1\nfull_at = 0\n", "4: full_at is 0 N; expected");
+  expect("damping = 17\n", "3: damping is 17 N");
+  expect("damping = 1\nmost = 0.5\n", "4: most is 0.5; expected 1 to 1024");
+  expect("damping = 1\nshare = \"2ms\"\n", "4: share: expected a number such as 0.5, got \"2ms\"");
+  expect("damping = 1\ntime = 2\n", "4: time: expected a time such as 2ms or 0.002s, got \"2\"");
+  expect("damping = 1\ntime = \"0ms\"\n", "4: time: expected a time above 0, got \"0ms\"");
+  expect("damping = 1\ntime = \"1ms\"\nshare = 1\n", "4: time: expected without share, got both");
+  expect("damping = [1, 2]\n", "3: damping: expected a damping such as 0.002, 0.002Ns/mm or 2Ns/m, got \"1,2\"");
+  expect("damping = true\n", "3: damping: expected a number or a text in quotes, got true");
+  tests::expect_words(tests::thrown_by<Error>([] { read_text("law = \"wall\"\ndamping = 1\n", "its.toml"); }),
+                      {"its.toml: line 2: damping: expected the table [damping], got 1"});
+  tests::expect_words(tests::thrown_by<Error>([] { read_text("law = \"wall\"\ndrag = 1\n", "its.toml"); }),
+                      {"its.toml: line 2: unknown key drag"});
 }
 
 TEST(subject_file, is_refused_with_its_line_and_what_was_expected) {

@@ -22,6 +22,8 @@ Description of_file(const std::string& file, float stiffness, const Bumps::Read&
   Description described = read(subjects::options_of_file(file));
   if (std::holds_alternative<DescribedScene>(described.what))
     throw Error(file + ": expected no object with a motion, since a session compares surfaces at rest");
+  if (!described.damping.parameters.is_off())
+    throw Error(file + ": expected no damping, since a session compares surfaces that do not know speed");
   if (const float its = described.stiffness(); its != stiffness)
     throw Error(file + ": stiffness: expected that of the protocol, " + shortest(stiffness) + " N/mm, got " + shortest(its) +
                 " N/mm");

@@ -59,6 +59,16 @@ TEST(apparatus, a_subject_of_another_stiffness_than_the_protocols_is_refused) {
   }
 }
 
+TEST(apparatus, a_damped_subject_is_refused) {
+  const ProtocolFolder folder;
+  folder.write("flat.toml", "render = \"height-map\"\n[[part]]\nshape = \"plane\"\n");
+  folder.write("thing.toml", "height-map = \"flat.toml\"\nstiffness = 0.5\n[damping]\ndrag = 0.001\n");
+  const std::atomic<bool> stop = false;
+  Bumps bumps(experiments::read_protocol(protocol_of_a_subject(folder, "thing.toml")), read_until(stop));
+  const experiments::Bump bump = bumps.protocol().bumps().at(0);
+  EXPECT_THROW(bumps.of(bump), Error);
+}
+
 TEST(apparatus, certificates_of_different_subjects_have_different_names) {
   const Identity one{.kind = "mesh", .name = "dome", .parameters = {{"stiffness_N_per_mm", 0.5F}}, .digest = "aa"};
   Identity kind = one, name = one, parameters = one, digest = one;
