@@ -92,8 +92,8 @@ typedef struct forceshade_scene {
 /* 0x00MMmmpp: major, minor, patch. */
 FORCESHADE_API uint32_t forceshade_version(void);
 
-/* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "states" and "scenes", which every
- * build has, and so "corner-normals" of meshes; "subject-files", "image-files", "csv-files" and "certificates", which a build for
+/* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "states", "scenes" and "damping",
+ * which every build has, and so "corner-normals" of meshes; "subject-files", "image-files", "csv-files" and "certificates", which a build for
  * another machine may be without, and "device-loop" and "exact-side", which say whether the same build has these libraries for C++
  * (docs/platforms.md); and "avx2", "avx512" where it will use these instructions on this processor. Without "certificates" the
  * FORCESHADE_DIGEST of a subject is "". */
@@ -223,8 +223,8 @@ typedef struct forceshade_batch {
   ptrdiff_t force_component;
   forceshade_status* statuses;        /* one for each, or NULL */
   ptrdiff_t status_stride;            /* from a status to the next one; 1 without gaps */
-  size_t threads;                     /* that share the work of forceshade_forces() and forceshade_advance(): at most 256, and
-                                       * one for each 1024 positions; 0 and 1: the calling one alone. Starting the others takes
+  size_t threads;                     /* that share the work of forceshade_forces() and of what advances: at most 256, and one
+                                       * for each 1024 positions; 0 and 1: the calling one alone. Starting the others takes
                                        * memory, and some 20 us each */
 } forceshade_batch;
 
@@ -303,6 +303,47 @@ FORCESHADE_API forceshade_result forceshade_scene_step(forceshade_scene scene, c
 /* The force of one object in the last step, in its own axes. status may be NULL. */
 FORCESHADE_API forceshade_result forceshade_scene_object(forceshade_scene scene, size_t object, float* force,
                                                          forceshade_status* status);
+
+/* ---- Damping: the force of any renderer and the speed of the hand (docs/damping.md) ---- */
+
+/* With damping and drag 0, force and state stay as they are. */
+typedef struct forceshade_damping {
+  size_t size;   /* sizeof(forceshade_damping) */
+  float rate;    /* r, Hz, of the device: 1 to 2^17 */
+  float share;   /* that of the new velocity in the filter: 2^-10 to 1; 1 is no filter */
+  float damping; /* B, N s/mm along the force: 0, or 2^-20 to 16 */
+  float most;    /* S, the most by which damping lengthens the force: 1 to 1024, or infinity; usual: 2 */
+  float drag;    /* B_t, N s/mm across the force: 0, or 2^-20 to 16 */
+  float full_at; /* F_0, N, the force from which on drag is full: 2^-10 to 1024; usual: 0.25 */
+} forceshade_damping;
+
+/* One that is 0 but for its size begins a path, as does one that no tick leaves. */
+typedef struct forceshade_damping_state {
+  size_t size;          /* sizeof(forceshade_damping_state) */
+  uint8_t has_position; /* 0: no valid position has come yet, and all else is 0 */
+  uint8_t periods;      /* since that position; 17 stands for all above 16 */
+  float position[3];    /* mm: the last valid one, as it is read */
+  float velocity[3];    /* mm/s: each 0, or of a size from 2^-20 to 2^32 */
+} forceshade_damping_state;
+
+/* Damps the force (N, three floats) that a renderer gave at the next position of a path (mm, three floats), in its place.
+ * periods: those since the tick before, 1 unless some were missed; 0 answers the same reading of the device again. status: the
+ * renderer's, and afterwards that of the damped force; NULL: FORCESHADE_CONTACT. If it is FORCESHADE_INVALID, or the position is,
+ * the force becomes 0. It allocates nothing, takes no lock, and may be called from any thread. */
+FORCESHADE_API forceshade_result forceshade_damping_step(const forceshade_damping* damping, forceshade_damping_state* state,
+                                                         uint32_t periods, const float* position, float* force,
+                                                         forceshade_status* status);
+
+/* The same for the next positions of a path, one after the other: the forces and statuses of the batch are those of a renderer, and
+ * afterwards the damped ones. The forces may not take the place of the positions. periods: one for each, or NULL for 1 each. */
+FORCESHADE_API forceshade_result forceshade_damping_steps(const forceshade_damping* damping, forceshade_damping_state* state,
+                                                          const uint32_t* periods, const forceshade_batch* batch, size_t* invalid);
+
+/* The same for one tick of each of many paths, on batch->threads: path i is at states[i]. states: batch->count of them;
+ * states[0].size has to be set, and is that of each. */
+FORCESHADE_API forceshade_result forceshade_damping_advance(const forceshade_damping* damping, forceshade_damping_state* states,
+                                                            const uint32_t* periods, const forceshade_batch* batch,
+                                                            size_t* invalid);
 
 /* ---- A renderer of one's own, which `forceshade conform --command FILE.so` holds against the exact forces ---- */
 

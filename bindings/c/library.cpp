@@ -20,7 +20,7 @@ uint32_t forceshade_version(void) {
 int32_t forceshade_has(const char* feature) {
   if (feature == nullptr) return 0;
   const std::string_view name = feature;
-  for (const std::string_view always : {"laws", "height-maps", "meshes", "corner-normals", "states", "scenes"})
+  for (const std::string_view always : {"laws", "height-maps", "meshes", "corner-normals", "states", "scenes", "damping"})
     if (name == always) return 1;
   constexpr std::string_view kOptional = FORCESHADE_FEATURES;  // with blanks between them: cmake/features.cmake
   for (std::size_t begin = 0; begin < kOptional.size();) {

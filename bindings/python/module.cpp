@@ -43,6 +43,7 @@ PYBIND11_MODULE(_forceshade, module) {
   python::add_subjects(module);
   python::add_sessions(module);
   python::add_scenes(module);
+  python::add_damping(module);
   python::add_exact(module);
   python::add_recordings(module);
   python::add_checks(module);

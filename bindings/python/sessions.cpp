@@ -5,12 +5,14 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "bindings/c/batch.h"
 #include "bindings/c/session.h"
 #include "bindings/python/arrays.h"
+#include "bindings/python/damping.h"
 #include "bindings/python/entered.h"
 #include "bindings/python/subject.h"
 #include "forceshade/error.h"
@@ -22,10 +24,19 @@ struct Session {
   static constexpr const char* kBusy =
       "another thread is in this session; expected one thread at a time, or a session for each";
 
-  explicit Session(std::shared_ptr<const Subject> of) : subject(std::move(of)), path(*subject) {}
+  Session(std::shared_ptr<const Subject> of, const std::optional<DampingNumbers>& numbers)
+      : subject(std::move(of)), path(*subject), damping(damping_of(numbers)) {}
+
+  fast::Evaluation step(const Eigen::Vector3f& position, std::uint32_t periods) noexcept {
+    fast::Evaluation answer = path.step(position);
+    if (damping) answer = damping->tick(position, periods, answer);
+    status = c::status_of(answer.status);
+    return answer;
+  }
 
   std::shared_ptr<const Subject> subject;
   c::Session path;
+  std::optional<fast::Damping> damping;
   forceshade_status status = FORCESHADE_FREE;  // of the last step
   std::atomic<bool> is_busy = false;
 };
@@ -43,9 +54,7 @@ PyObject* step(PyObject* self, PyObject* const* arguments, Py_ssize_t count, PyO
     PyErr_SetString(py::module_::import("forceshade._forceshade").attr("Error").ptr(), Session::kBusy);
     return nullptr;
   }
-  const fast::Evaluation answer = session->path.step(*c::as_vectors(position));
-  session->status = c::status_of(answer.status);
-  return tuple_of(answer.force.data());
+  return tuple_of(session->step(*c::as_vectors(position), 1).force.data());
 }
 
 PyMethodDef step_method{
@@ -57,17 +66,17 @@ PyMethodDef step_method{
     "`status` then says what the position was. Raises forceshade.Error while another thread is in this session.\n"};
 
 std::size_t steps(Session& session, const py::buffer& positions, const py::buffer& forces,
-                  const std::optional<py::buffer>& statuses) {
+                  const std::optional<py::buffer>& statuses, const std::optional<py::buffer>& periods) {
   const Entered entered(session);
   entered.or_throw();
   expect_arithmetic();
   const Batches batches(positions, forces, statuses);
+  Periods all(periods, batches.size());
   std::size_t invalid = 0;
   batches.for_each_part(4096, [&](const forceshade_batch& batch) {
-    invalid += c::answer_each(batch, [&](const Eigen::Vector3f& position, std::size_t) noexcept {
-      const fast::Evaluation answer = session.path.step(position);
-      session.status = c::status_of(answer.status);
-      return answer;
+    const std::uint32_t* const its = all.next(batch.count);
+    invalid += c::answer_each(batch, [&](const Eigen::Vector3f& position, std::size_t i) noexcept {
+      return session.step(position, its == nullptr ? 1 : its[i]);
     });
   });
   return invalid;
@@ -99,12 +108,14 @@ void resume(Session& session, const State& from) {
 
 void add_sessions(py::module_& module) {
   py::class_<Session> session(module, "Session");
-  session.def(py::init([](std::shared_ptr<Subject> subject) {
-    expect_arithmetic();
-    return std::make_unique<Session>(std::move(subject));
-  }));
+  session.def(py::init([](std::shared_ptr<Subject> subject, const std::optional<DampingNumbers>& damping) {
+                expect_arithmetic();
+                return std::make_unique<Session>(std::move(subject), damping);
+              }),
+              py::arg(), py::arg() = py::none());
   add_method(session, step_method);
-  session.def("_steps", &steps, py::arg(), py::arg(), py::arg() = py::none());
+  session.def("_steps", &steps, py::arg(), py::arg(), py::arg() = py::none(), py::arg() = py::none());
+  add_damping_state(session);
   session.def_property_readonly("_status", [](const Session& its) { return static_cast<int>(its.status); });
   session.def("_state", &state_of);
   session.def("_resume", &resume);

@@ -59,6 +59,7 @@ void add_forces(pybind11::module_& module, pybind11::class_<Subject, std::shared
 void add_paths(pybind11::class_<Subject, std::shared_ptr<Subject>>& subject);
 void add_sessions(pybind11::module_& module);
 void add_scenes(pybind11::module_& module);
+void add_damping(pybind11::module_& module);
 void add_exact(pybind11::module_& module);
 void add_checks(pybind11::module_& module);
 void add_conform(pybind11::module_& module);

@@ -27,6 +27,7 @@ MIT, December 1996. No force is computed in this package: it calls the same libr
 
 from ._checks import Certificate, PlanState, PropertyResult, certify, make_plan, merged_plan, plan_state, properties, work_on_plan
 from ._conform import Conformance, OpenedRenderer, RendererOfScenes, conform
+from ._damping import DAMPING_STATE, Damping, DampingState
 from ._exact import ExactForce, Geometry, geometry
 from ._forceshade import Error, RoundingWarning, library_digest
 from ._forceshade import version as _version
@@ -41,10 +42,13 @@ __version__: str = _version
 
 __all__ = [
     "ANSWER",
+    "DAMPING_STATE",
     "STATE",
     "Certificate",
     "Error",
     "Conformance",
+    "Damping",
+    "DampingState",
     "ExactForce",
     "Geometry",
     "HeightMap",

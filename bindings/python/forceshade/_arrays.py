@@ -86,7 +86,7 @@ def _is_at_the_same_place(a: npt.NDArray[Any], b: npt.NDArray[Any]) -> bool:
     return bool(where == there) and a.strides == b.strides and a.shape == b.shape
 
 
-def _shares(a: npt.NDArray[Any], b: npt.NDArray[Any]) -> bool:
+def shares(a: npt.NDArray[Any], b: npt.NDArray[Any]) -> bool:
     try:
         return np.shares_memory(a, b, max_work=100_000)
     except Exception:  # numpy.TooHardError, whose place changes from version to version
@@ -123,18 +123,18 @@ def output(out: object, positions: Floats) -> Floats:
         return np.empty(positions.shape, np.float32)
     _expect_writable(out, "out", np.float32, positions.shape)
     assert isinstance(out, np.ndarray)
-    if _shares(out, positions) and not _is_at_the_same_place(out, positions):
+    if shares(out, positions) and not _is_at_the_same_place(out, positions):
         raise ValueError("out and positions overlap; expected the very same array, or memory of its own")
     return out
 
 
-def states(its: object, dtype: np.dtype[np.void], positions: Floats, *written: npt.NDArray[Any] | None) -> npt.NDArray[np.void]:
+def states(its: object, dtype: np.dtype[np.void], positions: Floats, *others: npt.NDArray[Any] | None) -> npt.NDArray[np.void]:
     """The states of as many paths as there are positions, which are written, too."""
     _expect_writable(its, "states", dtype, positions.shape[:-1])
     assert isinstance(its, np.ndarray)
     if not its.flags.c_contiguous:
         raise ValueError("states have gaps between them; expected an array that lies without gaps, as numpy.zeros() makes it")
-    if any(other is not None and _shares(its, other) for other in (positions, *written)):
+    if any(other is not None and shares(its, other) for other in (positions, *others)):
         raise ValueError("states overlap the positions, out or status; expected memory of their own")
     return its
 
@@ -145,6 +145,6 @@ def statuses(status: object, positions: Floats, forces: Floats) -> Bytes | None:
         return None
     _expect_writable(status, "status", np.uint8, positions.shape[:-1])
     assert isinstance(status, np.ndarray)
-    if _shares(status, positions) or _shares(status, forces):
+    if shares(status, positions) or shares(status, forces):
         raise ValueError("status overlaps the positions or out; expected memory of its own")
     return status

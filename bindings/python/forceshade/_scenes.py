@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from . import _arrays, _forceshade
 from ._arrays import Floats, Rounding
+from ._damping import Damping, DampingState, numbers_of, numbers_of_state, periods_of, read_state
 from ._subject import Status, Subject
 
 
@@ -28,6 +29,7 @@ class Scene(_forceshade.Scene):
 
     objects: 1 to 32 laws, height maps and meshes, of which one may come several times. The force is the exact sum of theirs,
     turned into the world's axes, rounded once. For one thread at a time, as a Session is.
+    damping: of this force, by the speed of the hand in the world (docs/damping.md).
 
     >>> import forceshade
     >>> wall = forceshade.Law("wall", stiffness=0.5)
@@ -36,13 +38,13 @@ class Scene(_forceshade.Scene):
     array([0.5, 0. , 1. ], dtype=float32)
     """
 
-    def __init__(self, objects: Sequence[Subject]) -> None:
+    def __init__(self, objects: Sequence[Subject], *, damping: Damping | None = None) -> None:
         subjects = list(objects)
         for one in subjects:
             if not isinstance(one, Subject):
                 raise TypeError(f"expected objects that are a Law, HeightMap or Mesh, got {type(one).__name__}")
-        super().__init__(subjects)
-        self._objects = tuple(subjects)
+        super().__init__(subjects, numbers_of(damping))
+        self._objects, self._damping = tuple(subjects), damping
 
     def __reduce__(self) -> str:
         raise TypeError("a Scene cannot be pickled or copied; expected a new one")
@@ -53,14 +55,32 @@ class Scene(_forceshade.Scene):
         return self._objects
 
     @property
+    def damping(self) -> Damping | None:
+        """The damping behind it."""
+        return self._damping
+
+    @property
+    def damping_state(self) -> DampingState | None:
+        """What its damping remembers after the last step; None without damping."""
+        return None if self._damping is None else read_state(self)
+
+    def resume_damping(self, state: DampingState) -> None:
+        """Lets its damping go on from a state."""
+        its = numbers_of_state(state, self._damping)
+        if its is not None:
+            self._resume_damping(its)
+
+    @property
     def status(self) -> Status:
         """The status of the last position."""
         return Status(self._status)
 
-    def step(self, position: npt.ArrayLike, poses: Sequence[Pose] | npt.ArrayLike, *, rounding: Rounding = None) -> Floats:
+    def step(
+        self, position: npt.ArrayLike, poses: Sequence[Pose] | npt.ArrayLike, *, periods: int = 1, rounding: Rounding = None
+    ) -> Floats:
         """The force (N) at the next position of the hand (mm, in the world), an array (3,).
 
-        poses: one Pose for each object, or an array (n, 7): translation in mm and quaternion w, x, y, z. A position or pose outside
+        periods: since the step before, for damping. poses: one Pose for each object, or an array (n, 7): translation in mm and quaternion w, x, y, z. A position or pose outside
         its domain gives no force, and the status INVALID.
         """
         at = _arrays.as_positions(position, rounding)
@@ -71,9 +91,10 @@ class Scene(_forceshade.Scene):
         placed = _arrays.as_floats(poses, "poses", rounding)
         if placed.shape != (len(self._objects), 7):
             raise ValueError(f"poses have the shape {placed.shape}; expected ({len(self._objects)}, 7): one for each object")
-        return np.array(self._step(at.tolist(), placed), np.float32)
+        since = periods_of(periods, ())
+        return np.array(self._step(at.tolist(), placed, 1 if since is None else int(since)), np.float32)
 
     @property
     def forces(self) -> Floats:
-        """The force (N) of each object in the last step, in the object's own axes: an array (n, 3)."""
+        """The force (N) of each object in the last step, in the object's own axes and without damping: an array (n, 3)."""
         return np.array(self._forces(), np.float32)

@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from . import _arrays, _forceshade
 from ._arrays import Floats, Rounding
+from ._damping import Damping, DampingState, Periods, numbers_of, numbers_of_state, periods_of, read_state
 from ._subject import ANSWER, Status, Subject
 from ._subjects import Mesh
 
@@ -50,6 +51,8 @@ class State:
 class Session(_forceshade.Session):
     """One path of the hand through a subject: each force follows from the positions so far.
 
+    damping: behind the subject (docs/damping.md); step() is then one period of its rate.
+
     For one thread at a time: a second one that uses it meanwhile gets forceshade.Error.
 
     >>> import forceshade
@@ -58,11 +61,11 @@ class Session(_forceshade.Session):
     ((0.0, 0.0, 1.0), 'CONTACT')
     """
 
-    def __init__(self, subject: Subject) -> None:
+    def __init__(self, subject: Subject, *, damping: Damping | None = None) -> None:
         if not isinstance(subject, Subject):
             raise TypeError(f"expected a Law, HeightMap or Mesh, got {type(subject).__name__}")
-        super().__init__(subject)
-        self._subject = subject
+        super().__init__(subject, numbers_of(damping))
+        self._subject, self._damping = subject, damping
 
     def __reduce__(self) -> str:
         raise TypeError("a Session cannot be pickled or copied; expected a new one, and resume() with the state of this one")
@@ -71,6 +74,11 @@ class Session(_forceshade.Session):
     def subject(self) -> Subject:
         """The subject that it renders."""
         return self._subject
+
+    @property
+    def damping(self) -> Damping | None:
+        """The damping behind it."""
+        return self._damping
 
     @property
     def status(self) -> Status:
@@ -83,19 +91,23 @@ class Session(_forceshade.Session):
         *,
         out: Floats | None = None,
         status: npt.NDArray[np.uint8] | None = None,
+        periods: Periods = None,
         rounding: Rounding = None,
     ) -> Floats:
-        """The forces (N) at the next positions of the path (mm), one after the other; arguments as of Subject.forces()."""
+        """The forces (N) at the next positions of the path (mm), one after the other; arguments as of Subject.forces().
+
+        periods: for damping, as of Damping.steps(): those since the position before, an array of integers, or one for all.
+        """
         at = _arrays.as_positions(positions, rounding)
         to = _arrays.output(out, at)
-        self._steps(at, to, _arrays.statuses(status, at, to))
+        self._steps(at, to, _arrays.statuses(status, at, to), periods_of(periods, at.shape[:-1]))
         return to
 
-    def answers(self, positions: npt.ArrayLike, *, rounding: Rounding = None) -> npt.NDArray[np.void]:
+    def answers(self, positions: npt.ArrayLike, *, periods: Periods = None, rounding: Rounding = None) -> npt.NDArray[np.void]:
         """The same steps, with the statuses: a structured array of type ANSWER."""
         at = _arrays.as_positions(positions, rounding)
         made = np.empty(at.shape[:-1], ANSWER)
-        self._steps(at, made["force"], made["status"])
+        self._steps(at, made["force"], made["status"], periods_of(periods, at.shape[:-1]))
         return made
 
     def reset(self) -> None:
@@ -107,6 +119,11 @@ class Session(_forceshade.Session):
         """Its memory after the last step."""
         place, side, slipping, position, index, parameter = self._state()
         return State(Place(place), side, tuple(position), tuple(index), tuple(parameter), slipping)  # type: ignore[arg-type]
+
+    @property
+    def damping_state(self) -> DampingState | None:
+        """What its damping remembers after the last step; None without damping."""
+        return None if self._damping is None else read_state(self)
 
     @property
     def point(self) -> tuple[float, float, float] | None:
@@ -132,12 +149,16 @@ class Session(_forceshade.Session):
         x, y, z = map(float, exact)
         return x, y, z
 
-    def resume(self, state: State) -> None:
-        """Goes on from a state of the same subject. A state that is invalid for this mesh counts as that of a beginning."""
+    def resume(self, state: State, damping_state: DampingState | None = None) -> None:
+        """Goes on from a state of the same subject, and its damping from a state of its own, or from the beginning. A state that is
+        invalid for this mesh, or that no tick leaves, counts as that of a beginning."""
         if not isinstance(state, State):
             raise TypeError(f"expected the state of a session, got {type(state).__name__}")
         place, side, position, index, parameter, slipping = astuple(state)
+        speed = numbers_of_state(damping_state, self._damping)
         try:
             self._resume((int(place), int(side), bool(slipping), list(position), list(index), list(parameter)))
         except TypeError:
             raise TypeError(f"state: expected one that a session gave, got {state}") from None
+        if speed is not None:
+            self._resume_damping(speed)

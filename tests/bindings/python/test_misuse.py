@@ -179,6 +179,7 @@ def test_a_thread_that_rounds_otherwise(bump):
         for call in (bump.forces, bump.answers, session.steps, lambda at: bump.advance(states, at)):
             refused(forceshade.Error, "expected the arithmetic of IEEE 754, rounded to nearest", call, [[0, 0, -1]])
         refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.Session, bump)
+        refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.Damping, 1000)
         refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.Law, "wall", stiffness=1)
         refused(forceshade.Error, "expected the arithmetic of IEEE 754", forceshade.properties, bump, cases=1)
         failed.clear()

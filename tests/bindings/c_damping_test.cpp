@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Damping through the C interface: the bits of the stage in C++, behind forces that lie anywhere, and what is refused.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cfenv>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "forceshade.h"
+#include "forceshade/fast.h"
+#include "tests/bindings/batches.h"
+#include "tests/bindings/misuse.h"
+#include "tests/bindings/subjects.h"
+#include "tests/support/allocations.h"
+
+namespace forceshade {
+namespace {
+
+constexpr forceshade_damping kOil{sizeof kOil, 1000, 0.25F, 0.01F, 2, 0.002F, 0.25F};
+
+constexpr forceshade_damping_state kBegin{sizeof kBegin, 0, 0, {}, {}};
+
+damping::State numbers_of(const forceshade_damping_state& its) {
+  return {its.has_position == 1, std::to_array(its.position), std::to_array(its.velocity), its.periods};
+}
+
+// The forces that a mesh gave, the periods, and what the stage in C++ makes of them, as one path and as a tick of many.
+class CDamping : public testing::Test {
+ protected:
+  static constexpr std::size_t kCount = 5000;
+
+  CDamping() : at(tests::positions(kCount, 3)), springs(at.size()), said(kCount), path(at.size()), said_of_path(kCount) {
+    for (std::size_t i = 0; i < kCount; i += 9) std::fill_n(at.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, 1.0F);
+    const forceshade_subject mesh = tests::tetrahedron("edge", true);
+    forceshade_session session{};
+    forceshade_session_open(mesh, &session);
+    const forceshade_batch all = tests::batch_of(at, springs, said);
+    EXPECT_EQ(forceshade_session_steps(session, &all, nullptr), FORCESHADE_OK) << forceshade_message();
+    forceshade_session_close(session);
+    forceshade_subject_free(mesh);
+    std::mt19937 random(5);
+    for (std::size_t i = 0; i < kCount; ++i) periods.push_back(i % 3 == 0 ? static_cast<std::uint32_t>(random() % 20) : 1);
+    fast::Damping stage = built();
+    for (std::size_t i = 0; i < kCount; ++i) put(stage.tick(position(i), periods[i], spring(i)), i, path, said_of_path);
+    after = stage.state();
+  }
+
+  static fast::Damping built() {
+    return std::get<fast::Damping>(
+        fast::Damping::build({kOil.rate, kOil.share, kOil.damping, kOil.most, kOil.drag, kOil.full_at}));
+  }
+  Eigen::Vector3f position(std::size_t i) const { return Eigen::Vector3f(&at[3 * i]); }
+  fast::Evaluation spring(std::size_t i) const { return {Eigen::Vector3f(&springs[3 * i]), static_cast<Status>(said[i])}; }
+  static void put(const fast::Evaluation& answer, std::size_t i, std::vector<float>& forces,
+                  std::vector<forceshade_status>& statuses) {
+    for (std::size_t axis = 0; axis < 3; ++axis) forces[3 * i + axis] = answer.force(static_cast<Eigen::Index>(axis));
+    statuses[i] = static_cast<forceshade_status>(answer.status);
+  }
+
+  std::vector<float> at, springs;
+  std::vector<forceshade_status> said;
+  std::vector<std::uint32_t> periods;
+  std::vector<float> path;
+  std::vector<forceshade_status> said_of_path;
+  damping::State after;
+};
+
+TEST_F(CDamping, of_a_path_is_that_of_cpp_in_every_bit_step_by_step_and_in_batches) {
+  forceshade_damping_state state = kBegin;
+  std::vector<float> one = springs, many = springs;
+  std::vector<forceshade_status> said_one = said, said_many = said;
+  const std::size_t allocated = tests::allocations();
+  for (std::size_t i = 0; i < kCount; ++i)
+    ASSERT_EQ(forceshade_damping_step(&kOil, &state, periods[i], &at[3 * i], &one[3 * i], &said_one[i]), FORCESHADE_OK);
+  EXPECT_EQ(tests::allocations(), allocated);
+  EXPECT_EQ(one, path);
+  EXPECT_EQ(said_one, said_of_path);
+  EXPECT_NE(path, springs);
+  EXPECT_EQ(numbers_of(state), after);
+
+  state = kBegin;
+  std::size_t outside = 0, of_all = 0;
+  for (std::size_t begin = 0; begin < kCount; begin += 1000) {
+    const forceshade_batch part =
+        tests::batch_of(std::span(at).subspan(3 * begin, 3000), std::span(many).subspan(3 * begin, 3000),
+                        std::span(said_many).subspan(begin, 1000));
+    ASSERT_EQ(forceshade_damping_steps(&kOil, &state, &periods[begin], &part, &outside), FORCESHADE_OK) << forceshade_message();
+    of_all += outside;
+  }
+  EXPECT_EQ(many, path);
+  EXPECT_EQ(said_many, said_of_path);
+  EXPECT_EQ(numbers_of(state), after);
+  EXPECT_EQ(of_all, static_cast<std::size_t>(std::ranges::count(said_of_path, FORCESHADE_INVALID)));
+  EXPECT_GT(of_all, 0U);
+}
+
+// Backwards, component by component, without statuses and periods.
+TEST_F(CDamping, of_arrays_with_gaps_is_the_same) {
+  std::vector<float> forces(springs.size()), expected(springs.size());
+  std::vector<forceshade_status> unused(kCount);
+  fast::Damping stage = built();
+  for (std::size_t i = 0; i < kCount; ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) forces[axis * kCount + kCount - 1 - i] = springs[3 * i + axis];
+    put(stage.tick(position(i), 1, {spring(i).force, Status::contact}), i, expected, unused);
+  }
+  forceshade_batch batch = tests::batch_of(at, forces, {});
+  batch.forces = &forces[kCount - 1];
+  batch.force_stride = -4;
+  batch.force_component = 4 * kCount;
+  forceshade_damping_state state = kBegin;
+  ASSERT_EQ(forceshade_damping_steps(&kOil, &state, nullptr, &batch, nullptr), FORCESHADE_OK) << forceshade_message();
+  for (std::size_t i = 0; i < kCount; ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis) ASSERT_EQ(forces[axis * kCount + kCount - 1 - i], expected[3 * i + axis]);
+  EXPECT_EQ(numbers_of(state), stage.state());
+}
+
+// Two ticks of as many paths as there are positions; also in a program that was built with a newer header.
+TEST_F(CDamping, of_many_paths_is_that_of_each) {
+  struct Newer {
+    forceshade_damping_state known{sizeof(Newer), 0, 0, {}, {}};
+    double more = 3;
+  };
+  std::vector<forceshade_damping_state> states(kCount, kBegin);
+  std::vector<Newer> newer(kCount);
+  std::vector<fast::Damping> stages(kCount, built());
+  std::vector<float> forces, others, expected(springs.size());
+  std::vector<forceshade_status> statuses, said_expected(kCount);
+  for (const float step : {0.0F, 0.125F}) {
+    for (float& x : at) x += step;
+    statuses = said;
+    forces = others = springs;
+    for (std::size_t i = 0; i < kCount; ++i)
+      put(stages[i].tick(position(i), periods[i], spring(i)), i, expected, said_expected);
+    forceshade_batch batch = tests::batch_of(at, forces, statuses);
+    batch.threads = 3;
+    ASSERT_EQ(forceshade_damping_advance(&kOil, states.data(), periods.data(), &batch, nullptr), FORCESHADE_OK);
+    EXPECT_EQ(forces, expected);
+    EXPECT_EQ(statuses, said_expected);
+    statuses = said;
+    batch.forces = others.data();
+    ASSERT_EQ(forceshade_damping_advance(&kOil, &newer[0].known, periods.data(), &batch, nullptr), FORCESHADE_OK);
+    EXPECT_EQ(others, expected);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      ASSERT_EQ(numbers_of(states[i]), stages[i].state());
+      ASSERT_EQ(numbers_of(newer[i].known), stages[i].state());
+      ASSERT_EQ(newer[i].more, 3);
+    }
+  }
+  EXPECT_NE(expected, springs);
+  forceshade_batch none = tests::batch_of({}, {}, {});
+  EXPECT_EQ(forceshade_damping_advance(&kOil, nullptr, nullptr, &none, nullptr), FORCESHADE_OK);
+}
+
+TEST_F(CDamping, a_misuse_has_its_result_and_its_sentence) {
+  using tests::Misuse;
+  using tests::Use;
+  std::array<float, 6> places{1, 2, 3, 4, 5, 6}, forces{};
+  std::array<forceshade_status, 2> statuses{};
+  std::array<forceshade_damping_state, 2> states{kBegin, kBegin};
+  const forceshade_batch two = tests::batch_of(places, forces, statuses);
+  const auto with = [&](const std::function<void(forceshade_damping&)>& change) -> Use {
+    forceshade_damping its = kOil;
+    change(its);
+    return [=, &two, &states] { return forceshade_damping_steps(&its, states.data(), nullptr, &two, nullptr); };
+  };
+  const auto of_batch = [&](auto* call) {
+    return [=, &two, &states](const std::function<void(forceshade_batch&)>& change) -> Use {
+      forceshade_batch its = two;
+      change(its);
+      return [=, &states] { return call(&kOil, states.data(), nullptr, &its, nullptr); };
+    };
+  };
+  forceshade_damping_state small{};
+  const auto null = FORCESHADE_NULL_POINTER, size = FORCESHADE_BAD_SIZE, value = FORCESHADE_BAD_VALUE;
+  float *const at = places.data(), *const force = forces.data();
+  std::vector<Misuse> misuses{
+      {"damping null", [&] { return forceshade_damping_step(nullptr, &states[0], 1, at, force, nullptr); }, null, "damping"},
+      {"state null", [&] { return forceshade_damping_step(&kOil, nullptr, 1, at, force, nullptr); }, null, "state is NULL"},
+      {"position null", [&] { return forceshade_damping_step(&kOil, &states[0], 1, nullptr, force, nullptr); }, null,
+       "position"},
+      {"force null", [&] { return forceshade_damping_step(&kOil, &states[0], 1, at, nullptr, nullptr); }, null,
+       "force is NULL"},
+      {"state size", [&] { return forceshade_damping_step(&kOil, &small, 1, at, force, nullptr); }, size, "damping_state)"},
+      {"states size", [&] { return forceshade_damping_advance(&kOil, &small, nullptr, &two, nullptr); }, size,
+       "damping_state)"},
+      {"batch null", [&] { return forceshade_damping_steps(&kOil, &states[0], nullptr, nullptr, nullptr); }, null, "batch"},
+      {"size", with([](auto& its) { its.size = 4; }), size, "sizeof(forceshade_damping)"},
+      {"rate", with([](auto& its) { its.rate = 0; }), value, "rate is 0 Hz; expected 1 to 131072 Hz"},
+      {"rate NaN", with([](auto& its) { its.rate = NAN; }), value, "rate is nan"},
+      {"share", with([](auto& its) { its.share = 1.5F; }), value, "share is 1.5"},
+      {"damping", with([](auto& its) { its.damping = -1; }), value, "damping is -1 N·s/mm"},
+      {"most", with([](auto& its) { its.most = 0; }), value, "most is 0"},
+      {"drag", with([](auto& its) { its.drag = 17; }), value, "drag is 17 N·s/mm"},
+      {"full at", with([](auto& its) { its.full_at = INFINITY; }), value, "full_at is inf N"}};
+  for (auto* const call : {&forceshade_damping_steps, &forceshade_damping_advance}) {
+    add(misuses, tests::misuses_of_batches("batch ", of_batch(call)));
+    misuses.push_back({"in place", of_batch(call)([&](auto& its) { its.forces = at; }), value, "positions beside the forces"});
+  }
+  expect_each(misuses, &forceshade_message, 40);
+  std::fesetround(FE_UPWARD);
+  const forceshade_result of_step = forceshade_damping_step(&kOil, &states[0], 1, at, force, nullptr);
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(of_step, FORCESHADE_BAD_ARITHMETIC);
+  // Nothing was written.
+  EXPECT_EQ(places, (std::array<float, 6>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(forces, (std::array<float, 6>{}));
+  for (const auto& state : states) EXPECT_EQ(numbers_of(state), damping::State{});
+  EXPECT_EQ(forceshade_damping_step(&kOil, &states[0], 1, at, force, nullptr), FORCESHADE_OK);
+  EXPECT_EQ(forceshade_has("damping"), 1);
+}
+
+}  // namespace
+}  // namespace forceshade

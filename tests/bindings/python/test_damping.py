@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Damping behind sessions, scenes, and forces in arrays."""
+
+import copy
+import dataclasses
+import pickle
+
+import numpy as np
+import pytest
+from conftest import TETRAHEDRON, positions, rows_of, same_bits
+from test_misuse import read_only, refused
+
+import forceshade
+from forceshade import DAMPING_STATE, Damping, DampingState
+
+F = np.float32
+OIL = Damping(rate=1000, damping=0.01, drag=0.002, share=0.3)
+SUBJECTS = {
+    "law": forceshade.Law("bump-2p-shaded", width=6),
+    "map": forceshade.HeightMap(np.random.default_rng(3).random((9, 9), F), pitch=1, stiffness=0.3),
+    "mesh": forceshade.Mesh(*TETRAHEDRON, stiffness=0.5),
+    "friction": forceshade.Mesh(*TETRAHEDRON, stiffness=0.5, materials=([{"friction": (0.5, 0.25)}], [0] * 4)),
+}
+
+
+def walk(count, seed=1):
+    """A path around all subjects, now and then at rest or out of the domain, and the periods of its steps."""
+    draw = np.random.default_rng(seed)
+    at = (np.cumsum(draw.normal(0, 0.1, (count, 3)), axis=0) % 4 - 1).astype(F)
+    at[1::50] = at[::50]
+    at[draw.random(count) < 0.01, 1] = np.nan
+    return at, np.where(draw.random(count) < 0.1, draw.integers(0, 20, count), 1)
+
+
+def dense(state):
+    """A row of DAMPING_STATE as a DampingState."""
+    at = tuple(map(float, state["position"])) if state["has_position"] else None
+    return DampingState(at, tuple(map(float, state["velocity"])), int(state["periods"]))
+
+
+@pytest.mark.parametrize("name", SUBJECTS)
+def test_a_damped_session_is_the_definition(name):
+    subject, (at, periods) = SUBJECTS[name], walk(2000)
+    session = forceshade.Session(subject, damping=OIL)
+    found = session.answers(at, periods=periods)
+    exact = subject.reference_forces(at)
+    expected = OIL.reference_steps(at, exact["force"], status=exact["status"], periods=periods)
+    assert same_bits(found["force"], expected) and (found["status"] == exact["status"]).all()
+    assert not same_bits(expected, subject.reference_forces(at)["force"]) and set(found["status"]) >= {0, 1, 2}
+    assert session.damping is OIL and session.damping_state.position is not None
+
+    alone, bare = np.zeros(1, DAMPING_STATE), forceshade.Session(subject)
+    springs = bare.answers(at)
+    out = springs["force"]
+    OIL.steps(at[:999], out[:999], state=alone, periods=periods[:999], out=out[:999], status=springs["status"][:999])
+    OIL.steps(at[999:], out[999:], state=alone, periods=periods[999:], out=out[999:], status=springs["status"][999:])
+    assert same_bits(out, expected) and (springs["status"] == found["status"]).all()
+    assert dense(alone[0]) == session.damping_state and bare.damping is None and bare.damping_state is None
+
+
+def test_a_step_is_one_period_and_steps_are_its_sum():
+    one, many = (forceshade.Session(SUBJECTS["mesh"], damping=OIL) for _ in range(2))
+    at, _ = walk(500)
+    forces, status = np.empty((500, 3), F), np.zeros(500, np.uint8)
+    assert many.steps(at.reshape(5, 100, 3), out=forces.reshape(5, 100, 3), status=status.reshape(5, 100)).base is forces
+    for p, force, said in zip(at, forces, status):
+        assert same_bits(one.step(*map(float, p)), force) and one.status == said
+    assert one.damping_state == many.damping_state
+
+
+def test_a_state_goes_out_and_in():
+    at, periods = walk(600)
+    session, other = (forceshade.Session(SUBJECTS["friction"], damping=OIL) for _ in range(2))
+    session.steps(at[:300], periods=periods[:300])
+    other.resume(session.state, session.damping_state)
+    kept = pickle.loads(pickle.dumps(session.damping_state))
+    rest = session.steps(at[300:], periods=periods[300:])
+    assert same_bits(other.steps(at[300:], periods=periods[300:]), rest)
+    other.resume(session.state, kept)
+    assert other.damping_state == kept != DampingState()
+    for begin in (other.reset, lambda: other.resume(session.state), lambda: other.resume(session.state, DampingState((3, 4, float("nan"))))):
+        other.resume(session.state, kept)
+        begin()
+        assert other.damping_state == DampingState()
+
+
+def test_each_path_has_the_forces_of_its_own_damped_session(tetrahedron):
+    shape, draw = (40, 60), np.random.default_rng(2)
+    states, speeds = np.zeros(shape, forceshade.STATE), np.zeros(shape, DAMPING_STATE)
+    sessions = [forceshade.Session(tetrahedron, damping=OIL) for _ in range(2400)]
+    for tick in range(8):
+        at, periods, status = draw.uniform(-1, 3, (*shape, 3)).astype(F), draw.integers(0, 4, shape), np.zeros(shape, np.uint8)
+        at[draw.random(shape) < 0.01] = np.nan
+        forces = tetrahedron.advance(states, at, status=status)
+        OIL.advance(speeds, at, forces, periods=periods, out=forces, status=status, threads=1 + tick % 2)
+        for session, p, e, force, said in zip(sessions, at.reshape(-1, 1, 3), periods.ravel(), forces.reshape(-1, 3), status.ravel()):
+            assert same_bits(session.steps(p, periods=e)[0], force) and session.status == said
+    assert [session.damping_state for session in sessions] == [dense(state) for state in speeds.ravel()]
+    every_other = at[::2, ::-1]
+    again = OIL.advance(speeds[::2, ::-1].copy(), every_other, forces[::2, ::-1], threads=2)
+    assert again.shape == (20, 60, 3) and not same_bits(again, forces[::2, ::-1])
+
+
+def test_a_scene_is_damped_by_the_speed_of_the_hand():
+    objects = [SUBJECTS["law"], SUBJECTS["mesh"]]
+    scene, bare = forceshade.Scene(objects, damping=OIL), forceshade.Scene(objects)
+    (at, periods), turned = walk(400), 0
+    forces, status, found = np.zeros((400, 3), F), np.zeros(400, np.uint8), np.zeros((400, 3), F)
+    for i, (p, e) in enumerate(zip(at, periods)):
+        poses = [forceshade.Pose((0, 0, i / 512)), forceshade.Pose((1, 0, 0), (1, 0, i / 512, 0))]
+        found[i], forces[i] = scene.step(p, poses, periods=int(e)), bare.step(p, poses)
+        status[i] = bare.status
+        assert scene.status == bare.status and same_bits(scene.forces, bare.forces)
+        turned += scene.status == 1
+        if i == 200:
+            kept, scene = scene.damping_state, forceshade.Scene(objects, damping=scene.damping)
+            scene.step(p, poses)
+            scene.resume_damping(kept)
+            bare.step(p, poses)
+    assert same_bits(found, OIL.reference_steps(at, forces, status=status, periods=periods)) and turned > 100
+    assert bare.damping is None and bare.damping_state is None and not same_bits(found, forces)
+
+
+def test_golden_rows():
+    its = {row["path"]: row for row in rows_of("damping/parameters.csv")}
+    assert len(its) > 3
+    for path, row in its.items():
+        rate, share, along, most, across, full = (float(row[key]) for key in list(row)[1:7])
+        damping = Damping(rate=rate, share=share, damping=along, most=most, drag=across, full_at=full)
+        rows = rows_of(f"damping/{path}.csv")
+        three = lambda *keys: np.array([[row[key] for key in keys] for row in rows], F)
+        at, springs, expected = three("x_mm", "y_mm", "z_mm"), three("fx_N", "fy_N", "fz_N"), three("Fx_N", "Fy_N", "Fz_N")
+        found = damping.steps(at, springs, periods=[int(row["periods"]) for row in rows])
+        assert np.array_equal(found, expected, equal_nan=True)
+
+
+def test_off_is_the_spring():
+    at, off = positions(500), Damping(rate=1000, drag=0)
+    springs = SUBJECTS["law"].forces(at)
+    assert same_bits(off.steps(at, springs), springs)
+    session = forceshade.Session(SUBJECTS["law"], damping=off)
+    assert same_bits(session.steps(at), springs) and session.damping_state == DampingState()
+
+
+def test_the_numbers_of_a_damping():
+    assert Damping(1000, 0.002) == Damping(rate=F(1000), damping=F(0.002)) != Damping(1000, 0.003)
+    assert repr(Damping(1000, 0.002, time=0.003)) == "Damping(rate=1000.0, damping=0.002, drag=0.0, share=0.25, most=2.0, full_at=0.25)"
+    assert Damping(1000, time=0).share == 1 and F(Damping(1000, time=0.009).share) == F(0.1)
+    assert dataclasses.replace(OIL, damping=0) == Damping(1000, drag=0.002, share=0.3)
+    assert pickle.loads(pickle.dumps(OIL)) == copy.deepcopy(OIL) == OIL and len({OIL, copy.copy(OIL)}) == 1
+    assert Damping(1000, most=float("inf")).most == float("inf")
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        OIL.rate = 2
+
+
+@pytest.mark.parametrize(
+    "numbers, kind, words",
+    [
+        (dict(rate=0), ValueError, "rate is 0 Hz; expected 1 to 131072 Hz"),
+        (dict(rate=float("nan")), ValueError, "rate is nan Hz"),
+        (dict(rate="1000"), TypeError, "rate: expected a number, got '1000'"),
+        (dict(rate=1000, damping=True), TypeError, "damping: expected a number, got True"),
+        (dict(rate=1000, damping=17), ValueError, "damping is 17 N·s/mm; expected"),
+        (dict(rate=1000, drag=-1), ValueError, "drag is -1 N·s/mm"),
+        (dict(rate=1000, most=0.5), ValueError, "most is 0.5; expected 1 to 1024"),
+        (dict(rate=1000, full_at=0), ValueError, "full_at is 0 N"),
+        (dict(rate=1000, share=0), ValueError, "share is 0; expected"),
+        (dict(rate=1000, time=-1), ValueError, "time is -1 s; expected 0 or more"),
+        (dict(rate=1000, time="1ms"), TypeError, "time: expected a number, got '1ms'"),
+        (dict(rate=1000, time=2), ValueError, "share is 0.000499750"),
+        (dict(rate=0, time=1), ValueError, "rate is 0 Hz"),
+        (dict(rate=1000, share=0.5, time=1), ValueError, "share and time: expected one of them"),
+    ],
+)
+def test_other_numbers_are_refused(numbers, kind, words):
+    refused(kind, words, Damping, **numbers)
+
+
+def test_other_arguments_are_refused(wall):
+    at, forces, states = np.zeros((2, 3), F), np.ones((2, 3), F), np.zeros(2, DAMPING_STATE)
+    refused(ValueError, "forces have the shape (3,); expected that of the positions, (2, 3)", OIL.steps, at, forces[0])
+    refused(TypeError, "forces are of type <U1; expected numbers", OIL.steps, at, [["a"] * 3] * 2)
+    refused(ValueError, "out and positions overlap; expected memory of its own, or the forces", OIL.steps, at, forces, out=at)
+    refused(ValueError, "out and positions overlap", OIL.steps, at, forces, out=forces[::-1])
+    refused(ValueError, "status has the shape (1,)", OIL.steps, at, forces, status=np.zeros(1, np.uint8))
+    refused(ValueError, "states has the shape (2,); expected (1,)", OIL.steps, at, forces, state=states)
+    refused(TypeError, "states is of type", OIL.advance, np.zeros(2, forceshade.STATE), at, forces)
+    refused(ValueError, "states is read-only", OIL.advance, read_only(states.copy()), at, forces)
+    refused(ValueError, "states overlap", OIL.advance, states, states["position"], forces)
+    refused(ValueError, "threads: expected 1 or more", OIL.advance, states, at, forces, threads=0)
+    for call in (lambda **its: OIL.steps(at, forces, **its), forceshade.Session(wall, damping=OIL).steps):
+        where = () if call.__name__ == "<lambda>" else (at,)
+        refused(TypeError, "periods are of type float64; expected integers", call, *where, periods=[1.0, 1.0])
+        refused(ValueError, "periods: expected numbers from 0 to 4294967295", call, *where, periods=-1)
+        refused(ValueError, "periods have the shape (3,); expected (2,), or one number", call, *where, periods=[1, 1, 1])
+    refused(TypeError, "damping: expected a Damping, got 0.002", forceshade.Session, wall, damping=0.002)
+    refused(TypeError, "damping: expected a Damping, got 0.002", forceshade.Scene, [wall], damping=0.002)
+    session, bare = forceshade.Session(wall, damping=OIL), forceshade.Session(wall)
+    refused(TypeError, "damping_state: expected none without damping", bare.resume, bare.state, DampingState())
+    refused(TypeError, "damping_state: expected a DampingState, got 3", session.resume, session.state, 3)
+    refused(TypeError, "damping_state: expected none without damping", forceshade.Scene([wall]).resume_damping, DampingState())
+    for bad in (DampingState((1, 2)), DampingState((1, 2, 3), ("a", 0, 0)), DampingState((1, 2, 3), periods=1.5)):
+        refused(TypeError, "damping_state: expected one that a session gave", session.resume, session.state, bad)
