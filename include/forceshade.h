@@ -93,10 +93,10 @@ typedef struct forceshade_scene {
 FORCESHADE_API uint32_t forceshade_version(void);
 
 /* 1 where the library has the feature, else 0, also for NULL: "laws", "height-maps", "meshes", "states", "scenes" and "damping",
- * which every build has, and so "corner-normals" of meshes; "subject-files", "image-files", "csv-files" and "certificates", which a build for
- * another machine may be without, and "device-loop" and "exact-side", which say whether the same build has these libraries for C++
- * (docs/platforms.md); and "avx2", "avx512" where it will use these instructions on this processor. Without "certificates" the
- * FORCESHADE_DIGEST of a subject is "". */
+ * which every build has, and so "corner-normals" of meshes; "subject-files", "image-files", "csv-files" and "certificates", which a
+ * build for another machine may be without, and "device-loop" and "exact-side", which say whether the same build has these libraries
+ * for C++ (docs/platforms.md); and "avx2", "avx512" where it will use these instructions on this processor. Without "certificates"
+ * the FORCESHADE_DIGEST of a subject is "". */
 FORCESHADE_API int32_t forceshade_has(const char* feature);
 
 /* The sentence of this thread's last error; "" before the first. Never NULL. It stays until this thread's next error. */

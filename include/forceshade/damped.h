@@ -8,13 +8,17 @@
 //   session->step({0, 0, 0});
 //   const Eigen::Vector3f force = session->step({0, 0, -0.1F}).force;  // at 100 mm/s: 0.1 N, twice the spring's
 //
-// Positions are in mm and forces in N. Each step is a period, unless step_after() says how many it is.
+// Positions are in mm and forces in N. Each step is a period, unless step_after() says how many it is. damp() does the same
+// behind a batch of forces.
 //
 // Not promised: that a servo loop's late ticks count as the periods that passed; ServoOptions::damping of servo_loop.h does it.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "forceshade/fast.h"
@@ -48,6 +52,20 @@ class DampedSession final : public Session {
 inline std::unique_ptr<Session> damped(std::unique_ptr<Session> session, const Damping& damping) {
   if (damping.parameters().is_off()) return session;
   return std::make_unique<DampedSession>(std::move(session), damping);
+}
+
+// Damps forces[i], which a law or a height map gave at positions[i], in their place: a tick for each, one after the other; as
+// many as the shorter span has. periods[i]: those since the tick before; 1 beyond the span's end. Counts the positions outside
+// the domain.
+inline BatchResult damp(Damping& damping, std::span<const Eigen::Vector3f> positions, std::span<Eigen::Vector3f> forces,
+                        std::span<const std::uint32_t> periods = {}) noexcept {
+  BatchResult result;
+  for (std::size_t i = 0; i < std::min(positions.size(), forces.size()); ++i) {
+    const Evaluation damped = damping.tick(positions[i], i < periods.size() ? periods[i] : 1, {forces[i], Status::contact});
+    forces[i] = damped.force;
+    result.invalid += damped.status == Status::invalid ? 1 : 0;
+  }
+  return result;
 }
 
 }  // namespace forceshade::fast

@@ -10,43 +10,13 @@
 #include "forceshade/run.h"
 #include "properties/scene_subject.h"
 #include "properties/world_step.h"
-#include "tests/meshes/both_sides.h"
-#include "tests/scenes/poses.h"
+#include "tests/scenes/random_scene.h"
 #include "tests/support/words.h"
 
 namespace forceshade {
 namespace {
 
-scene::Motion random_motion(std::uint64_t seed, std::size_t ticks) {
-  tests::PosePath path(seed);
-  scene::Motion motion{{}, seed % 2 == 0};
-  for (std::size_t tick = 0; tick < ticks; ++tick) motion.poses.push_back(path.next());
-  return motion;
-}
-
-Description law(LawId id) {
-  return {std::string(name_of(id)), DescribedLaw{id, {15.24F, 25.4F, 0.5F}}};
-}
-
-Description random_mesh(properties::MeshSource& source, bool has_friction) {
-  const properties::RandomMesh made = source.next();
-  MeshRendering rendering = tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, 0.3F);
-  if (has_friction) {
-    rendering.contact = mesh::Contact::friction;
-    rendering.materials = source.materials_of(made.mesh);
-  }
-  return {"its.off", rendering};
-}
-
-// One to three objects with motions of 50 ticks: laws and meshes with and without friction.
-DescribedScene random_scene(properties::MeshSource& source, std::uint64_t seed) {
-  DescribedScene scene{{}, 1000, 0.5F};
-  for (std::uint64_t i = 0; i <= seed % 3; ++i)
-    scene.objects.push_back({"object " + std::to_string(i),
-                             (seed + i) % 4 == 0 ? law(LawId::bump_3p) : random_mesh(source, i % 2 == 0),
-                             random_motion(10 * seed + i, 50)});
-  return scene;
-}
+using tests::law, tests::random_scene;
 
 TEST(moving_scene, has_the_properties_by_which_it_is_certified) {
   properties::MeshSource source(5);

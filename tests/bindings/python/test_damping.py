@@ -78,7 +78,8 @@ def test_a_state_goes_out_and_in():
     assert same_bits(other.steps(at[300:], periods=periods[300:]), rest)
     other.resume(session.state, kept)
     assert other.damping_state == kept != DampingState()
-    for begin in (other.reset, lambda: other.resume(session.state), lambda: other.resume(session.state, DampingState((3, 4, float("nan"))))):
+    nowhere = DampingState((3, 4, float("nan")))
+    for begin in (other.reset, lambda: other.resume(session.state), lambda: other.resume(session.state, nowhere)):
         other.resume(session.state, kept)
         begin()
         assert other.damping_state == DampingState()
