@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The module's interface for programs in JavaScript: package/forceshade.d.ts describes it. It stands behind the module's own code in
-// one file, a classic script, which works in node, in a page from a server and in one from `file:`.
+// The module's interface for programs in JavaScript: package/forceshade.d.ts describes it. It stands behind the module's own code and
+// arguments.js in one file, a classic script, which works in node, in a page from a server and in one from `file:`.
 (function (root) {
   "use strict";
 
@@ -11,83 +11,7 @@
   const HANDLE = 8; // bytes
   const KIND = 0, NAME = 1, PARAMETERS = 2;
 
-  class ForceshadeError extends Error {
-    constructor(result, message) {
-      super(message);
-      this.name = "ForceshadeError";
-      this.result = result;
-    }
-  }
-
-  // A value in an error's words: never the whole of a long one, and nothing that JavaScript cannot make a text of.
-  function got(value) {
-    if (value === null || value === undefined) return String(value);
-    if (typeof value === "string") return `the text ${JSON.stringify(value.length > 40 ? value.slice(0, 40) + "…" : value)}`;
-    if (typeof value === "number" || typeof value === "boolean") return `the ${typeof value} ${value}`;
-    if (typeof value === "bigint") return "a BigInt";
-    if (typeof value !== "object") return `a ${typeof value}`;
-    return isList(value) ? `an array of ${value.length}` : "an object";
-  }
-
-  const badValue = (what, expected, words) => new ForceshadeError("BAD_VALUE", `${what}: expected ${expected}, got ${words}`);
-  const isList = (value) => typeof value === "object" && value !== null && Number.isInteger(value.length) && value.length >= 0;
-
-  // Options without a misspelt one. expected: in words, for a value that is no object.
-  function known(what, options, names, expected) {
-    if (typeof options !== "object" || options === null || isList(options)) throw badValue(what, expected, got(options));
-    for (const name of Object.keys(options))
-      if (!names.includes(name)) throw badValue(what, `some of ${names.join(", ")}`, name);
-    return options;
-  }
-
-  function number(what, value) {
-    if (typeof value !== "number") throw badValue(what, "a number", got(value));
-    return value;
-  }
-
-  // A NUL would end it in the module, and what follows be ignored.
-  function text(what, value) {
-    if (typeof value !== "string") throw badValue(what, "a text", got(value));
-    if (value.includes("\0")) throw badValue(what, "a text without NUL", got(value));
-    return value;
-  }
-
-  const optionalText = (what, value) => (value === undefined ? null : text(what, value));
-
-  // Its place among the names.
-  function oneOf(what, value, names) {
-    if (!names.includes(value)) throw badValue(what, `one of ${names.join(", ")}`, got(value));
-    return names.indexOf(value);
-  }
-
-  function flag(what, value) {
-    if (typeof value !== "boolean") throw badValue(what, "true or false", got(value));
-    return value;
-  }
-
-  function list(what, value) {
-    if (!Array.isArray(value)) throw badValue(what, "an array", got(value));
-    return value;
-  }
-
-  // An array of so many numbers, or of three for each position.
-  function floats(what, values, count) {
-    if (!isList(values) || (count === undefined ? values.length % 3 !== 0 : values.length !== count)) {
-      const expected = count === undefined ? "an array of three numbers for each" : `an array of ${count} numbers`;
-      throw badValue(what, expected, isList(values) ? `an array of ${values.length}` : got(values));
-    }
-    const numbers = Array.isArray(values) || ArrayBuffer.isView(values) ? values : Array.from(values);
-    for (let i = 0; i < numbers.length; ++i)
-      if (typeof numbers[i] !== "number") throw badValue(what, "numbers", `${got(numbers[i])} at ${i}`);
-    return numbers;
-  }
-
-  // Numbers from 0, of which WebAssembly would otherwise take the lowest 32 bits.
-  function indices(what, values) {
-    for (const value of values)
-      if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) throw badValue(what, "whole numbers from 0", got(value));
-    return values;
-  }
+  const { ForceshadeError, got, badValue, known, number, text, optionalText, oneOf, flag, list, floats, indices } = forceshadeArguments;
 
   // The memory of the module, where arguments and answers lie.
   class Memory {
@@ -295,6 +219,51 @@
     }
   }
 
+  // No object of the module: the parameters are numbers of each call, and the state of its path lies here.
+  class Damping {
+    constructor(memory, numbers) {
+      Object.defineProperties(this, { _memory: { value: memory }, _numbers: { value: numbers }, _state: { value: new Float32Array(8) } });
+      this.steps([], { forces: [], statuses: [] }); // looks at the numbers
+    }
+
+    step(position, answer, periods = 1) {
+      const { force, status } = known("answer", answer, ["force", "status"], "a force with its status, as step() answers them");
+      const one = { forces: floats("force", force, 3), statuses: [oneOf("status", status, STATUSES)] };
+      const { forces, statuses } = this.steps(floats("position", position, 3), one, [periods]);
+      return { force: forces, status: STATUSES[statuses[0]] };
+    }
+
+    steps(positions, answers, periods) {
+      const names = ["forces", "statuses"], count = floats("positions", positions).length / 3, memory = this._memory;
+      const { forces, statuses } = known("answers", answers, names, "forces with their statuses, as steps() answers them");
+      const since = periods === undefined ? null : { Type: Uint32Array, values: indices("periods", floats("periods", periods, count)) };
+      const values = [{ Type: Float32Array, values: this._numbers }, { Type: Float32Array, values: this._state }, since,
+                      { Type: Float32Array, values: positions }, { Type: Float32Array, values: floats("forces", forces, 3 * count) },
+                      { Type: Uint8Array, values: indices("statuses", floats("statuses", statuses, count)) }];
+      return memory.lend(values, (numbers, state, each, from, to, said) => {
+        memory.check(memory.module._web_damping_steps(numbers, state, each, count, from, to, said));
+        this._state.set(memory.floats(state, 8));
+        return { forces: memory.floats(to, 3 * count), statuses: memory.module.HEAPU8.slice(said, said + count) };
+      });
+    }
+
+    reset() {
+      this._state.fill(0);
+    }
+
+    state() {
+      const [hasPosition, periods, ...all] = this._state;
+      return { position: hasPosition === 1 ? all.slice(0, 3) : null, velocity: all.slice(3), periods };
+    }
+
+    resume(state) {
+      known("state", state, ["position", "velocity", "periods"], "a state, as state() answers it");
+      const { position, velocity } = state, [periods] = indices("periods", [state.periods]);
+      const at = position === null ? [0, 0, 0] : floats("position", position, 3);
+      this._state.set([position === null ? 0 : 1, Math.min(periods, 255), ...Array.from(at), ...Array.from(floats("velocity", velocity, 3))]);
+    }
+  }
+
   class Library {
     constructor(module) {
       Object.defineProperty(this, "_memory", { value: new Memory(module) });
@@ -366,6 +335,12 @@
       return this._subject(values, ([points, its, which, scheme, rule, all, ofEach], made) =>
         this._memory.module._web_mesh(points, vertices.length / 3, its, triangles.length / 3, which, scheme, rule, ...numbers, crosses, all,
                                       materials.length, ofEach, made));
+    }
+
+    damping(options) {
+      const names = ["rate", "share", "damping", "most", "drag", "fullAt"];
+      const all = { share: 1, damping: 0, most: 2, drag: 0, fullAt: 0.25, ...known("damping", options, names, "options with rate") };
+      return new Damping(this._memory, names.map((name) => number(name, all[name])));
     }
 
     scene(objects) {

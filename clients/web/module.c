@@ -130,3 +130,20 @@ EXPORTED forceshade_result web_scene_object(const forceshade_scene* scene, size_
                                             forceshade_status* status) {
   return forceshade_scene_object(*scene, object, force, status);
 }
+
+/* numbers: rate, share, damping, most, drag and full_at. state: has_position, periods, position and velocity, eight numbers. */
+EXPORTED forceshade_result web_damping_steps(const float* numbers, float* state, const uint32_t* periods, size_t count,
+                                             const float* positions, float* forces, forceshade_status* statuses) {
+  const forceshade_damping damping = {sizeof damping, numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]};
+  forceshade_damping_state its = {.size = sizeof its, .has_position = (uint8_t)state[0], .periods = (uint8_t)state[1]};
+  for (int i = 0; i < 3; ++i) its.position[i] = state[2 + i];
+  for (int i = 0; i < 3; ++i) its.velocity[i] = state[5 + i];
+  const forceshade_batch batch = batch_of(count, positions, forces, statuses);
+  const forceshade_result result = forceshade_damping_steps(&damping, &its, periods, &batch, NULL);
+  if (result != FORCESHADE_OK) return result;
+  *state++ = its.has_position;
+  *state++ = its.periods;
+  for (int i = 0; i < 3; ++i) *state++ = its.position[i];
+  for (int i = 0; i < 3; ++i) *state++ = its.velocity[i];
+  return result;
+}

@@ -87,6 +87,47 @@ export interface Scene {
   close(): void;
 }
 
+/** Numbers of docs/damping.md. */
+export interface DampingOptions {
+  /** Hz: 1 to 2^17. A tick is a period of it. */
+  rate: number;
+  /** That of the new velocity in the filter, 2^-10 to 1; 1 where it is not given, which is no filter. */
+  share?: number;
+  /** B, N s/mm along the force: 0, or 2^-20 to 16; 0 where it is not given. */
+  damping?: number;
+  /** The most by which damping lengthens the force, 1 to 1024, or Infinity; 2 where it is not given. */
+  most?: number;
+  /** N s/mm across the force: 0, or 2^-20 to 16; 0 where it is not given. */
+  drag?: number;
+  /** N: the force from which on drag is full, 2^-10 to 1024; 0.25 where it is not given. */
+  fullAt?: number;
+}
+
+/** All that damping remembers of a path. */
+export interface DampingState {
+  /** mm: the last valid one; null at the beginning. */
+  position: number[] | null;
+  /** mm/s */
+  velocity: number[];
+  /** Since that position; 17 stands for all above 16. */
+  periods: number;
+}
+
+/** Damping behind the forces of any renderer along one path, from its beginning. */
+export interface Damping {
+  /** The damped force at the next position, where a renderer gave this answer; periods: those since the step before, 1 where it is
+   * not given. */
+  step(position: Vector, answer: { force: Vector; status: Status }, periods?: number): Force;
+  /** Of the next positions, with a number of periods for each, or 1 each. */
+  steps(positions: ArrayLike<number>, answers: { forces: ArrayLike<number>; statuses: ArrayLike<number> },
+        periods?: ArrayLike<number>): Forces;
+  /** Back to the beginning of a path. */
+  reset(): void;
+  state(): DampingState;
+  /** A state that no step leaves counts as that of the beginning. */
+  resume(state: DampingState): void;
+}
+
 export interface LawOptions {
   /** R, mm, in [0.1, 10^4]; 15.24 where it is not given. */
   radius?: number;
@@ -143,7 +184,7 @@ export interface MeshOptions {
 export interface Library {
   readonly version: string;
   readonly laws: LawName[];
-  /** "laws", "height-maps", "meshes", "states", "scenes" and the others of forceshade.h. No feature that needs files is here. */
+  /** "laws", "height-maps", "meshes", "states", "scenes", "damping" and the others of forceshade.h. No feature that needs files is here. */
   has(feature: string): boolean;
   /** The fault of this machine's arithmetic against IEEE 754; null where nothing was found. */
   readonly arithmeticFault: string | null;
@@ -152,6 +193,7 @@ export interface Library {
   mesh(options: MeshOptions): Subject;
   /** 1 to 32 subjects, of which one may come several times. */
   scene(objects: Subject[]): Scene;
+  damping(options: DampingOptions): Damping;
 }
 
 export const LAWS: readonly LawName[];

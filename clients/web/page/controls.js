@@ -68,6 +68,7 @@ const Controls = (() => {
       stiffness: number("stiffness", logarithmic, () => [LEAST.stiffness, MOST.stiffness], inUnits("N/mm"),
         (value) => changed({stiffness: binary32(value)})),
       along: number("along", linear, () => [-15, 15], inUnits("mm"), (value) => changed({along: binary32(value)})),
+      damping: number("damping", linear, () => [0, binary32(0.02)], inUnits("N·s/mm"), (value) => changed({damping: binary32(value)})),
       push: number("push", linear, () => [0, 200], (value) => `${Math.round(value)} %`, (value) => changed({push: value})),
     };
 
@@ -79,7 +80,7 @@ const Controls = (() => {
         rows[name].hide(!isLaw);
       }
       rows.along.hide(isLaw);
-      for (const name of ["radius", "width", "stiffness", "along", "push"]) rows[name].show(now[name]);
+      for (const name of ["radius", "width", "stiffness", "along", "damping", "push"]) rows[name].show(now[name]);
       rows.theta.show(Bump.theta(now.radius, now.width));
     }
     return {show};

@@ -7,10 +7,12 @@
   const byId = (id) => document.getElementById(id);
   const canvas = byId("picture"), context = canvas.getContext("2d");
   const choice = {kind: "law", law: "bump-2p-shaded", map: "hills", render: "height-map", mesh: "octahedron", shading: "vertex",
-    radius: Math.fround(15.24), width: Math.fround(25.4), stiffness: 0.5, along: 0, push: 100};
+    radius: Math.fround(15.24), width: Math.fround(25.4), stiffness: 0.5, along: 0, damping: 0, push: 100};
   const FINGER = 44;  // pixels that the hand's point lies above a finger, which would hide it
+  const PERIOD = 10;  // ms of a tick of damping: a pointer tells of its place every 7 to 17
   let lib = null, surface = null, controls = null, colours = null, shape = null, box = null;
-  let point = null, answer = null, naive = null, godObject = null;
+  let point = null, spring = null, answer = null, naive = null, godObject = null;
+  let damper = null, ticked = 0, resting = null;
   let pixels = {width: 0, height: 0}, frames = 0, isDue = false, speaking = null;
 
   // ---- The force at the hand's point ----
@@ -19,14 +21,29 @@
 
   function stroke(to) {
     point = binary32(to);
-    answer = surface.to(point);
-    naive = surface.naive(point);
+    spring = surface.to(point);
     godObject = surface.godObject();
+    damp();
+  }
+
+  // The force by the speed since the last tick. A tick in which the hand rests follows where no motion does.
+  function damp() {
+    clearTimeout(resting);
+    const isOn = choice.damping > 0, now = performance.now(), periods = Math.max(1, Math.round((now - ticked) / PERIOD));
+    ticked = now;
+    answer = spring;
+    if (isOn) {
+      const {force, status} = damper.step(point, spring, periods);
+      answer = {force: Array.from(force), status};
+      if (damper.state().velocity.some((each) => each !== 0)) resting = setTimeout(damp, 5 * PERIOD);
+    }
+    naive = isOn ? null : surface.naive(point);
     due();
   }
 
   function begin(to) {
     surface.begin(binary32(to));
+    damper.reset();
     stroke(to);
   }
 
@@ -47,6 +64,8 @@
   const isShaded = () => ({law: choice.law.endsWith("-shaded"), map: choice.render === "height-map-shaded",
     mesh: choice.shading !== "none"})[choice.kind];
   const hasBoth = () => choice.kind !== "law" || /^bump-\dp/.test(choice.law);
+
+  const damperOf = (damping) => lib.damping({rate: 1000 / PERIOD, damping});
 
   function rebuild(changes) {
     const wanted = {...choice, ...changes};
@@ -70,16 +89,19 @@
   }
 
   function change(changes) {
-    if (!("along" in changes) && !("push" in changes)) {
+    if (!["along", "push", "damping"].some((name) => name in changes)) {
       rebuild(changes);
       return;
     }
-    const {along, push} = {...choice, ...changes}, isGood = Math.abs(along) <= 15 && push >= 0 && push <= 200;
-    byId("fault").textContent = isGood ? "" : `y is ${along} mm and the push-back ${push} %; expected -15 to 15 mm and 0 to 200 %`;
-    if (isGood) Object.assign(choice, {along, push});
+    const {along, push, damping} = {...choice, ...changes};
+    const isGood = Math.abs(along) <= 15 && push >= 0 && push <= 200 && (damping === 0 || damping >= 1e-5) && damping <= 0.02;
+    byId("fault").textContent = isGood ? "" : `y is ${along} mm, the damping ${damping} N·s/mm and the push-back ${push} %; ` +
+      "expected -15 to 15 mm, 0 or 0.00001 to 0.02 N·s/mm, and 0 to 200 %";
+    if (isGood) Object.assign(choice, {along, push, damping});
+    damper = damperOf(choice.damping);
     layOut();
     stroke([point[0], choice.along, point[2]]);
-    controls.show();
+    describe();
   }
 
   function describe() {
@@ -93,7 +115,8 @@
     byId(isShaded() ? "shaded" : "not-shaded").checked = true;
     byId("about-law").textContent = Bump.LAWS[choice.law];
     byId("name").textContent = `${surface.subject.name}: ${surface.subject.parameters}`;
-    byId("naive-note").textContent = choice.kind === "law" ? ""
+    byId("naive-note").textContent = choice.damping > 0 ? "There is no naive computation of a damped force on this page."
+      : choice.kind === "law" ? ""
       : `There is no naive computation of a ${choice.kind === "map" ? "height map" : "mesh"} on this page: it is made for the nine laws.`;
     byId("mesh-key").hidden = choice.kind !== "mesh";
     for (const key of document.querySelectorAll(".of-laws")) key.hidden = choice.kind !== "law";
@@ -230,6 +253,7 @@
     lib = await forceshade.load();
     byId("version").textContent = lib.version;
     for (const law of lib.laws) byId("law").append(new Option(law, law));
+    damper = damperOf(0);
     controls = Controls.all(() => choice, change);
     readColours();
     resize();

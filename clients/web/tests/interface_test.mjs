@@ -71,6 +71,22 @@ for (const [result, words, call] of [
   ["BAD_HANDLE", /this subject is closed/, () => closed.force([0, 0, 0])],
 ])
   assert.throws(call, (error) => error instanceof ForceshadeError && error.result === result && words.test(error.message), String(call));
+const oil = library.damping({ rate: 1000, damping: 0.002 }), floor = library.law("wall", { stiffness: 0.5 });
+const damped = (position, periods) => oil.step(position, floor.force(position), periods);
+assert.equal(damped([0, 0, 0]).status, "free");
+assert.deepEqual(Array.from(damped([0, 0, -0.125]).force), [0, 0, 0.125]); // at 125 mm/s: twice the spring's
+const speed = oil.state();
+assert.deepEqual(speed, { position: [0, 0, -0.125], velocity: [0, 0, -125], periods: 0 });
+assert.deepEqual(damped([0, 0, -0.0625]), { force: new Float32Array(3), status: "contact" }); // it lets go
+assert.deepEqual(Array.from(damped([0, 0, -0.0625], 17).force), [0, 0, 0.03125]); // so late that no speed is known
+oil.resume(speed);
+const two = oil.steps([0, 0, -0.0625, 0, 0, 1], { forces: [0, 0, 0.03125, 0, 0, 0], statuses: [1, 0] });
+assert.deepEqual([Array.from(two.forces), Array.from(two.statuses)], [[0, 0, 0, 0, 0, 0], [1, 0]]);
+oil.reset();
+assert.equal(oil.state().position, null);
+assert.throws(() => library.damping({ rate: 0 }), /^ForceshadeError: rate is 0 Hz; expected 1 to 131072 Hz$/);
+assert.equal(library.has("damping"), true);
+
 refusesWrongArguments(library, ForceshadeError);
 
 // Memory is given back: 2 GB would not hold these.

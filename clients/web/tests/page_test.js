@@ -305,6 +305,40 @@ test("strokes height maps and meshes, whose naive column is empty", async () => 
   console.log(seen.map((line) => `  ${line}`).join("\n"));
 });
 
+// The three places of the hand come in one task of the page, between which no time passes but that of a machine that is late.
+test("damps the force by the speed of the hand, and not where it rests", async () => {
+  await open(server.url);
+  await choose("damping-number", 0.02);
+  assert.equal((await state()).naive, null);
+  assert.match(await text("naive-note"), /damped/);
+  const [pressed, released] = await browser.evaluate(`forceshade.load().then((lib) => {
+    const picture = document.getElementById("picture"), {left, top, width, height} = picture.getBoundingClientRect();
+    const {law, radius, stiffness, width: chord} = forceshadePage.state(), subject = lib.law(law, {radius, width: chord, stiffness});
+    const sizes = [0.7, 0.72, 0.7].map((part) => {
+      picture.dispatchEvent(new PointerEvent("pointermove", {clientX: left + 0.5 * width, clientY: top + part * height, isPrimary: true,
+        pointerType: "mouse"}));
+      const {point, force} = forceshadePage.state();
+      return Math.hypot(...force) / Math.hypot(...subject.force(point).force);
+    });
+    return sizes.slice(1);
+  })`);
+  assert.ok(pressed > 1.05 && pressed < 2.001 && released < 0.95, `${pressed} and ${released} of the force without damping`);
+  const isAtRest = async () => {
+    const {law, radius, width, stiffness, point, force} = await state();
+    return browser.evaluate(`forceshade.load().then((lib) => lib.law("${law}", {radius: ${radius}, width: ${width}, stiffness: ${stiffness}})
+      .force([${point}]).force.every((value, k) => value === [${force}][k]))`);
+  };
+  while (!await isAtRest()) await settled();
+  for (const wrong of [-1, 0.03, ""]) {
+    await choose("damping-number", wrong);
+    assert.match(await text("fault"), /damping/);
+    assert.equal((await state()).damping, Math.fround(0.02));
+  }
+  await choose("damping-number", 0);
+  assert.equal(await text("fault"), "");
+  await expectForceOfLaw(await state());
+});
+
 test("draws the cursor and the arrows of both forces, and only one arrow where there is no naive force", async () => {
   await open(server.url);
   const drawn = () => browser.evaluate(`(() => {

@@ -13,6 +13,8 @@ export function refusesWrongArguments(library, ForceshadeError) {
   const mesh = (options) =>
     library.mesh({ vertices: [0, 0, 0, 8, 0, 0, 0, 8, 0], triangles: [0, 1, 2], stiffness: 1, ...options });
   const wall = law(), path = wall.session(), scene = library.scene([wall]);
+  const oil = library.damping({ rate: 1000, damping: 0.002 }), answer = { force: [0, 0, 1], status: "contact" };
+  const speed = { position: [0, 0, 0], velocity: [0, 0, 0], periods: 0 }, answers = { forces: [0, 0, 1], statuses: [1] };
   const pose = { translation: [0, 0, 0], rotation: [1, 0, 0, 0] };
   const state = { place: "nowhere", side: "front", slipping: false, position: [0, 0, 0], index: [0, 0], parameter: [0, 0] };
 
@@ -40,6 +42,16 @@ export function refusesWrongArguments(library, ForceshadeError) {
     translation: (value) => scene.step([0, 0, 0], [{ ...pose, translation: value }]),
     rotation: (value) => scene.step([0, 0, 0], [{ ...pose, rotation: value }]),
     object: (value) => scene.object(value),
+    damping: (value) => library.damping(value), rate: (value) => library.damping({ rate: value }),
+    "position of a damped step": (value) => oil.step(value, answer), answer: (value) => oil.step([0, 0, 0], value),
+    "answer's force": (value) => oil.step([0, 0, 0], { ...answer, force: value }),
+    "answer's status": (value) => oil.step([0, 0, 0], { ...answer, status: value }),
+    "a period": (value) => oil.step([0, 0, 0], answer, value), periods: (value) => oil.steps([0, 0, 0], answers, value),
+    "damped positions": (value) => oil.steps(value, answers), answers: (value) => oil.steps([0, 0, 0], value),
+    "damped forces": (value) => oil.steps([0, 0, 0], { ...answers, forces: value }),
+    "their statuses": (value) => oil.steps([0, 0, 0], { ...answers, statuses: value }),
+    ...Object.fromEntries(Object.keys(speed).map((key) => [`speed's ${key}`, (value) => oil.resume({ ...speed, [key]: value })])),
+    speed: (value) => oil.resume(value),
   }))
     for (const value of VALUES)
       try {
@@ -57,6 +69,7 @@ export function refusesWrongArguments(library, ForceshadeError) {
     ["columns", (value) => map({ columns: value })],
     ["rows", (value) => map({ rows: value })],
     ["object", (value) => scene.object(value)],
+    ["periods", (value) => oil.step([0, 0, 0], answer, value)],
     ...["index", "parameter"].flatMap((key) =>
       [0, 1].map((at) => [key, (value) => path.resume({ ...state, [key]: at === 0 ? [value, 0] : [0, value] })])),
   ];
@@ -91,6 +104,12 @@ export function refusesWrongArguments(library, ForceshadeError) {
     [/^materialOfTriangle: expected an array of 1 numbers, got the number 0$/, () => mesh({ materialOfTriangle: 0 })],
     [/^objects: expected an array, got undefined$/, () => library.scene()],
     [/^objects: expected subjects of this library, got an object$/, () => library.scene([path])],
+    [/^damping: expected options with rate, got undefined$/, () => library.damping()],
+    [/^rate: expected a number, got undefined$/, () => library.damping({})],
+    [/^damping: expected some of rate, share, damping, most, drag, fullAt, got full_at$/, () => library.damping({ full_at: 1 })],
+    [/^answer: expected a force with its status, as step\(\) answers them, got undefined$/, () => oil.step([0, 0, 0])],
+    [/^forces: expected an array of 3 numbers, got an array of 2$/, () => oil.steps([0, 0, 0], { ...answers, forces: [0, 0] })],
+    [/^state: expected a state, as state\(\) answers it, got undefined$/, () => oil.resume()],
     [/^poses: expected an array, got undefined$/, () => scene.step([0, 0, 0])],
     [/^state: expected a state, as state\(\) answers it, got undefined$/, () => path.resume()],
     [/^side: expected one of front, back, got the text "left"$/, () => path.resume({ ...state, side: "left" })],
@@ -109,6 +128,6 @@ export function refusesWrongArguments(library, ForceshadeError) {
       String(call));
 
   assert.doesNotThrow(() => wall.force({ length: 3, 0: 0, 1: 0, 2: 1 })); // an ArrayLike, as forceshade.d.ts has it
-  for (const one of [library, wall, path, scene]) assert.ok(JSON.stringify(one).length < 300);
-  for (const one of [wall, path, scene]) assert.deepEqual(Object.keys(one), []);
+  for (const one of [library, wall, path, scene, oil]) assert.ok(JSON.stringify(one).length < 300);
+  for (const one of [wall, path, scene, oil]) assert.deepEqual(Object.keys(one), []);
 }

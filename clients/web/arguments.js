@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the interface looks at before the module sees it: every wrong argument is a ForceshadeError in words.
+const forceshadeArguments = (() => {
+  "use strict";
+
+  class ForceshadeError extends Error {
+    constructor(result, message) {
+      super(message);
+      this.name = "ForceshadeError";
+      this.result = result;
+    }
+  }
+
+  // A value in an error's words: never the whole of a long one, and nothing that JavaScript cannot make a text of.
+  function got(value) {
+    if (value === null || value === undefined) return String(value);
+    if (typeof value === "string") return `the text ${JSON.stringify(value.length > 40 ? value.slice(0, 40) + "…" : value)}`;
+    if (typeof value === "number" || typeof value === "boolean") return `the ${typeof value} ${value}`;
+    if (typeof value === "bigint") return "a BigInt";
+    if (typeof value !== "object") return `a ${typeof value}`;
+    return isList(value) ? `an array of ${value.length}` : "an object";
+  }
+
+  const badValue = (what, expected, words) => new ForceshadeError("BAD_VALUE", `${what}: expected ${expected}, got ${words}`);
+  const isList = (value) => typeof value === "object" && value !== null && Number.isInteger(value.length) && value.length >= 0;
+
+  // Options without a misspelt one. expected: in words, for a value that is no object.
+  function known(what, options, names, expected) {
+    if (typeof options !== "object" || options === null || isList(options)) throw badValue(what, expected, got(options));
+    for (const name of Object.keys(options))
+      if (!names.includes(name)) throw badValue(what, `some of ${names.join(", ")}`, name);
+    return options;
+  }
+
+  function number(what, value) {
+    if (typeof value !== "number") throw badValue(what, "a number", got(value));
+    return value;
+  }
+
+  // A NUL would end it in the module, and what follows be ignored.
+  function text(what, value) {
+    if (typeof value !== "string") throw badValue(what, "a text", got(value));
+    if (value.includes("\0")) throw badValue(what, "a text without NUL", got(value));
+    return value;
+  }
+
+  const optionalText = (what, value) => (value === undefined ? null : text(what, value));
+
+  // Its place among the names.
+  function oneOf(what, value, names) {
+    if (!names.includes(value)) throw badValue(what, `one of ${names.join(", ")}`, got(value));
+    return names.indexOf(value);
+  }
+
+  function flag(what, value) {
+    if (typeof value !== "boolean") throw badValue(what, "true or false", got(value));
+    return value;
+  }
+
+  function list(what, value) {
+    if (!Array.isArray(value)) throw badValue(what, "an array", got(value));
+    return value;
+  }
+
+  // An array of so many numbers, or of three for each position.
+  function floats(what, values, count) {
+    if (!isList(values) || (count === undefined ? values.length % 3 !== 0 : values.length !== count)) {
+      const expected = count === undefined ? "an array of three numbers for each" : `an array of ${count} numbers`;
+      throw badValue(what, expected, isList(values) ? `an array of ${values.length}` : got(values));
+    }
+    const numbers = Array.isArray(values) || ArrayBuffer.isView(values) ? values : Array.from(values);
+    for (let i = 0; i < numbers.length; ++i)
+      if (typeof numbers[i] !== "number") throw badValue(what, "numbers", `${got(numbers[i])} at ${i}`);
+    return numbers;
+  }
+
+  // Numbers from 0, of which WebAssembly would otherwise take the lowest 32 bits.
+  function indices(what, values) {
+    for (const value of values)
+      if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) throw badValue(what, "whole numbers from 0", got(value));
+    return values;
+  }
+
+  return { ForceshadeError, got, badValue, known, number, text, optionalText, oneOf, flag, list, floats, indices };
+})();
