@@ -41,10 +41,10 @@ std::vector<Description> read(const Options& options, Laws laws, const Monitor& 
   expect_consistent(options, laws);
   const std::string mesh = options.value("mesh"), scene = options.value("scene"), map = options.value("height-map");
   const float stiffness = stiffness_of(options);
-  const damping::Described damping = read_damping(options);
   const auto name_of_file = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
-  if (!mesh.empty()) return {{name_of_file(mesh), read_mesh(options, stiffness, monitor), damping}};
   if (!scene.empty()) return {read_scene(options, stiffness, monitor)};
+  const damping::Described damping = read_damping(options);
+  if (!mesh.empty()) return {{name_of_file(mesh), read_mesh(options, stiffness, monitor), damping}};
   if (!map.empty()) {
     heights::Spec spec = read_height_map(options, stiffness);
     return {{name_of_file(map), DescribedHeightMap{std::move(spec.map), spec.mode, stiffness}, damping}};

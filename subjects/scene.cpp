@@ -231,17 +231,13 @@ Description read_scene(const Options& options, float stiffness, const Monitor& m
     return Description{name, rendered(all, stiffness, load, monitor), read_damping(all)};
   };
   if (scene.moving.empty()) return ground();
-  if (!read_damping(all).parameters.is_off())
-    throw Error(all.name(all.has(kDamping) ? kDamping : kDrag) +
-                ": expected no object with a motion, of which damping would have to know the velocity, got " +
-                scene.moving.front().name);
   DescribedScene described{{}, scene.rate, stiffness};
   if (!scene.ground.objects.empty()) described.objects.push_back({"ground", ground(), {}});
   for (UnreadObject& one : scene.moving) {
     if (!one.options.has("stiffness")) one.options.add({"stiffness", shortest(stiffness)});
     described.objects.push_back({one.name, read_one(one.options, monitor), std::move(one.motion)});
   }
-  return {name, std::move(described)};
+  return {name, std::move(described), read_damping(all)};
 }
 
 std::vector<std::pair<std::string, std::string>> written_scene(const Options& options, bool with_folders) {

@@ -104,13 +104,14 @@ expect 1 "N, expected" -- check oil.fsr --law wall --stiffness 1
 expect 0 "damping: takes energy at its own velocity; held from tick to tick it gives at most 0.0006667 N s/mm" -- \
   "$forceshade" energy --law wall --depth 1 --damping 0.002 --damping-filter 0.5
 expect 2 "oil.toml: line 9: time: expected a share such as 0.5" -- "$forceshade" energy --subject oil.toml --depth 1
-# A scene has it, too, and one in which something moves not.
+# A scene has it, too, and one in which something moves.
 printf '[damping]\ndrag = 0.001\n[[object]]\nname = "ball"\nmesh = "ball.off"\nunit = "mm"\n' > scene.toml
 expect 0 "drag of 0.001 N s/mm" -- drive --scene scene.toml
 expect 0 "scene.toml: its damping is left out here" -- "$forceshade" force positions.csv --scene scene.toml
-printf 'time_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,0,0,0\n' > still.csv
-printf 'motion = "still.csv"\n' >> scene.toml
-expect 2 "scene.toml: line 2: drag: expected no object with a motion" -- drive --scene scene.toml
+printf 'time_s,x_mm,y_mm,z_mm\n0,0,0,-25\n1,0,0,-18\n' > rising.csv
+printf 'motion = "rising.csv"\n' >> scene.toml
+expect 0 "drag of 0.001 N s/mm" -- drive --scene scene.toml --rate 1000 --out moving.fsr
+expect 0 ", 0 differ" -- check moving.fsr --scene scene.toml
 expect 2 "--subject: expected once, got several times" -- "$forceshade" force --subject two.toml --subject two.toml
 expect 2 "inputs/law.toml: line 1: law: expected once, got several times" -- \
   "$forceshade" force --law wall --subject inputs/law.toml

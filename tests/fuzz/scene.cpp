@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "subjects/scene.h"
 
+#include "forceshade/fast.h"
 #include "rendering/mesh_rendering.h"
+#include "subjects/damping.h"
 #include "tests/fuzz/input_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -16,6 +18,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t triangles = ground.loaded.mesh.triangles.size();
     fuzz::require(!error_of_materials(scene.materials, triangles, true), "a ground can have what is read");
     for (const subjects::UnreadObject& one : scene.moving) fuzz::require(!one.motion.poses.empty(), "a motion has a pose");
+    const damping::Described without_time{subjects::read_damping(scene.options).parameters};
+    fuzz::require(std::holds_alternative<fast::Damping>(fast::Damping::build(without_time.at(1))),
+                  "a damping that is read is in its ranges, but for the share that a rate makes");
     fuzz::require(triangles == 4 * ground.objects.size(), "each object has its triangles");
     fuzz::require(ground.loaded.groups.of_triangle.size() == triangles, "each triangle has a group or none");
     for (const mesh::Triangle& triangle : ground.loaded.mesh.triangles)
