@@ -3,6 +3,7 @@
 
 #include "bindings/c/damping.h"
 
+#include <optional>
 #include <variant>
 
 #include "bindings/c/errors.h"
@@ -11,7 +12,10 @@
 namespace forceshade::c {
 namespace {
 
-// Returns what use(damping, states) does, or an error code after setting the error text.
+// The last one that this thread has built: to look at the numbers and at the arithmetic takes longer than a tick.
+constinit thread_local std::optional<fast::Damping> built_last;
+
+// Returns what use(damping) does, or an error code after setting the error text.
 template <class Use>
 forceshade_result with_damping(const forceshade_damping* damping, forceshade_damping_state* states, const Use& use) noexcept {
   return guarded([&]() -> forceshade_result {
@@ -19,10 +23,14 @@ forceshade_result with_damping(const forceshade_damping* damping, forceshade_dam
     if (damping->size < sizeof *damping) return fail(FORCESHADE_BAD_SIZE, "damping->size: expected sizeof(forceshade_damping)");
     if (states->size < sizeof *states)
       return fail(FORCESHADE_BAD_SIZE, "state->size: expected sizeof(forceshade_damping_state)");
-    auto built =
-        fast::Damping::build({damping->rate, damping->share, damping->damping, damping->most, damping->drag, damping->full_at});
-    if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);
-    return use(std::get<fast::Damping>(built));
+    const damping::Parameters numbers{damping->rate, damping->share, damping->damping,
+                                      damping->most, damping->drag,  damping->full_at};
+    if (!built_last || built_last->parameters() != numbers) {
+      const auto built = fast::Damping::build(numbers);
+      if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);
+      built_last = std::get<fast::Damping>(built);
+    }
+    return use(*built_last);
   });
 }
 

@@ -259,8 +259,8 @@
     resume(state) {
       known("state", state, ["position", "velocity", "periods"], "a state, as state() answers it");
       const { position, velocity } = state, [periods] = indices("periods", [state.periods]);
-      const at = position === null ? [0, 0, 0] : floats("position", position, 3);
-      this._state.set([position === null ? 0 : 1, Math.min(periods, 255), ...Array.from(at), ...Array.from(floats("velocity", velocity, 3))]);
+      const at = position === null ? [0, 0, 0] : Array.from(floats("position", position, 3));
+      this._state.set([position === null ? 0 : 1, Math.min(periods, 255), ...at, ...Array.from(floats("velocity", velocity, 3))]);
     }
   }
 

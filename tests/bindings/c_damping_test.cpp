@@ -204,15 +204,17 @@ TEST_F(CDamping, a_misuse_has_its_result_and_its_sentence) {
     misuses.push_back({"in place", of_batch(call)([&](auto& its) { its.forces = at; }), value, "positions beside the forces"});
   }
   expect_each(misuses, &forceshade_message, 40);
+  forceshade_damping other = kOil;
+  other.rate = 999;  // which this thread has not used yet
   std::fesetround(FE_UPWARD);
-  const forceshade_result of_step = forceshade_damping_step(&kOil, &states[0], 1, at, force, nullptr);
+  const forceshade_result of_step = forceshade_damping_step(&other, &states[0], 1, at, force, nullptr);
   std::fesetround(FE_TONEAREST);
   EXPECT_EQ(of_step, FORCESHADE_BAD_ARITHMETIC);
   // Nothing was written.
   EXPECT_EQ(places, (std::array<float, 6>{1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(forces, (std::array<float, 6>{}));
   for (const auto& state : states) EXPECT_EQ(numbers_of(state), damping::State{});
-  EXPECT_EQ(forceshade_damping_step(&kOil, &states[0], 1, at, force, nullptr), FORCESHADE_OK);
+  EXPECT_EQ(forceshade_damping_step(&other, &states[0], 1, at, force, nullptr), FORCESHADE_OK);
   EXPECT_EQ(forceshade_has("damping"), 1);
 }
 

@@ -80,8 +80,8 @@ class Scene(_forceshade.Scene):
     ) -> Floats:
         """The force (N) at the next position of the hand (mm, in the world), an array (3,).
 
-        periods: since the step before, for damping. poses: one Pose for each object, or an array (n, 7): translation in mm and quaternion w, x, y, z. A position or pose outside
-        its domain gives no force, and the status INVALID.
+        poses: one Pose for each object, or an array (n, 7): translation in mm and quaternion w, x, y, z. A position or pose outside
+        its domain gives no force, and the status INVALID. periods: those since the step before, for damping.
         """
         at = _arrays.as_positions(position, rounding)
         if at.shape != (3,):

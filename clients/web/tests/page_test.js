@@ -325,7 +325,7 @@ test("damps the force by the speed of the hand, and not where it rests", async (
   assert.ok(pressed > 1.05 && pressed < 2.001 && released < 0.95, `${pressed} and ${released} of the force without damping`);
   const isAtRest = async () => {
     const {law, radius, width, stiffness, point, force} = await state();
-    return browser.evaluate(`forceshade.load().then((lib) => lib.law("${law}", {radius: ${radius}, width: ${width}, stiffness: ${stiffness}})
+    return browser.evaluate(`forceshade.load().then((lib) => lib.law("${law}", ${JSON.stringify({radius, width, stiffness})})
       .force([${point}]).force.every((value, k) => value === [${force}][k]))`);
   };
   while (!await isAtRest()) await settled();
