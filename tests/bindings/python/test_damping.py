@@ -40,7 +40,7 @@ def dense(state):
 
 @pytest.mark.parametrize("name", SUBJECTS)
 def test_a_damped_session_is_the_definition(name):
-    subject, (at, periods) = SUBJECTS[name], walk(2000)
+    subject, (at, periods) = SUBJECTS[name], walk(5000)
     session = forceshade.Session(subject, damping=OIL)
     found = session.answers(at, periods=periods)
     exact = subject.reference_forces(at)
@@ -97,9 +97,13 @@ def test_each_path_has_the_forces_of_its_own_damped_session(tetrahedron):
         for session, p, e, force, said in zip(sessions, at.reshape(-1, 1, 3), periods.ravel(), forces.reshape(-1, 3), status.ravel()):
             assert same_bits(session.steps(p, periods=e)[0], force) and session.status == said
     assert [session.damping_state for session in sessions] == [dense(state) for state in speeds.ravel()]
-    every_other = at[::2, ::-1]
-    again = OIL.advance(speeds[::2, ::-1].copy(), every_other, forces[::2, ::-1], threads=2)
-    assert again.shape == (20, 60, 3) and not same_bits(again, forces[::2, ::-1])
+    # Rows of which each has to be answered alone.
+    its = [array[::2, ::-1] for array in (at, forces, periods)]
+    kept, other = (speeds[::2, ::-1].copy() for _ in range(2))
+    found = OIL.advance(kept, its[0], its[1], periods=its[2], threads=2)
+    expected = OIL.advance(other, its[0].copy(), its[1].copy(), periods=its[2].copy())
+    assert same_bits(found, expected) and (kept == other).all() and not same_bits(found, its[1])
+    assert same_bits(OIL.steps(its[0], its[1], periods=its[2]), OIL.reference_steps(its[0], its[1], periods=its[2].copy()))
 
 
 def test_a_scene_is_damped_by_the_speed_of_the_hand():
