@@ -58,7 +58,8 @@ class PythonRenderer final : public conformance::RendererUnderTest {
 
   const conformance::Hello& hello() const override { return hello_; }
 
-  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) override {
+  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
+                                       std::span<const std::uint32_t>) override {
     return words_for_errors([&] {
       const py::bytearray asked(reinterpret_cast<const char*>(positions.data()), positions.size_bytes());
       const py::buffer answered = answers_.its(asked, is_reset);
@@ -71,6 +72,8 @@ class PythonRenderer final : public conformance::RendererUnderTest {
       return answers;
     });
   }
+
+  bool is_told_of_periods() const override { return false; }
 
   void say_goodbye() override {}
 

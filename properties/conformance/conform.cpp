@@ -10,9 +10,11 @@
 #include <utility>
 
 #include "files/csv.h"
+#include "forceshade/damped.h"
 #include "forceshade/error.h"
 #include "properties/conformance/invariants/all.h"
 #include "properties/conformance/scene.h"
+#include "properties/conformance/strokes.h"
 #include "properties/conformance/timing.h"
 #include "rendering/control_words.h"
 
@@ -68,14 +70,15 @@ class Run {
   }
 
   void compare() {
-    const auto positions = subject_->positions(options_.seed);
+    Strokes ticks(subject_->positions(options_.seed), found_.hello.damping.has_value(), renderer_->is_told_of_periods(),
+                  options_.seed);
     for (std::uint64_t done = 0; done < options_.points;) {
       std::vector<Case> cases;
       cases.reserve(kPathLength);
       while (cases.size() < kPathLength && done < options_.points) {
         monitor_.at(0.9 * static_cast<double>(done) / static_cast<double>(options_.points));
         const std::uint64_t room = std::min(kPathLength - cases.size(), options_.points - done);
-        answer_more(*positions, std::min<std::uint64_t>(SceneRenderer::kBatch, room), cases, done);
+        answer_more(ticks, std::min<std::uint64_t>(SceneRenderer::kBatch, room), cases, done);
       }
       judge_meanwhile(std::move(cases));
     }
@@ -84,18 +87,20 @@ class Run {
   }
 
   // The next positions of a path, with the renderer's answers.
-  void answer_more(properties::Positions& positions, std::uint64_t count, std::vector<Case>& cases, std::uint64_t& done) {
+  void answer_more(Strokes& ticks, std::uint64_t count, std::vector<Case>& cases, std::uint64_t& done) {
     const std::size_t first = cases.size();
     Path batch;
+    std::vector<std::uint32_t> periods;
     while (batch.size() < count) {
-      const properties::Aimed aimed = positions.next();
+      const auto [aimed, since] = ticks.next();
       const Eigen::Vector3f position = renderer_->writable(aimed.position);
       if (!renderer_->is_in_domain(position)) continue;
       batch.push_back(position);
+      if (found_.hello.damping) periods.push_back(since);
       const properties::Aim aim = same_bits(position, aimed.position) ? aimed.aim : properties::Aim::volume;
-      cases.push_back({position, cases.empty(), {}, std::string(name_of(aim)), "position " + std::to_string(done++)});
+      cases.push_back({position, cases.empty(), {}, std::string(name_of(aim)), "position " + std::to_string(done++), since});
     }
-    const Path forces = renderer_->forces(batch, first == 0);
+    const Path forces = renderer_->forces(batch, first == 0, told(periods));
     for (std::size_t i = 0; i < forces.size(); ++i) cases[first + i].force = forces[i];
   }
 
@@ -112,7 +117,7 @@ class Run {
       const Path path = through_triangle(mesh->mesh(), triangle, *renderer_);
       if (!std::ranges::all_of(path, [this](const Eigen::Vector3f& one) { return renderer_->is_in_domain(one); })) continue;
       const Path forces = renderer_->forces(path, true);
-      const auto session = subject_->renderer().open();
+      const auto session = damped(subject_->renderer().open());
       if (std::ranges::equal(path, forces, [&session](const Eigen::Vector3f& position, const Eigen::Vector3f& force) {
             return session->step(position).force == force;
           }))
@@ -125,20 +130,35 @@ class Run {
     judge_meanwhile(std::move(cases));
   }
 
+  // This program's own answers with the declared damping.
+  std::unique_ptr<fast::Session> damped(std::unique_ptr<fast::Session> session) const {
+    if (!found_.hello.damping) return session;
+    return fast::damped(std::move(session), std::get<fast::Damping>(fast::Damping::build(*found_.hello.damping)));
+  }
+
+  std::span<const std::uint32_t> told(const std::vector<std::uint32_t>& periods) const {
+    return renderer_->is_told_of_periods() ? periods : std::span<const std::uint32_t>();
+  }
+
+  struct Timed {
+    Eigen::Vector3f position;
+    std::uint32_t periods;
+  };
   struct JudgedPaths {
     Judgement judgement;
-    Path failing;  // to the first answer that is beyond the tolerance
+    std::vector<Timed> failing;  // to the first answer that is beyond the tolerance
   };
 
   // Whole paths. Several threads may be in it.
   JudgedPaths judged(const std::vector<Case>& cases, std::uint64_t before) const {
-    Judge judge(subject_, options_.tolerance, before);
+    Judge judge(subject_, options_.tolerance, before, found_.hello.damping);
     JudgedPaths paths;
     std::size_t begin = 0;
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (cases[i].is_reset) begin = i;
       if (!judge.add(cases[i]) || !paths.failing.empty()) continue;
-      for (const Case& its : std::span(cases).subspan(begin, i + 1 - begin)) paths.failing.push_back(its.position);
+      for (const Case& its : std::span(cases).subspan(begin, i + 1 - begin))
+        paths.failing.push_back({its.position, its.periods});
     }
     paths.judgement = judge.judgement();
     return paths;
@@ -159,27 +179,37 @@ class Run {
   }
 
   // True if the last answer of the path, begun anew, is beyond the tolerance; of a path whose last position is judged.
-  bool fails(const Path& path) {
+  bool fails(const std::vector<Timed>& path) {
     if (tries_ == kMostTries) return false;
     ++tries_;
-    const Path forces = renderer_->forces_along(path);
-    Judge judge(subject_, options_.tolerance);
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) judge.add({path[i], i == 0, forces[i]});
-    const auto beyond = judge.add({path.back(), path.size() == 1, forces.back()});
-    if (beyond) found_.counterexample = beyond;
-    return beyond.has_value();
+    Path positions;
+    std::vector<std::uint32_t> periods;
+    for (const Timed& each : path) {
+      positions.push_back(each.position);
+      if (found_.hello.damping) periods.push_back(each.periods);
+    }
+    const Path forces = renderer_->forces_along(positions, told(periods));
+    Judge judge(subject_, options_.tolerance, 0, found_.hello.damping);
+    std::optional<Judged> beyond;  // of the last one
+    for (std::size_t i = 0; i < path.size(); ++i)
+      beyond = judge.add({positions[i], i == 0, forces[i], "", "", path[i].periods});
+    if (!beyond) return false;
+    found_.counterexample = beyond;
+    found_.shortest_path = positions;
+    found_.periods_of_shortest_path = periods;
+    return true;
   }
 
   // Fewer positions first, then ones that are shorter to write.
   void shorten() {
     if (failing_path_.empty()) return;
-    Path path = failing_path_;
+    std::vector<Timed> path = failing_path_;
     if (!found_.hello.remembers) path = {path.back()};
     if (!fails(path)) return;  // it gives two answers; the next check says so
     for (bool is_shorter = true; is_shorter;) {
       is_shorter = false;
-      for (Path& next : properties::shorter(path, 1))
-        if (same_bits(next.back(), path.back()) && fails(next)) {
+      for (std::vector<Timed>& next : properties::shorter(path, 1))
+        if (same_bits(next.back().position, path.back().position) && fails(next)) {
           path = std::move(next);
           is_shorter = true;
           break;
@@ -188,15 +218,14 @@ class Run {
     }
     for (std::size_t i = 0; i < path.size(); ++i)
       for (Eigen::Index axis = 0; axis < 3; ++axis)
-        for (const float simple : simpler(path[i][axis])) {
-          Path next = path;
-          next[i][axis] = simple;
-          next[i] = renderer_->writable(next[i]);
+        for (const float simple : simpler(path[i].position[axis])) {
+          std::vector<Timed> next = path;
+          next[i].position[axis] = simple;
+          next[i].position = renderer_->writable(next[i].position);
           if (!fails(next)) continue;
           path = std::move(next);
           break;
         }
-    found_.shortest_path = path;
   }
 
   // 0, and the number with fewer bits, the simplest first; never NaN or infinite.
@@ -218,10 +247,14 @@ class Run {
     Trial trial{description_, *subject_,     [this](const Description& other) { return opened_on(other); },
                 *renderer_,   options_.seed, monitor_};
     trial.approaches = approaches_to(trial);
-    for (const auto& invariant : kInvariants) {
-      monitor_.at(0.95);
-      found_.invariants.push_back(invariant(trial));
-    }
+    const auto look_at = [&](const auto& invariants) {
+      for (const auto& invariant : invariants) {
+        monitor_.at(0.95);
+        found_.invariants.push_back(invariant(trial));
+      }
+    };
+    look_at(kInvariants);
+    if (found_.hello.damping) look_at(kDampingInvariants);
     if (options_.is_timed) take_times(trial);
   }
 
@@ -241,7 +274,7 @@ class Run {
   const Monitor& monitor_;
   const std::shared_ptr<const properties::Subject> subject_;
   std::unique_ptr<SceneRenderer> renderer_;
-  Path failing_path_;  // the first that led to an answer beyond the tolerance
+  std::vector<Timed> failing_path_;  // the first that led to an answer beyond the tolerance
   int tries_ = 0;
   Conformance found_;
   std::uint64_t given_to_judges_ = 0;             // cases

@@ -31,7 +31,8 @@ struct Conformance {
   // The shortest path, in mm, at whose end the answer was found to be beyond the tolerance; one position of a renderer without
   // memory.
   std::vector<Eigen::Vector3f> shortest_path;
-  std::optional<Judged> counterexample = {};  // the answer there
+  std::vector<std::uint32_t> periods_of_shortest_path;  // of a renderer with damping: those before each position
+  std::optional<Judged> counterexample = {};            // the answer there
   std::vector<Invariant> invariants;
   std::optional<Timing> timing = {};        // where it was requested
   std::optional<std::string> failure = {};  // that ended the run

@@ -21,11 +21,16 @@ std::string literal(const Eigen::Vector3f& numbers) {
   return '{' + literal(numbers.x()) + ", " + literal(numbers.y()) + ", " + literal(numbers.z()) + '}';
 }
 
-std::string test_to_paste(const Identity& identity, std::span<const Eigen::Vector3f> path, const Judged& at_its_end) {
+std::string test_to_paste(const Identity& identity, std::span<const Eigen::Vector3f> path,
+                          std::span<const std::uint32_t> periods, const Judged& at_its_end) {
   std::string text =
       "// " + files::printable(identity.name + ": " + parameters_in_words(identity)) + "\nconst float path_mm[][3] = {";
   for (std::size_t i = 0; i < path.size(); ++i) text += (i == 0 ? "" : ",\n                             ") + literal(path[i]);
-  text += "};  // from no contact\nconst float force_N[3] = " + literal(at_its_end.exact.force) + ";  // at its end, not " +
+  text += "};  // from no contact\n";
+  for (std::size_t i = 0; i < periods.size(); ++i)
+    text +=
+        (i == 0 ? "const unsigned periods[] = {" : ", ") + std::to_string(periods[i]) + (i + 1 == periods.size() ? "};\n" : "");
+  text += "const float force_N[3] = " + literal(at_its_end.exact.force) + ";  // at its end, not " +
           literal(at_its_end.its.force) + '\n';
   return text;
 }

@@ -7,6 +7,7 @@
 
 #include "files/json_line.h"
 #include "forceshade/mesh.h"
+#include "forceshade/reference.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -33,6 +34,29 @@ std::array<Axis, 3> frame_in(const KeyReader& its) {
   }
   if (std::ranges::count(is_there, true) != 3) its.refuse("frame", value, kExpected);
   return frame;
+}
+
+// The parameters by their names in damping::Parameters; the rate is that of the renderer.
+damping::Parameters damping_in(const KeyReader& its, const Json& value, const std::optional<double>& rate) {
+  if (!value.is_object()) its.refuse("damping", value, "an object like {\"damping\": 0.002, \"share\": 0.3}");
+  if (!rate) its.refuse("rate_Hz", nullptr, "a number where it damps, since each position is a tick");
+  const KeyReader keys(value, "the damping of the renderer's hello");
+  keys.expect_no_key_but({"share", "damping", "most", "drag", "full_at"});
+  damping::Parameters p{.rate = static_cast<float>(*rate)};
+  const auto read = [&](const char* key, float& parameter) {
+    if (value.contains(key)) parameter = static_cast<float>(keys.number(key, 0, 1024, "a number from 0 to 1024"));
+  };
+  read("share", p.share);
+  read("damping", p.damping);
+  if (value.contains("most") && value.at("most").is_null())
+    p.most = HUGE_VALF;
+  else
+    read("most", p.most);
+  read("drag", p.drag);
+  read("full_at", p.full_at);
+  const auto built = reference::Damping::build(p);
+  if (const auto* error = std::get_if<ParameterError>(&built)) its.refuse("damping", value, error->message());
+  return p;
 }
 
 // The value of the key, a list of words.
@@ -115,6 +139,14 @@ Hello hello_of(const Json& said, const Json& scene) {
                                 "frame",  "domain_mm", "rate_Hz", "loop_energy_mJ"};
   if (hello.answer == Answer::impulse && !hello.rate)
     its.refuse("rate_Hz", nullptr, "a number where it answers with an impulse, which is a force times the length of a tick");
+  if (said.contains("damping")) {
+    hello.damping = damping_in(its, said.at("damping"), hello.rate);
+    if (!hello.remembers) its.refuse("memory", said.at("memory"), "\"path\" where it damps");
+    if (hello.answer == Answer::closest_point)
+      its.refuse("answers", said.at("answers"), "a force or an impulse where it damps");
+    if (scene.at("kind") == "scene") hello.refusal = "damping is not defined for scenes of several objects";
+    keys.emplace_back("damping");
+  }
   if (scene.at("kind") == "mesh") {
     hello.refusal = refusal_of_mesh(its, scene);
     if (!hello.refusal) hello.refusal = refusal_of_materials(its, said, scene);

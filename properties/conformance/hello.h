@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "files/child_process.h"
+#include "forceshade/damping.h"
 
 namespace forceshade::conformance {
 
@@ -33,6 +34,7 @@ struct Hello {
   float domain = 10'000;                       // mm: it answers positions whose coordinates are at most so large
   std::optional<double> rate = {};             // Hz: each position is a tick; nothing where time does not matter
   std::optional<double> loop_energy = {};      // mJ: the most that a closed path gives the hand; nothing where it may be any
+  std::optional<damping::Parameters> damping = {};                     // with which it damps its forces (docs/damping.md)
   nlohmann::ordered_json declared = nlohmann::ordered_json::object();  // these keys, for a report
 
   bool has_own_units() const;  // true unless it gives forces in N for positions in mm, both in the frame of the scene

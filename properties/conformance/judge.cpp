@@ -67,13 +67,33 @@ void Judgement::append(const Judgement& later) {
   if (later.simplest && is_simpler(*later.simplest, simplest)) simplest = later.simplest;
 }
 
+reference::Rounded Judge::exact_of(const Case& next) {
+  if (!damping_) return session_->step(next.position);
+  reference::Rounded spring;
+  spring.status = Status::contact;
+  try {
+    spring = session_->step(next.position);
+  } catch (const std::domain_error&) {
+    damping_->tick(next.position, next.periods, spring);  // the hand's speed goes on
+    throw;
+  }
+  return damping_->tick(next.position, next.periods, spring);
+}
+
+std::optional<std::array<std::string, 3>> Judge::decimal(unsigned digits) const {
+  return damping_ ? std::nullopt : session_->decimal(digits);
+}
+
 std::optional<Judged> Judge::add(const Case& next) {
   ++number_;
-  if (session_ == nullptr || next.is_reset) session_ = subject_->open_reference();
+  if (session_ == nullptr || next.is_reset) {
+    session_ = subject_->open_reference();
+    if (damping_) damping_->reset();
+  }
   exact_ = std::nullopt;
   reference::Rounded exact;
   try {
-    exact = session_->step(next.position);
+    exact = exact_of(next);
   } catch (const std::domain_error&) {
     ++judgement_.undecided;
     return std::nullopt;
@@ -88,7 +108,7 @@ std::optional<Judged> Judge::add(const Case& next) {
     return std::nullopt;
   }
   const Distance its = distance(next.force, exact);
-  const bool within = is_within(tolerance_, next.force, exact, [&](unsigned digits) { return session_->decimal(digits); });
+  const bool within = is_within(tolerance_, next.force, exact, [&](unsigned digits) { return decimal(digits); });
   count(next, its, within);
   Judged judged{next, exact, its};
   if (its.ulps != 0 || !within) keep(judged, within);
@@ -117,7 +137,7 @@ void Judge::keep(const Judged& judged, bool is_within) {
 }
 
 void Judge::keep(Judged judged, std::optional<Judged>& where) const {
-  if (const auto digits = session_->decimal(kShownDigits)) judged.digits = *digits;
+  if (const auto digits = decimal(kShownDigits)) judged.digits = *digits;
   where = std::move(judged);
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "forceshade/properties.h"
 #include "properties/conformance/distance.h"
@@ -28,6 +29,7 @@ struct Case {
   Eigen::Vector3f force{0, 0, 0};     // N
   std::string aim = {};               // the aim of the position; empty where that is not known
   std::string place = {};             // the place of the case, for people: "mine.csv:12"
+  std::uint32_t periods = 1;          // since the case before, which matters where there is damping
 };
 
 // A case with what the definition says of it.
@@ -74,9 +76,13 @@ struct Judgement {
 
 class Judge {
  public:
-  // before: how many cases others judge that come before these.
-  Judge(std::shared_ptr<const properties::Subject> subject, const Tolerance& tolerance, std::uint64_t before = 0)
-      : tolerance_(tolerance), subject_(std::move(subject)), number_(before) {}
+  // before: how many cases others judge that come before these. damping: behind the subject, in the ranges of
+  // reference::Damping::build.
+  Judge(std::shared_ptr<const properties::Subject> subject, const Tolerance& tolerance, std::uint64_t before = 0,
+        const std::optional<damping::Parameters>& damping = {})
+      : tolerance_(tolerance), subject_(std::move(subject)), number_(before) {
+    if (damping) damping_ = std::get<reference::Damping>(reference::Damping::build(*damping));
+  }
 
   // The next case. Those of a path follow one another; the first one begins a path. Gives it back where it is beyond the
   // tolerance, without digits.
@@ -89,6 +95,10 @@ class Judge {
 
  private:
   void count(const Case& its, const Distance& distance, bool is_within);
+  // The definition's answer to the case; throws std::domain_error.
+  reference::Rounded exact_of(const Case& next);
+  // Digits of it; none of a damped force, which is defined by the rounded one.
+  std::optional<std::array<std::string, 3>> decimal(unsigned digits) const;
   // If it is the worst or the simplest until now.
   void keep(const Judged& judged, bool is_within);
   // Puts it there, with the digits of its exact force.
@@ -97,6 +107,7 @@ class Judge {
   Tolerance tolerance_;
   std::shared_ptr<const properties::Subject> subject_;
   std::unique_ptr<properties::ReferenceSession> session_;
+  std::optional<reference::Damping> damping_;
   std::optional<reference::Rounded> exact_;
   std::uint64_t number_;  // of the last case
   Judgement judgement_;

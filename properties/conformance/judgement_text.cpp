@@ -159,8 +159,8 @@ std::string words_of(const Conformance& found, const Tolerance& tolerance) {
   else if (!found.hello.claims_definition)
     words = who + " renders " + found.identity.name + " and does not claim the definition, with which it was not compared\n";
   if (found.counterexample)
-    words +=
-        "  made simpler, as a test to paste:\n" + test_to_paste(found.identity, found.shortest_path, *found.counterexample);
+    words += "  made simpler, as a test to paste:\n" +
+             test_to_paste(found.identity, found.shortest_path, found.periods_of_shortest_path, *found.counterexample);
   for (const Invariant& invariant : found.invariants) words += words_of(invariant);
   if (found.timing)
     words += "time of an answer: half within " + words_of_time(found.timing->p50) + ", 99.9 % within " +
@@ -186,6 +186,7 @@ Json json_of(const Conformance& found, const Circumstances& circumstances) {
   if (found.failure) json["failure"] = *found.failure;
   json["exact"] = json_of(found.judgement, found.identity, options.tolerance);
   for (const Eigen::Vector3f& position : found.shortest_path) json["shortest_path_mm"].push_back(json_of(position));
+  if (!found.periods_of_shortest_path.empty()) json["shortest_path_periods"] = found.periods_of_shortest_path;
   if (found.counterexample) json["counterexample"] = json_of(*found.counterexample);
   json["invariants"] = Json::array();
   for (const Invariant& invariant : found.invariants) json["invariants"].push_back(json_of(invariant));

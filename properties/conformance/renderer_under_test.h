@@ -3,6 +3,7 @@
 // A third-party renderer, opened on a scene: what every check takes, whichever door it came through.
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -26,8 +27,13 @@ class RendererUnderTest {
   virtual const Hello& hello() const = 0;
 
   // The answers to the next positions of the path, one for each, all in its own units; is_reset: a new path begins with
-  // them, from no contact. Throws files::ProcessFailed; then no further call is of use.
-  virtual std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) = 0;
+  // them, from no contact; periods: those from the tick before each position to it, each 1 where there are none. Only a
+  // renderer with damping gets any. Throws files::ProcessFailed; then no further call is of use.
+  virtual std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
+                                               std::span<const std::uint32_t> periods) = 0;
+
+  // True if the periods reach it.
+  virtual bool is_told_of_periods() const { return true; }
 
   // The number and size of its allocations in its answers so far; nothing where they are not counted. Throws
   // files::ProcessFailed.

@@ -65,19 +65,22 @@ Eigen::Vector3f SceneRenderer::force_of(const Eigen::Vector3f& answer, const Eig
   return turned.cast<float>();
 }
 
-std::vector<Eigen::Vector3f> SceneRenderer::forces(std::span<const Eigen::Vector3f> positions, bool is_reset) {
-  if (!hello().has_own_units()) return renderer_->answers(positions, is_reset);
+std::vector<Eigen::Vector3f> SceneRenderer::forces(std::span<const Eigen::Vector3f> positions, bool is_reset,
+                                                   std::span<const std::uint32_t> periods) {
+  if (!hello().has_own_units()) return renderer_->answers(positions, is_reset, periods);
   std::vector<Eigen::Vector3f> own(positions.size());
   std::ranges::transform(positions, own.begin(), [this](const Eigen::Vector3f& one) { return to_its_units(one); });
-  std::vector<Eigen::Vector3f> forces = renderer_->answers(own, is_reset);
+  std::vector<Eigen::Vector3f> forces = renderer_->answers(own, is_reset, periods);
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = force_of(forces[i], positions[i]);
   return forces;
 }
 
-std::vector<Eigen::Vector3f> SceneRenderer::forces_along(std::span<const Eigen::Vector3f> path) {
+std::vector<Eigen::Vector3f> SceneRenderer::forces_along(std::span<const Eigen::Vector3f> path,
+                                                         std::span<const std::uint32_t> periods) {
   std::vector<Eigen::Vector3f> all;
   for (std::size_t begin = 0; begin < path.size(); begin += kBatch) {
-    const auto some = forces(path.subspan(begin, std::min(kBatch, path.size() - begin)), begin == 0);
+    const std::size_t count = std::min(kBatch, path.size() - begin);
+    const auto some = forces(path.subspan(begin, count), begin == 0, periods.empty() ? periods : periods.subspan(begin, count));
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

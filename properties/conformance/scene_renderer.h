@@ -25,12 +25,14 @@ class SceneRenderer {
   bool is_in_domain(const Eigen::Vector3f& position) const;
 
   // The forces at the next positions, which are writable; an answer that is no force in N is made one, and rounded once.
-  // Throws files::ProcessFailed.
-  std::vector<Eigen::Vector3f> forces(std::span<const Eigen::Vector3f> positions, bool is_reset);
+  // periods: as of RendererUnderTest. Throws files::ProcessFailed.
+  std::vector<Eigen::Vector3f> forces(std::span<const Eigen::Vector3f> positions, bool is_reset,
+                                      std::span<const std::uint32_t> periods = {});
   // The same of a whole path, which begins anew, in requests of at most kBatch positions.
-  std::vector<Eigen::Vector3f> forces_along(std::span<const Eigen::Vector3f> path);
+  std::vector<Eigen::Vector3f> forces_along(std::span<const Eigen::Vector3f> path, std::span<const std::uint32_t> periods = {});
   static constexpr std::size_t kBatch = 1024;
 
+  bool is_told_of_periods() const { return renderer_->is_told_of_periods(); }
   std::optional<Allocations> allocations() { return renderer_->allocations(); }
   void say_goodbye() { renderer_->say_goodbye(); }
 

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "properties/conformance/scene.h"
+#include "properties/conformance/strokes.h"
 #include "rendering/breakdown.h"
 
 namespace forceshade::conformance {
@@ -29,17 +31,24 @@ Json bits(const Eigen::Vector3f& numbers) {
   return all;
 }
 
-Json case_json(std::uint64_t id, const properties::Aimed& aimed, const reference::Rounded& exact,
-               const std::optional<std::array<std::string, 3>>& digits) {
-  Json json{{"id", id},
-            {"flag", std::string(name_of(aimed.aim))},
-            {"status", std::string(properties::kStatusNames[static_cast<std::size_t>(exact.status)])},
-            {"position_mm", hexfloats({aimed.position.data(), 3})},
-            {"force_N", hexfloats({exact.force.data(), 3})}};
+Json case_json(std::uint64_t id, const properties::Aimed& aimed, const std::optional<std::uint32_t>& periods,
+               const reference::Rounded& exact, const std::optional<std::array<std::string, 3>>& digits) {
+  Json json{{"id", id}, {"flag", std::string(name_of(aimed.aim))}};
+  if (periods) json["periods"] = *periods;
+  json.update({{"status", std::string(properties::kStatusNames[static_cast<std::size_t>(exact.status)])},
+               {"position_mm", hexfloats({aimed.position.data(), 3})},
+               {"force_N", hexfloats({exact.force.data(), 3})}});
   if (digits) json["exact_force_N"] = *digits;
   json["position_bits"] = bits(aimed.position);
   json["force_bits"] = bits(exact.force);
   return json;
+}
+
+// The keys of a renderer's hello.
+Json damping_json(const damping::Parameters& p) {
+  const auto number = [](float parameter) { return std::isinf(parameter) ? Json() : Json(static_cast<double>(parameter)); };
+  return {{"rate_Hz", number(p.rate)}, {"share", number(p.share)}, {"damping", number(p.damping)},
+          {"most", number(p.most)},    {"drag", number(p.drag)},   {"full_at", number(p.full_at)}};
 }
 
 // The head with the key "paths", in which each case is a line.
@@ -90,28 +99,37 @@ Flag flag_of(Aim aim) {
   }
 }
 
-std::string vectors_of(const Description& description, std::uint64_t count, std::uint64_t seed, const Monitor& monitor) {
+std::string vectors_of(const Description& description, std::uint64_t count, std::uint64_t seed, const Monitor& monitor,
+                       const std::optional<damping::Parameters>& damping) {
   const auto subject = properties::subject_of(description);
-  const auto positions = subject->positions(seed);
+  Strokes ticks(subject->positions(seed), damping.has_value(), true, seed);
   auto session = subject->open_reference();
-  const bool remembers = !subject->renderer().batch;
+  std::optional<reference::Damping> damper;
+  if (damping) damper = std::get<reference::Damping>(reference::Damping::build(*damping));
+  const bool remembers = damping || !subject->renderer().batch;
   std::set<Aim> seen;
   Json paths = Json::array({Json::array()});
   const auto begin_a_path = [&] {
     if (!paths.back().empty()) paths.push_back(Json::array());
     session = subject->open_reference();
+    if (damper) damper->reset();
   };
   for (std::uint64_t id = 1; id <= count; ++id) {
     monitor.at(static_cast<double>(id) / static_cast<double>(count));
     if (remembers && paths.back().size() >= kVectorPath) begin_a_path();
-    const properties::Aimed aimed = positions->next();
+    const auto [aimed, periods] = ticks.next();
     try {
-      const reference::Rounded exact = session->step(aimed.position);
+      reference::Rounded exact = session->step(aimed.position);
       if (exact.status == Status::unfinished) {
         begin_a_path();
         continue;
       }
-      paths.back().push_back(case_json(id, aimed, exact, session->decimal(kVectorDigits)));
+      if (damper) {
+        exact = damper->tick(aimed.position, periods, exact);
+        paths.back().push_back(case_json(id, aimed, periods, exact, std::nullopt));
+      } else {
+        paths.back().push_back(case_json(id, aimed, std::nullopt, exact, session->decimal(kVectorDigits)));
+      }
       seen.insert(aimed.aim);
     } catch (const std::domain_error&) {
       begin_a_path();
@@ -123,11 +141,9 @@ std::string vectors_of(const Description& description, std::uint64_t count, std:
     const Flag flag = flag_of(aim);
     flags[std::string(name_of(aim))] = {{"meaning", flag.meaning}, {"threads", flag.threads}};
   }
-  const Json head{{"schema", "forceshade vectors 1"},
-                  {"licence", "CC0-1.0"},
-                  {"subject", scene_of(description)},
-                  {"seed", seed},
-                  {"flags", flags}};
+  Json head{{"schema", "forceshade vectors 1"}, {"licence", "CC0-1.0"}, {"subject", scene_of(description)}};
+  if (damping) head["damping"] = damping_json(*damping);
+  head.update({{"seed", seed}, {"flags", flags}});
   return with_lines_of_cases(head, paths);
 }
 

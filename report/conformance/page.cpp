@@ -174,7 +174,7 @@ std::string worst_table(const Judgement& found) {
 std::string counterexample(const Conformance& found) {
   if (!found.counterexample) return "";
   return "<section class=\"counterexamples\">\n<h2>A test to paste</h2>\n<pre>" +
-         escaped(test_to_paste(found.identity, found.shortest_path, *found.counterexample)) +
+         escaped(test_to_paste(found.identity, found.shortest_path, found.periods_of_shortest_path, *found.counterexample)) +
          "</pre>\n<p class=\"note\">The shortest path found whose last answer is beyond the tolerance, with numbers that are "
          "short "
          "to write. Lines of C; the numbers lose nothing.</p>\n</section>\n";

@@ -32,6 +32,14 @@ laws() {
   numpy="$python $renderers/naive_numpy.py"
   finds "FAILED: without a position there is no force after 10 ms" --law bump-3p-shaded -- "$numpy"
 
+  expect 0 "correctly rounded 4000 of 4000" -- "$forceshade" conform --law wall --points 4000 --json damped.json --overwrite \
+    --command "$python $renderers/damped_wall.py"
+  sed 's/self.since > 16/self.since > 99/' "$renderers/damped_wall.py" > pauses.py
+  expect 1 "FAILED: after a pause no speed is left" -- "$forceshade" conform --law wall --points 4000 --json pauses.json --overwrite \
+    --command "PYTHONPATH=$renderers $python pauses.py"
+  also "const unsigned periods[] = {"
+  fits "$examples/../docs/conformance-schema.json" damped.json pauses.json
+
   printed 2.2.1 wall "aimed at volume: 7126 of 7547" "no force out of contact|contact gives a force"
   printed 2.2.2 cylinder "aimed at volume: 7126 of 7547" "no force out of contact|contact gives a force"
   printed 2.5 bump-2p "aimed at volume: 5967 of 7547" "the surface does not attract"

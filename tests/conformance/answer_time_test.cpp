@@ -26,7 +26,8 @@ class Recorder final : public RendererUnderTest {
   explicit Recorder(std::vector<std::pair<float, bool>>& requested) : requested_(requested) {}
 
   const Hello& hello() const override { return hello_; }
-  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) override {
+  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
+                                       std::span<const std::uint32_t>) override {
     EXPECT_EQ(positions.size(), 1U);
     requested_.push_back({positions.front().x(), is_reset});
     return {{0, 0, 0}};

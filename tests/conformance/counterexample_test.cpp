@@ -16,10 +16,12 @@ TEST(counterexample, is_lines_of_c_that_lose_nothing) {
   Judged judged;
   judged.exact.force = {0, 0, 0.1F};
   judged.its.force = {0, 0, -0.1F};
-  EXPECT_EQ(test_to_paste(identity, path, judged),
+  const std::array<std::uint32_t, 2> periods{1, 20};
+  EXPECT_EQ(test_to_paste(identity, path, periods, judged),
             "// a\\nb.off: stiffness 0.5 N/mm\n"
             "const float path_mm[][3] = {{0x1.8p+1f, -0x0p+0f, 0x1p-149f},\n"
             "                             {NAN, INFINITY, -INFINITY}};  // from no contact\n"
+            "const unsigned periods[] = {1, 20};\n"
             "const float force_N[3] = {0x0p+0f, 0x0p+0f, 0x1.99999ap-4f};  // at its end, not {0x0p+0f, 0x0p+0f, "
             "-0x1.99999ap-4f}\n");
 }

@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "forceshade/damped.h"
 #include "forceshade/meshes.h"
 #include "forceshade/properties.h"
 #include "properties/conformance/renderer_under_test.h"
@@ -67,12 +69,16 @@ class OwnRenderer final : public RendererUnderTest {
 
   const Hello& hello() const override { return hello_; }
 
-  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) override {
-    if (is_reset || session_ == nullptr) session_ = subject_->renderer().open();
+  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
+                                       std::span<const std::uint32_t> periods) override {
+    if (is_reset || !session_)
+      session_.emplace(
+          subject_->renderer().open(),
+          std::get<fast::Damping>(fast::Damping::build(hello_.damping.value_or(damping::Parameters{.rate = 1000}))));
     std::vector<Eigen::Vector3f> forces;
-    for (const Eigen::Vector3f& position : positions) {
-      forces.push_back(session_->step(position).force);
-      if (spoil_) spoil_(position, forces.back(), is_reset && forces.size() == 1);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      forces.push_back(session_->step_after(periods.empty() ? 1 : periods[i], positions[i]).force);
+      if (spoil_) spoil_(positions[i], forces.back(), is_reset && i == 0);
     }
     return forces;
   }
@@ -81,7 +87,7 @@ class OwnRenderer final : public RendererUnderTest {
 
  private:
   std::unique_ptr<properties::Subject> subject_;
-  std::unique_ptr<fast::Session> session_;
+  std::optional<fast::DampedSession> session_;
   Hello hello_;
   Spoil spoil_;
 };

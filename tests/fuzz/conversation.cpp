@@ -39,7 +39,8 @@ class Written final : public conformance::RendererUnderTest {
  public:
   Written(const conformance::Hello& hello, const std::string& line) : hello_(hello), line_(line) {}
   const conformance::Hello& hello() const override { return hello_; }
-  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool) override {
+  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool,
+                                       std::span<const std::uint32_t>) override {
     return conformance::answers_in(line_, positions.size());
   }
   void say_goodbye() override {}

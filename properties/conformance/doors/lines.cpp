@@ -50,7 +50,8 @@ bool take(std::string_view& text, std::string_view word) {
 
 }  // namespace
 
-std::string line_of(std::string_view beginning, std::span<const Eigen::Vector3f> numbers) {
+std::string line_of(std::string_view beginning, std::span<const Eigen::Vector3f> numbers,
+                    std::span<const std::uint32_t> periods) {
   std::string line(beginning.size() + 1 + numbers.size() * (kHexDigits + 3) + (numbers.empty() ? 2 : 1), '[');
   char* to = std::copy(beginning.begin(), beginning.end(), line.data()) + 1;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -61,6 +62,9 @@ std::string line_of(std::string_view beginning, std::span<const Eigen::Vector3f>
   }
   *to++ = ']';
   *to = '}';
+  if (!periods.empty()) line.pop_back();
+  for (std::size_t i = 0; i < periods.size(); ++i)
+    line += (i == 0 ? ",\"periods\":[" : ",") + std::to_string(periods[i]) + (i + 1 == periods.size() ? "]}" : "");
   return line;
 }
 

@@ -26,9 +26,13 @@ class ProcessRenderer final : public RendererUnderTest {
 
   const Hello& hello() const override { return hello_; }
 
-  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset) override {
-    return answers_in(dialogue_.say(line_of(is_reset ? kNewPath : kPositions, positions)), positions.size());
+  std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
+                                       std::span<const std::uint32_t> periods) override {
+    return answers_in(dialogue_.say(line_of(is_reset ? kNewPath : kPositions, positions, periods)), positions.size());
   }
+
+  // The function of a shared object has no place for them.
+  bool is_told_of_periods() const override { return allocations_line_.empty(); }
 
   std::optional<Allocations> allocations() override {
     if (allocations_line_.empty()) return std::nullopt;

@@ -32,6 +32,14 @@ Invariant renumbered_scene(const Trial& trial);
 Invariant turned_scene(const Trial& trial);
 Invariant mirrored_scene(const Trial& trial);
 
+// damping.cpp: of renderers that declare damping.
+Invariant leaving_does_not_pull(const Trial& trial);
+Invariant landing_has_no_step(const Trial& trial);
+Invariant rest_is_without_damping(const Trial& trial);
+Invariant pause_leaves_no_speed(const Trial& trial);
+Invariant missed_positions_are_even(const Trial& trial);
+Invariant one_position_counts_by_share(const Trial& trial);
+
 inline constexpr std::array kInvariants{&same_path_twice,
                                         &reset_equals_fresh_start,
                                         &rest_is_still,
@@ -47,5 +55,8 @@ inline constexpr std::array kInvariants{&same_path_twice,
                                         &renumbered_scene,
                                         &turned_scene,
                                         &mirrored_scene};
+inline constexpr std::array kDampingInvariants{&leaving_does_not_pull,     &landing_has_no_step,
+                                               &rest_is_without_damping,   &pause_leaves_no_speed,
+                                               &missed_positions_are_even, &one_position_counts_by_share};
 
 }  // namespace forceshade::conformance

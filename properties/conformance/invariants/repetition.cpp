@@ -50,13 +50,14 @@ Invariant rest_is_still(const Trial& trial) {
   for (const Approach& approach : trial.first_approaches(10)) ways.push_back(approach.line(trial.renderer, 20));
   for (Path way : ways) {
     const Eigen::Vector3f position = way.back();
-    const std::size_t first = way.size() + kSettling;
-    way.resize(way.size() + kTicksAtRest, position);
+    const std::size_t first = way.size() + kSettling + trial.settling();
+    way.resize(way.size() + kTicksAtRest + trial.settling(), position);
     const Path forces = trial.renderer.forces_along(way);
     ++invariant.cases;
     for (std::size_t tick = first; tick < forces.size(); ++tick)
       if (!same_bits(forces[tick], forces[first]))
-        invariant.violated("at " + show(position) + " mm, tick " + std::to_string(tick - first + kSettling + 1) +
+        invariant.violated("at " + show(position) + " mm, tick " +
+                           std::to_string(tick - first + kSettling + trial.settling() + 1) +
                            " of a rest: " + show(forces[first]) + " N became " + show(forces[tick]) +
                            " N: a hand at rest would feel " + newtons(forces[tick] - forces[first]));
   }

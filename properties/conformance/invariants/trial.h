@@ -41,6 +41,12 @@ struct Trial {
     return moves() ? "the objects move, so that a place is in contact in some ticks alone" : "no position in contact was found";
   }
   bool moves() const { return description.moves(); }
+  // The number of ticks in which damping forgets any speed that this hand can have: 2^52 of the least, e^36.05
+  // (docs/damping.md).
+  std::size_t settling() const {
+    const auto& damping = renderer.hello().damping;
+    return damping ? static_cast<std::size_t>(37 / damping->share) + 3 : 0;
+  }
   bool is_mesh() const { return std::holds_alternative<MeshRendering>(description.what); }
 };
 
