@@ -11,6 +11,7 @@
 #include "properties/conformance/conform.h"
 #include "properties/conformance/judgement_text.h"
 #include "properties/conformance/scene.h"
+#include "properties/conformance/vectors.h"
 #include "rendering/meshes/make.h"
 #include "tests/conformance/own_renderer.h"
 
@@ -186,6 +187,29 @@ TEST(damping_under_conform, a_wrong_answer_is_shown_with_its_periods) {
   ASSERT_EQ(its.periods_of_shortest_path.size(), its.shortest_path.size());
   EXPECT_GT(std::ranges::max(its.periods_of_shortest_path), 1U);
   EXPECT_NE(words_of(its, {}).find("const unsigned periods[] = {"), std::string::npos);
+}
+
+// Each row of vectors, computed by the real-time side.
+TEST(damping_under_conform, vectors_have_the_forces_behind_their_periods) {
+  const damping::Parameters p{.rate = 500, .share = 0.25F, .damping = 0.002F, .most = HUGE_VALF, .drag = 0.001F};
+  const Json vectors = Json::parse(vectors_of(kWall, 300, 1, {}, p));
+  EXPECT_EQ(vectors.at("damping").at("rate_Hz"), 500);
+  EXPECT_TRUE(vectors.at("damping").at("most").is_null());
+  std::size_t damped = 0, late = 0;
+  for (const Json& path : vectors.at("paths")) {
+    fast::DampedSession session(properties::subject_of(kWall)->renderer().open(),
+                                std::get<fast::Damping>(fast::Damping::build(p)));
+    for (const Json& row : path) {
+      const auto numbers = [&](const char* key) { return Eigen::Vector3f(numbers_of(row.at(key)).data()); };
+      const Eigen::Vector3f position = numbers("position_mm"), force = numbers("force_N");
+      EXPECT_FALSE(row.contains("exact_force_N"));
+      EXPECT_EQ(session.step_after(row.at("periods"), position).force, force) << row;
+      damped += !force.isZero(0) && force.z() != -0.75F * position.z();
+      late += row.at("periods") != 1;
+    }
+  }
+  EXPECT_GT(damped, 50U);
+  EXPECT_GT(late, 50U);
 }
 
 TEST(damping_under_conform, a_declaration_out_of_place_is_refused) {
