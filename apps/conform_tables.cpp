@@ -27,8 +27,20 @@ constexpr std::uint64_t kPositions = 100000, kVectors = 200, kMostVectors = 1000
 struct Positions {
   std::optional<std::uint64_t> points;
   std::uint64_t seed = 1;
+  std::optional<double> rate;
   std::string out = "-";
 };
+
+// Damping of the vectors; none where the subject has none. Throws Error.
+std::optional<damping::Parameters> damping_of(const Description& description, const Positions& its, bool has_forces) {
+  if (description.damping.parameters.is_off()) return std::nullopt;
+  if (!has_forces) throw Error("--out: expected FILE.json with damping, since other positions have no periods");
+  if (!its.rate) throw Error("--rate: expected the periods in a second with damping, whose forces depend on them");
+  const damping::Parameters parameters = description.damping.at(*its.rate);
+  const auto built = reference::Damping::build(parameters);
+  if (const auto* error = std::get_if<ParameterError>(&built)) throw Error("--damping: " + error->message());
+  return parameters;
+}
 
 int write(const Positions& its, const SubjectOption& subject) {
   watch_for_interrupt();
@@ -38,10 +50,11 @@ int write(const Positions& its, const SubjectOption& subject) {
   if (has_forces && points > kMostVectors)
     throw Error("--points: expected at most " + std::to_string(kMostVectors) + " with their forces, got " +
                 std::to_string(points));
+  const auto damping = damping_of(description, its, has_forces);
   files::OutputFile output(its.out);
   with_progress(description.name, [&](const Monitor& monitor) {
     if (has_forces)
-      output.stream() << conformance::vectors_of(description, points, its.seed, monitor);
+      output.stream() << conformance::vectors_of(description, points, its.seed, monitor, damping);
     else
       conformance::write_positions(output.stream(), files::is_named_npy(its.out), *properties::subject_of(description), points,
                                    its.seed, monitor);
@@ -80,11 +93,13 @@ void add_conform_positions(CLI::App& conform, int& result) {
   const auto options = std::make_shared<Positions>();
   CLI::App* command = conform.add_subcommand(
       "positions", "Write positions at which to ask a renderer for forces; or, as test vectors, with the exact forces");
-  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one, true);
   add_whole(*command, "--points",
             "number of positions; default: " + std::to_string(kPositions) + ", with forces " + std::to_string(kVectors),
             {1, 1000000000}, [options](std::uint64_t given) { options->points = given; });
   add_whole(*command, "--seed", options->seed, "seed of the positions", kSeeds);
+  add_number(*command, "--rate", "periods in a second of test vectors with damping", {1, 131072},
+             [options](double given) { options->rate = given; });
   add_output(*command, "--out", options->out,
              "FILE.json: test vectors, for tests that need nothing else; FILE.npy, a structured array for numpy.load, or a CSV "
              "file, - for standard output: positions with what each is aimed at",

@@ -156,10 +156,6 @@ double up_to(const Is& is) {
   return stiffness;
 }
 
-double sampling_factor(double share) {
-  return share >= 0.5 ? share / (2 - share) : 1 / (4 * (1 - share) * (2 - share));
-}
-
 }  // namespace
 
 int main() {
@@ -175,7 +171,7 @@ int main() {
           const double damping = 1e-6 * std::pow(10, i / 5.0), b = its.viscous / 1e3;
           const auto limit = [&](double of_damping) { return std::max(0.0, 2 * (b - of_damping * damping) * rate); };
           const double passive = up_to([&](double k) { return b >= k / rate * most.at(damping * rate / k); }),
-                       condition = limit(sampling_factor(a));
+                       condition = limit(damping::sampling_factor(a));
           is_right = is_right && condition <= 1.1 * passive + kLeast;
           std::printf("%s,%g,%g,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", its.name, rate, a, damping, passive, condition,
                       limit(a / (2 - a)), up_to([&](double k) { return is_stable(its, rate, share, k, damping); }),

@@ -94,7 +94,7 @@ mpq_class rounding_along(const Eigen::Vector3f& force, const Eigen::Vector3f& a)
 
 Violation dissipates_at_its_own_velocity(const DampedPath& path, const OpenDamper& open) {
   const Damper damper = open(path.parameters);
-  const mpq_class most = rational(std::max(path.parameters.damping, path.parameters.drag));
+  const mpq_class most = rational(path.parameters.larger());
   for (const DampedStep& step : path.steps) {
     const DampedAnswer answer = damper(step);
     const Rational3 F = rational(answer.force), v = rational(answer.velocity), d = difference(F, rational(step.spring));
@@ -109,7 +109,7 @@ Violation dissipates_at_its_own_velocity(const DampedPath& path, const OpenDampe
 Sampled sampled(const DampedPath& path, const OpenDamper& open) {
   const damping::Parameters& p = path.parameters;
   const Damper damper = open(p);
-  const mpq_class factor = sampling_factor(rational(p.share)) * rational(std::max(p.damping, p.drag)) * rational(p.rate);
+  const mpq_class factor = sampling_factor(rational(p.share)) * rational(p.larger()) * rational(p.rate);
   Sampled sum;
   for (std::size_t k = 0; k + 1 < path.steps.size(); ++k) {
     const DampedStep& step = path.steps[k];

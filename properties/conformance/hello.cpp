@@ -144,7 +144,7 @@ Hello hello_of(const Json& said, const Json& scene) {
     if (!hello.remembers) its.refuse("memory", said.at("memory"), "\"path\" where it damps");
     if (hello.answer == Answer::closest_point)
       its.refuse("answers", said.at("answers"), "a force or an impulse where it damps");
-    if (scene.at("kind") == "scene") hello.refusal = "damping is not defined for scenes of several objects";
+    if (scene.at("kind") == "scene") hello.refusal = "damping in scenes of several objects is not checked";
     keys.emplace_back("damping");
   }
   if (scene.at("kind") == "mesh") {

@@ -21,10 +21,6 @@ const damping::Parameters& parameters_of(const Trial& trial) {
   return *trial.renderer.hello().damping;
 }
 
-float largest_damping(const Trial& trial) {
-  return std::max(parameters_of(trial).damping, parameters_of(trial).drag);
-}
-
 std::string with_unit(float speed) {
   return shortest(speed) + " mm/s";
 }
@@ -178,7 +174,8 @@ Invariant missed_positions_are_even(const Trial& trial) {
     const Eigen::Vector3f expected = trial.renderer.forces_along(all).back(),
                           force = trial.renderer.forces_along(some, std::vector(some.size(), kEach)).back();
     // Positions are rounded, so that their speed is not quite even.
-    const float rounding = largest_damping(trial) * parameters_of(trial).rate * 0x1p-22F * all.front().cwiseAbs().maxCoeff();
+    const float rounding =
+        parameters_of(trial).larger() * parameters_of(trial).rate * 0x1p-22F * all.front().cwiseAbs().maxCoeff();
     if (differ(force, expected) && !((force - expected).norm() <= rounding))
       invariant.violated("at " + with_unit(speed) + " to " + show(approach.contact) + " mm the force is " + show(force) +
                          " N where one of " + std::to_string(kEach) + " positions is read, and " + show(expected) +
@@ -202,7 +199,7 @@ Invariant one_position_counts_by_share(const Trial& trial) {
                               expected = trial.renderer.forces_along(even).back();
         const float spring = springs_along(trial, even).back().force.norm();
         const float most =
-            largest_damping(trial) * p.share * p.share * p.rate * way * (1 + p.drag * speed * spring / (p.full_at * p.full_at));
+            p.larger() * p.share * p.share * p.rate * way * (1 + p.drag * speed * spring / (p.full_at * p.full_at));
         if (differ(force, expected) && !((force - expected).norm() <= 1.001F * most + kLeastPull))
           invariant.violated("at " + with_unit(speed) + ", a position " + shortest(way) + " mm off before the last one, at " +
                              show(approach.contact) + " mm, makes the force " + show(force) + " N instead of " +
