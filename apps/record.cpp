@@ -4,6 +4,7 @@
 
 #include <boost/multiprecision/gmp.hpp>
 #include <cinttypes>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -89,11 +90,11 @@ struct Recomputed {
                   commands.ticks(), commands.changed(), commands.differences());
     if (!damping) return;
     std::printf("damping: %s\n", run::words_of(*damping).c_str());
-    std::printf(
-        "the renderer's force gave %.9g mJ by its spring, %.9g by the damper, %.9g by its sampling, exactly; damping can "
-        "give %.9g mJ at most along this path\n",
-        static_cast<double>(work.spring), static_cast<double>(work.damper), static_cast<double>(work.sampling),
-        work.most(*damping));
+    std::printf("the renderer's force gave %.9g mJ by its spring, %.9g by the damper, %.9g by its sampling, exactly",
+                static_cast<double>(work.spring), static_cast<double>(work.damper), static_cast<double>(work.sampling));
+    if (const double most = work.most(*damping); !std::isnan(most))
+      std::printf("; damping can give %.9g mJ at most along this path", most);
+    std::printf("\n");
   }
 };
 

@@ -4,7 +4,9 @@
 // where it is to be exact.
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "forceshade/damping.h"
@@ -36,17 +38,21 @@ struct DampedWork {
       sampling += added * (way - own);
       squares += way * way;
     }
+    is_even_ = is_even_ && tick && (!before_ || periods == 1);
     before_ = tick;
   }
 
-  // γ (B/T) times the squares, mJ.
+  // The most that damper and sampling give together, mJ: γ (B/T) times the squares. NaN where a tick was late or invalid, for
+  // which nothing is proved.
   double most(const damping::Parameters& parameters) const {
+    if (!is_even_) return std::numeric_limits<double>::quiet_NaN();
     return damping::sampling_factor(static_cast<double>(parameters.share)) * static_cast<double>(parameters.larger()) *
            static_cast<double>(parameters.rate) * static_cast<double>(squares);
   }
 
  private:
   std::optional<DampedTick> before_;
+  bool is_even_ = true;
 };
 
 }  // namespace forceshade::device

@@ -248,7 +248,7 @@ struct DampedEnergy {
   double spring = 0;    // of the force without damping
   double damper = 0;    // of the damping at its own velocity; never positive but for a rounding
   double sampling = 0;  // of the damping for that the hand did not go at that velocity
-  double most = 0;      // what damper and sampling can give at most along this path, where no tick was late or invalid
+  double most = 0;      // that damper and sampling can give together along this path; NaN after a late or invalid tick
 };
 
 // The privileges that were requested and granted; all for the calling thread, but for the memory.

@@ -31,12 +31,12 @@ std::vector<Eigen::Vector3f> trembling() {
     const auto part = [&] { return static_cast<float>(draw() % 1000) / 4000; };
     path.emplace_back(part(), part(), part() - 0.2F);
   }
-  path[200] = Eigen::Vector3f::Constant(std::nanf(""));
   return path;
 }
 
 TEST(damped_loop, answers_as_a_damped_session_and_splits_the_work) {
-  const auto path = trembling();
+  auto path = trembling();
+  path[200] = Eigen::Vector3f::Constant(std::nanf(""));
   Replay hand(path_of(path));
   ServoOptions options = unpaced();
   options.damping = kOil;
@@ -64,7 +64,7 @@ TEST(damped_loop, answers_as_a_damped_session_and_splits_the_work) {
   EXPECT_NEAR(energy.sampling, static_cast<double>(work.sampling), 1e-12);
   EXPECT_LT(energy.damper, 0);
   EXPECT_GT(energy.sampling, 0);
-  EXPECT_LE(energy.damper + energy.sampling, energy.most);
+  EXPECT_TRUE(std::isnan(energy.most)) << "a position is invalid";
   // The three are all of the force's work.
   Exact all = 0;
   for (std::size_t i = 1; i < path.size(); ++i)
@@ -80,6 +80,8 @@ TEST(damped_loop, damps_whatever_a_stage_shows) {
   options.damping = kOil;
   Replay hand(path_of(path)), again(path_of(path));
   const Kept alone(hand, wall(), options);
+  EXPECT_LE(alone.damped_energy.damper + alone.damped_energy.sampling, alone.damped_energy.most);
+  EXPECT_LE(alone.damped_energy.most, 10) << "mJ";
   Stage stage;
   auto stimulus = std::make_unique<Stimulus>();
   stimulus->number = 1;

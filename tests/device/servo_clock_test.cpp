@@ -227,12 +227,14 @@ TEST(servo_loop, follows_the_frames_of_a_device_that_paces) {
   World clock;
   // Tick 5 takes as long as three frames and a bit: the two that began meanwhile and are over are missed.
   Framed device(clock, [&](std::size_t tick) { clock.pass(tick == 5 ? 3.1 : 0.2); });
-  const Kept run(device, wall(), {.max_seconds = 0.01});
+  const Kept run(device, wall(), {.max_seconds = 0.01, .damping = {.drag = 0.001F}});
   EXPECT_TRUE(run.followed_device);
   EXPECT_EQ(device.frames, (std::vector<std::int64_t>{0, 1, 2, 3, 4, 5, 8, 9, 10, 11}));
   EXPECT_EQ(run.missed_deadlines, 1U);
   EXPECT_EQ(run.samples[4].wakeup_ns, 0);
   EXPECT_EQ(run.samples[6].wakeup_ns, 40'000) << "frame 8 began then";
+  for (std::size_t k = 1; k < 10; ++k)
+    EXPECT_EQ(run.samples[k].periods(), device.frames[k] - device.frames[k - 1]) << k << ": as damping counts them";
 }
 
 TEST(servo_loop, follows_its_own_clock_where_it_is_told_to_or_where_nothing_is_paced) {

@@ -137,6 +137,11 @@ TEST(drive_window, ends_when_the_window_is_closed_or_the_time_is_up) {
   EXPECT_EQ(outcome.result.ticks, 1000U);
 }
 
+TEST(drive_window, is_damped_as_its_subject_says) {
+  Drive drive({{"law", "wall"}, {"damping", "0.002"}, {"damping-filter", "0.25"}});
+  EXPECT_EQ(drive.run("", 0.1).result.damping, (damping::Parameters{.rate = 1000, .share = 0.25F, .damping = 0.002F}));
+}
+
 TEST(drive_window, arrow_keys_move_the_plane_by_a_millimetre) {
   Drive drive({{"law", "wall"}});
   Person& person = drive.person();
