@@ -22,8 +22,6 @@ Description of_file(const std::string& file, float stiffness, const Bumps::Read&
   Description described = read(subjects::options_of_file(file));
   if (std::holds_alternative<DescribedScene>(described.what))
     throw Error(file + ": expected no object with a motion, since a session compares surfaces at rest");
-  if (!described.damping.parameters.is_off())
-    throw Error(file + ": expected no damping, since a session compares surfaces that do not know speed");
   if (const float its = described.stiffness(); its != stiffness)
     throw Error(file + ": stiffness: expected that of the protocol, " + shortest(stiffness) + " N/mm, got " + shortest(its) +
                 " N/mm");
@@ -66,6 +64,20 @@ Bumps::Kept& Bumps::kept(const Bump& bump) {
 
 const Rendering& Bumps::of(const Bump& bump) {
   return *kept(bump).rendering;
+}
+
+damping::Parameters Bumps::damping(double rate) {
+  std::optional<damping::Described> common;
+  for (const Bump& bump : protocol_.bumps()) {
+    // Nothing but a subject's file says one.
+    const bool may_have = protocol_.stimulus(bump.stimulus).kind == StimulusKind::subject;
+    const damping::Described its = may_have ? of(bump).damping : damping::Described{};
+    if (!common) common = its;
+    if (!(its.parameters == common->parameters && its.time == common->time))
+      throw Error(words_of(bump) + ": expected the damping of " + words_of(protocol_.bumps().front()) +
+                  ", since a session has one for all that it renders");
+  }
+  return common.value_or(damping::Described{}).at(rate);
 }
 
 Eigen::Vector3f Bumps::place_of(const Bump& bump, const Eigen::Vector3f& origin) {

@@ -34,6 +34,9 @@ class Bumps {
   // The same as it is driven; kept for the next call.
   const Rendering& of(const experiments::Bump& bump);
 
+  // The one damping that all bumps have, at a rate in Hz. Throws Error where it is not one, and as description() does.
+  damping::Parameters damping(double rate);
+
   // mm, where its middle stands in the device's frame if the scene's origin is there.
   static Eigen::Vector3f place_of(const experiments::Bump& bump, const Eigen::Vector3f& origin);
 

@@ -48,6 +48,7 @@ RecordedLoop::RecordedLoop(device::Device& device, Bumps& bumps, LoopPlan plan, 
                 ": cannot make the folder of this run's ticks: " + (error ? error.message() : "it is there already"));
   stimuli_.open(plan_.folder / "stimuli.jsonl");
   if (!stimuli_) throw Error((plan_.folder / "stimuli.jsonl").string() + ": cannot be written");
+  plan_.servo.damping = bumps_.damping(plan_.servo.rate_hz);
   plan_.metadata = known_before(plan_, device_.capabilities());
   plan_.servo.sinks.push_back(&parts_);
   plan_.servo.sinks.push_back(&latest_);

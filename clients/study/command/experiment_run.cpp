@@ -108,7 +108,8 @@ int run_session(const experiments::Protocol& protocol, const SessionOptions& opt
   SteeringAttendant person(options.in_reset_pose, options.servo.dead_man_button.has_value(),
                            [&] { return Eigen::Vector3d(options.origin.cast<double>() + Eigen::Vector3d(0, 0, 20)); });
   const std::unique_ptr<device::Device> device = open_for_a_run(options.device, person);
-  warn_if_active(static_cast<double>(protocol.stiffness), device->capabilities(), options.servo.rate_hz);
+  warn_if_active(static_cast<double>(protocol.stiffness), device->capabilities(), options.servo.rate_hz,
+                 bumps.damping(options.servo.rate_hz));
   const std::unique_ptr<apparatus::Front> front = open_front(bumps, person.steered());
   experiments::RecordedSession recorded = open_session();
   if (!recorded.note().empty()) tell(recorded.note());

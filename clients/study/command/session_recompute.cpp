@@ -20,6 +20,7 @@
 #include "forceshade/checks.h"
 #include "forceshade/properties.h"
 #include "properties/binary32.h"
+#include "run/recorder/settings.h"
 #include "run/summary.h"
 #include "study/apparatus/bumps.h"
 #include "study/apparatus/motion.h"
@@ -132,8 +133,10 @@ struct Counts {
 // One run, from its first tick through all of its parts.
 class Run {
  public:
-  Run(const fs::path& folder, Subjects& subjects)
-      : subjects_(subjects), stimuli_(folder / "stimuli.jsonl", subjects), name_(folder.string()) {}
+  Run(const fs::path& folder, Subjects& subjects, const std::optional<damping::Parameters>& damping)
+      : subjects_(subjects), stimuli_(folder / "stimuli.jsonl", subjects), name_(folder.string()) {
+    if (damping) damping_ = std::get<reference::Damping>(reference::Damping::build(*damping));
+  }
 
   void compute(const recorder::Recording& recording, const device::Sample& sample, Counts& counts) {
     const auto& [x, y, z] = sample.position;
@@ -146,7 +149,8 @@ class Run {
       waiting_.reset();
     }
     if (waiting != number_of(waiting_)) waiting_ = waiting == 0 ? nullptr : opened(waiting, recording, sample);
-    const reference::Rounded exact = current_ ? current_->step(position) : reference::Rounded{};
+    reference::Rounded exact = current_ ? current_->step(position) : reference::Rounded{};
+    if (damping_) exact = damping_->tick(position, sample.periods(), exact);
     if (waiting_) waiting_->step(position);
     counts.contacts += finished(exact.status) == Status::contact ? 1 : 0;
     const auto& [fx, fy, fz] = sample.law_force;
@@ -173,6 +177,7 @@ class Run {
   Stimuli stimuli_;
   std::string name_;
   std::unique_ptr<Definition> current_, waiting_;
+  std::optional<reference::Damping> damping_;
 };
 
 // A part that a crash cut off is whole as far as it goes.
@@ -196,9 +201,9 @@ int recompute_session(const fs::path& folder) {
   std::uint64_t commands = 0, changed = 0, other_commands = 0;
   bool whole = true;
   for (const fs::path& run_folder : runs_of(folder)) {
-    Run run(run_folder, subjects);
-    std::unique_ptr<CommandCheck> check;
     const std::vector<fs::path> parts = apparatus::parts_of(run_folder);
+    std::optional<Run> run;
+    std::unique_ptr<CommandCheck> check;
     for (const fs::path& part : parts) {
       if (interrupted()) throw Interrupted(folder.string() + " was not computed to its end");
       recorder::Recording recording(part);
@@ -207,12 +212,13 @@ int recompute_session(const fs::path& folder) {
         whole = false;
         break;
       }
+      if (!run) run.emplace(run_folder, subjects, recorder::damping_in(recording.metadata(), recording.path()));
       if (!check) check = std::make_unique<CommandCheck>(recording);
       if (!check->why_not().empty()) throw Error(part.string() + ": commands cannot be computed: " + check->why_not());
       recording.for_each_chunk([&](std::span<const device::Sample> chunk) {
         for (const device::Sample& sample : chunk) {
           if (sample.status == device::Sample::kEnd) continue;
-          run.compute(recording, sample, counts);
+          run->compute(recording, sample, counts);
           if (!check->is_same(sample) && other_commands + check->differences() <= kShownDifferences)
             tell(part.string() + ": tick " + std::to_string(sample.tick) +
                  ": the command is not what supervisor and controller make of the force");

@@ -59,14 +59,21 @@ TEST(apparatus, a_subject_of_another_stiffness_than_the_protocols_is_refused) {
   }
 }
 
-TEST(apparatus, a_damped_subject_is_refused) {
+TEST(apparatus, has_the_one_damping_of_all_its_bumps) {
   const ProtocolFolder folder;
   folder.write("flat.toml", "render = \"height-map\"\n[[part]]\nshape = \"plane\"\n");
-  folder.write("thing.toml", "height-map = \"flat.toml\"\nstiffness = 0.5\n[damping]\ndrag = 0.001\n");
+  const auto write = [&](const std::string& name, const std::string& drag) {
+    folder.write(name, "height-map = \"flat.toml\"\nstiffness = 0.5\n[damping]\ndrag = " + drag + "\ntime = \"2ms\"\n");
+  };
+  write("thing.toml", "0.001");
   const std::atomic<bool> stop = false;
   Bumps bumps(experiments::read_protocol(protocol_of_a_subject(folder, "thing.toml")), read_until(stop));
-  const experiments::Bump bump = bumps.protocol().bumps().at(0);
-  EXPECT_THROW(bumps.of(bump), Error);
+  EXPECT_EQ(bumps.damping(500), (damping::Parameters{.rate = 500, .share = 0.5F, .drag = 0.001F}));
+  write("other.toml", "0.002");
+  std::string text = folder.read("of_a_subject.toml");
+  text.replace(text.find("{ subject ="), 0, "{ name = \"other\", subject = \"other.toml\" }, ");
+  Bumps mixed(experiments::read_protocol(folder.write("mixed.toml", text)), read_until(stop));
+  EXPECT_THROW(mixed.damping(500), Error);
 }
 
 TEST(apparatus, certificates_of_different_subjects_have_different_names) {
