@@ -6,6 +6,7 @@ RECORDED_FORMS prints places and forms (recorded_forms.cpp); RECORDED_V is proof
 calls, batch_avx2.cpp.o and batch_avx512.cpp.o the blocks. COUNTS: the sizes of blocks, as in 16,32; all: every size that a batch has."""
 import subprocess
 import sys
+import types
 
 import cases
 import follow
@@ -20,6 +21,8 @@ STATUS = {'free': 0, 'contact': 1, 'invalid': 2}
 
 
 class Law:
+    """A law as recorded_forms prints it: where it holds each of its numbers, and its form in a batch."""
+
     def __init__(self, text):
         places, form = text.strip().split('form ')
         self.window, self.form = form.split('\n', 1)
@@ -93,9 +96,7 @@ def single_call(law, code, window, stage):
         if (region, offset) == ('law', law.number[0]):
             return t.term('bytes4', t.c4(law.number[1]), *(t.term('byte4', t.term('left4', region, offset), i) for i in (1, 2, 3)))
         return t.term('left4', region, offset)
-    state = State(code, inputs)
-    for register, region in (('di', 'out'), ('si', 'law'), ('dx', 'position')):
-        state.general[register] = pointer(region, 0)
+    state = started(code, inputs, ('out',), di='out', si='law', dx='position')
     paths = 0
     for end in follow.run(state, function, lambda given: cases.differ([(is_later, t.T)], given) is None):
         paths += 1
@@ -146,23 +147,52 @@ def block(law, code, count, is_signed):
                 hazards.append(hazard(law, name, value, least, is_signed))
 
     def inputs(region, offset):
-        if region in ('x', 'z') and 0 <= offset < 4 * count:
+        if region in ('x', 'z'):
+            if not 0 <= offset < 4 * count:
+                raise Unknown(f'a load behind the end of {region}')
             return t.term('in4', f'{region}[{offset // 4}]')
-        if region == 'law' and offset in law.words:
-            return law.words[offset]
-        return t.term('left4', region, offset)
-    state = State(code, inputs)
-    state.general['si'] = t.c8(count)
-    for register, region in (('di', 'law'), ('dx', 'x'), ('cx', 'z'), ('r8', 'fx'), ('r9', 'fz')):
-        state.general[register] = pointer(region, 0)
-    wanted = t.chosen(t.either(*hazards), t.ZERO4, t.c4(1), '4')
+        return law.words[offset] if region == 'law' and offset in law.words else t.term('left4', region, offset)
+    state = started(code, inputs, ('fx', 'fz'), di='law', si=count, dx='x', cx='z', r8='fx', r9='fz')
+    return require_results(state, function, results, t.negation(t.either(*hazards)))
+
+
+def rows(code, count):
+    """Requires that rows (x, y, z) are taken apart, with a look at y, and put together as such."""
+    def inputs(region, offset):
+        if not 0 <= offset < (12 if region == 'rows' else 4) * count:
+            raise Unknown(f'a load behind the end of {region}')
+        return t.term('in4', f'{region}[{offset // 4}]')
+    apart, together, hazards = {}, {}, []
+    for i in range(count):
+        for column, region in ((0, 'x'), (2, 'z')):
+            apart[(region, 4 * i)] = t.term('in4', f'rows[{3 * i + column}]')
+            together[('rows', 12 * i + 4 * column)] = t.term('in4', f'f{region}[{i}]')
+        together[('rows', 12 * i + 4)] = t.ZERO4
+        hazards.append(t.unsigned_less(LARGEST, t.absolute4(t.term('in4', f'rows[{3 * i + 1}]'))))
+    state = started(code, inputs, ('x', 'z'), di='rows', si=count, dx='x', cx='z')
+    ways = require_results(state, function_of(code, '15take_rows_apartE'), apart, t.negation(t.either(*hazards)))
+    state = started(code, inputs, ('rows',), di='fx', si='fz', dx=count, cx='rows')
+    return ways + require_results(state, function_of(code, '17put_rows_togetherE'), together, None)
+
+
+def started(code, inputs, written, **registers):
+    """The state where a function begins: its arguments are integers, or where arrays begin."""
+    state = State(code, inputs, written)
+    for register, value in registers.items():
+        state.general[register] = t.c8(value) if isinstance(value, int) else pointer(value, 0)
+    return state
+
+
+def require_results(state, function, results, wanted):
+    """Requires of each way that these words are written, no others, and that the result is the condition."""
     paths = 0
     for end in follow.run(state, function, lambda given: False):
         paths += 1
-        if any(place[0] in ('fx', 'fz') and place not in results for place in end.memory):
+        if any(place[0] in state.written and place not in results for place in end.memory):
             raise Unknown('a store behind the end')
         pairs = [(end.word(*place), value) for place, value in results.items()]
-        pairs.append((t.byte_of(t.half(end.general['ax'], False), 0), wanted))
+        if wanted is not None:
+            pairs.append((t.byte_of(t.half(end.general['ax'], False), 0), t.chosen(wanted, t.c4(1), t.ZERO4, '4')))
         require_equal(pairs, end.given)
     return paths
 
@@ -176,10 +206,13 @@ def function_of(code, part):
 
 KNOWN = ('GCC: (Debian 12.', 'Debian clang version 14.')
 FILES = ('law.cpp.o', 'batch_avx2.cpp.o', 'batch_avx512.cpp.o')
+ROWS = types.SimpleNamespace(name='the order of rows')  # beside the laws in the list of what is followed
 
 
 def ways_of(law, code, file, stages, counts):
     """The numbers of ways through a law's function, which all do what is recorded."""
+    if law is ROWS:
+        return [rows(code, count) for count in counts]
     if file == 'law.cpp.o':
         return [single_call(law, code, *stages[law.name])]
     return [block(law, code, count, file == 'batch_avx2.cpp.o') for count in counts]
@@ -201,7 +234,7 @@ def main():
         if not code.compiler.startswith(KNOWN):
             print(f'skipped: it is not known what code {code.compiler} makes; known are {", ".join(KNOWN)}')
             return 77
-        for law in laws:
+        for law in laws + [ROWS] * (file != FILES[0]):
             try:
                 ways = ways_of(law, code, file, stages, counts)
                 print(f'{file}, {code.compiler}: {law.name} does what is recorded, {sum(ways)} ways')

@@ -177,8 +177,8 @@ KEPT = ('bx', 'bp', 'r12', 'r13', 'r14', 'r15')
 class State:
     """Registers and memory. A register of vectors is sixteen words, a register of masks sixteen conditions."""
 
-    def __init__(self, code, inputs):
-        self.code, self.inputs = code, inputs
+    def __init__(self, code, inputs, written):
+        self.code, self.inputs, self.written = code, inputs, written
         self.general = {name: t.term('left8', name) for name, _ in REGISTERS.values()}
         self.general['sp'] = pointer('stack', ENTRY)
         self.vectors = [[t.term('left4', i, j) for j in range(16)] for i in range(32)]
@@ -194,7 +194,7 @@ class State:
 
     def copy(self):
         other = State.__new__(State)
-        other.code, other.inputs, other.flags, other.at = self.code, self.inputs, self.flags, self.at
+        other.code, other.inputs, other.written, other.flags, other.at = self.code, self.inputs, self.written, self.flags, self.at
         other.general, other.memory, other.given = dict(self.general), dict(self.memory), dict(self.given)
         other.vectors, other.masks = [list(one) for one in self.vectors], [list(one) for one in self.masks]
         other.calls = list(self.calls)
@@ -241,7 +241,7 @@ class State:
     def store(self, address, offset, value, size=4):
         """Writes a word or its lowest bytes."""
         region, offset = self.place(address, offset)
-        if region not in ('stack', 'out', 'fx', 'fz'):
+        if region != 'stack' and region not in self.written:
             raise Unknown(f'a store to {region}')
         if size == 4 and offset % 4 == 0:
             self.memory[(region, offset)] = value

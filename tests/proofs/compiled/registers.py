@@ -86,7 +86,8 @@ def integer(state, one, name):
         result = added(a, b, -1 if name in ('sub', 'dec') else 1) if name != 'dec' else added(a, t.c8(-1))
         if name == 'sub' and t.terms[result][0] == 'iadd8':
             raise Unknown('a difference of registers')
-    elif size == 8 and name == 'and' and t.terms[a][0] == 'ptr8' and t.terms[a][1] == (('stack', 1),) and t.terms[b][0] == 'c8':
+    elif size == 8 and name == 'and' and t.terms[a][0] == 'ptr8' and t.terms[a][1] == (('stack', 1),) and t.terms[b][0] == 'c8' \
+            and t.terms[b][1] >> 63:
         result = pointer('stack', t.terms[a][2] & t.terms[b][1] - 2**64)
     elif size == 8 and name == 'or' and t.terms[a][0] == 'ptr8' and t.terms[a][1] == (('stack', 1),) and t.terms[b][0] == 'c8' \
             and not t.terms[a][2] & t.terms[b][1]:
@@ -98,12 +99,8 @@ def integer(state, one, name):
     else:
         raise Unknown(f'{name} of registers')
     put_general(state, one, destination, result)
-    if name in ('add', 'inc'):
-        state.flags = ('result', result, size)
-    elif name in ('sub', 'dec'):
-        state.flags = ('compare', a, b, size)
-    elif name not in ('imul', 'not'):
-        state.flags = ('result', result, size)
+    if name != 'not':
+        state.flags = {'sub': ('compare', a, b, size), 'imul': None}.get(name, ('result', result, size))
 
 
 def condition(state, code):

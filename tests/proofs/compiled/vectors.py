@@ -192,7 +192,10 @@ def integers(state, one, operation):
                 raise Unknown('a comparison of integers that may be negative')
         found = [equal_words(x, y) if operation == 'cmpeqd' else t.unsigned_less(y, x) for x, y in zip(a, b)]
         return put_conditions(state, one, found, 1)
+    if operation == 'maxsd' and not all(map(t.has_no_top_bit, a + b)):
+        raise Unknown('the larger of integers that may be negative')
     function = {'addd': lambda x, y: t.word('add4', x, y), 'subd': lambda x, y: t.word('sub4', x, y),
+                'maxsd': lambda x, y: t.extreme('umax4', x, y),
                 'maxud': lambda x, y: t.extreme('umax4', x, y), 'minud': lambda x, y: t.extreme('umin4', x, y)}[operation]
     put(state, one, one.operands[0], list(map(function, a, b)), 1)
 
@@ -278,6 +281,26 @@ def shuffle(state, one, name):
     put(state, one, operands[0], result, 2 if name.endswith(('pd', 'qdq', 'ddup')) else 1)
 
 
+def permute(state, one, has_two):
+    """vpermps and vpermd by constant places; vpermt2ps takes them from two vectors, of which the first is the destination."""
+    destination, places, source = one.operands
+    count = destination[2]
+    words = (cells(state, one, destination, count) if has_two else []) + cells(state, one, source, count)
+    chosen = [t.terms[word] for word in cells(state, one, places, count)]
+    if any(kind[0] != 'c4' for kind in chosen):
+        raise Unknown('places that are no constants')
+    put(state, one, destination, [words[kind[1] % len(words)] for kind in chosen])
+
+
+def signs_of(state, one, of_each):
+    """vmovmskps, and vpmovmskb of masks: bits in a register."""
+    words = cells(state, one, one.operands[1], one.operands[1][2])
+    conditions = [t.top_bit(word) for word in words]
+    if of_each > 1 and list(map(t.mask, conditions)) != words:
+        raise Unknown('bytes that are no mask')
+    put_general(state, one, one.operands[0], t.joined(t.term('bits', *(c for c in conditions for _ in range(of_each))), t.ZERO4))
+
+
 def insertps(state, one):
     destination, into, source, choice = (one.operands if one.name[0] == 'v' else [one.operands[0], *one.operands])
     words, value = cells(state, one, into, 4), choice[1]
@@ -294,7 +317,7 @@ def extract_word(state, one, count):
 
 
 def blend(state, one, form):
-    element = 2 if form == 'd' else 1
+    element = 2 if form == 'pd' else 1
     destination, no, yes, choice = one.operands if one.name[0] == 'v' else (one.operands[0], *one.operands[:2], ('v', 0, 4, 0, False))
     count = width(one.operands)
     first, second = cells(state, one, no, count), cells(state, one, yes, count)
@@ -331,6 +354,12 @@ def mask_move(state, one):
     if destination[0] == 'k':
         raise Unknown('a mask from elsewhere')
     put_general(state, one, destination, t.joined(t.term('bits', *state.masks[source[1]]), t.ZERO4))
+
+
+def mask_words(state, one):
+    """vpmovm2d."""
+    destination, source = one.operands
+    put(state, one, destination, list(map(t.mask, state.masks[source[1]][:destination[2]])))
 
 
 def mask_operation(state, one, operation):
