@@ -101,6 +101,8 @@ def single_call(law, code, window, stage):
     for end in follow.run(state, function, lambda given: cases.differ([(is_later, t.T)], given) is None):
         paths += 1
         pairs = []
+        if end.beyond is not None and end.memory.get(('out', 16)) in (t.c4(1), t.c4(2)):
+            continue  # a later stage answered
         for offset, wanted in expected.items():
             found = end.memory.get(('out', offset), t.term('left4', 'out', offset))
             found = t.byte_of(found, 0) if offset == 12 else found  # the status is a byte

@@ -56,6 +56,8 @@ FAULTS = [
     ('a jump where two are equal', 'law', r'(setae) (\w+)', r'seta \2'),
     ('a jump that is taken where two are equal', 'law', r'(seta) (\w+)', r'setae \2'),
     ('a window that is larger', 'law', r'cmp (r\w+),(0x1fff\w+)', r'cmp \1,0x1ffffff0'),
+    ('a doubt that is dropped', 'law', r'test al,al', r'cmp al,al'),
+    ('hazards of eight lanes that are dropped', 'avx512', r'kmovw (\w+),(k\d)', r'kmovb \1,\2'),
     ('another result', 'avx2 avx512', r'sete (\w+)', r'setne \1'),
     ('a sign that is dropped', 'avx2', rf'vxorp([sd]) ({V}),({V}),(?!\3$)({V})', r'vmovap\1 \2,\3'),
     ('a register of the caller that is lost', 'law', r'pop rbx', r'pop rbp'),

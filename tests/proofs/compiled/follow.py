@@ -121,55 +121,71 @@ def lea(state, one, operand):
     return state.address(one, operand)
 
 
+BEYOND = 300  # instructions that are followed where a way is settled
+
+
 def run(state, function, is_settled):
-    """Runs a function from its beginning: yields the state at the end of every path, but of those that are settled."""
+    """Runs a function from its beginning: yields the state at the end of every way. Where it is settled that the way leads to code that is
+    none of the caller's matter, it is followed to the first call, or to what cannot be followed, or for some instructions."""
     code = state.code
     state.at = code.functions[function][:2]
     waiting, steps = [state], 0
     while waiting:
         state = waiting.pop()
-        while True:
-            one = code.instructions.get(state.at)
-            if one is None:
-                raise Unknown('the end of the code')
-            if one.name is None:
-                code.read(one)
+        while state is not None:
             steps += 1
-            if steps > 400000:
-                raise Unknown('too many steps')
-            next_at = (one.section, one.address + one.length)
+            one = code.instructions.get(state.at)
+            if one is None or steps > 400000:
+                raise Unknown('a way that leaves the code' if one is None else 'too many steps')
+            if state.beyond is not None:
+                state.beyond += 1
             try:
-                if one.name == 'ret':
-                    if not state.calls:
-                        state.require_return()
-                        yield state
-                        break
-                    state.at = state.calls.pop()
-                    state.general['sp'] = added(state.general['sp'], t.c8(8))
-                    continue
-                if one.name in ('jmp', 'call') or one.name[0] == 'j':
-                    target = jump_target(code, one)
-                    if one.name == 'call':
-                        state.calls.append(next_at)
-                        state.general['sp'] = added(state.general['sp'], t.c8(-8))
-                    elif one.name != 'jmp':
-                        c = under(state.given, r.condition(state, one.name[1:]), {})
-                        if c not in (t.T, t.F):
-                            for holds in (False, True):
-                                other = state.copy()
-                                other.given = assume(state.given, c, holds)
-                                other.at = target if holds else next_at
-                                if other.given is not None and not is_settled(other.given):
-                                    waiting.append(other)
-                            break
-                        if c == t.F:
-                            target = next_at
-                    state.at = target
-                    continue
-                step(state, one)
-                state.at = next_at
+                if one.name is None:
+                    code.read(one)
+                if state.beyond is not None and (state.beyond > BEYOND or one.name == 'call'):
+                    break
+                if one.name == 'ret' and not state.calls:
+                    state.require_return(one)
+                    yield state
+                    break
+                following = advance(state, one, is_settled)
             except Unknown as unknown:
+                if state.beyond is not None and not one.name == 'ret':
+                    break
                 raise Unknown(f'{unknown}, at {one.address:#x}: {one.text}') from None
+            state = following.pop() if following else None
+            waiting += following
+
+
+def advance(state, one, is_settled):
+    """The states after an instruction: one, or two where its condition is open, less those that cannot be."""
+    next_at = (one.section, one.address + one.length)
+    if one.name == 'ret':
+        if one.operands:
+            raise Unknown('a return that moves the stack')
+        state.at = state.calls.pop()
+        state.general['sp'] = added(state.general['sp'], t.c8(8))
+    elif one.name in ('jmp', 'call'):
+        state.at = jump_target(state.code, one)
+        if one.name == 'call':
+            state.calls.append(next_at)
+            state.general['sp'] = added(state.general['sp'], t.c8(-8))
+    elif one.name[0] == 'j':
+        target, c = jump_target(state.code, one), under(state.given, r.condition(state, one.name[1:]), {})
+        if c not in (t.T, t.F):
+            result = []
+            for holds in (False, True):
+                other = state.copy()
+                other.given, other.at = assume(state.given, c, holds), target if holds else next_at
+                if other.given is not None:
+                    other.beyond = 0 if other.beyond is None and is_settled(other.given) else other.beyond
+                    result.append(other)
+            return result
+        state.at = target if c == t.T else next_at
+    else:
+        step(state, one)
+        state.at = next_at
+    return [state]
 
 
 def jump_target(code, one):

@@ -44,8 +44,10 @@ def parsed(text):
                 is_rip = True
             elif name in REGISTERS and REGISTERS[name][1] == 8:
                 registers.append((REGISTERS[name][0], int(factor or 1)))
-            else:
+            elif re.match(r'0x[0-9a-f]+$', part):
                 displacement += int(part, 0) * (-1 if sign == '-' else 1)
+            else:
+                raise Unknown(f'operand {text}')
         return ('m', SIZES[match[1]], match[2] == 'BCST', registers, displacement, is_rip, int(match[4][2]) if match[4] else 0)
     raise Unknown(f'operand {text}')
 
@@ -185,9 +187,12 @@ class State:
         self.masks = [[t.term('left1', i, j) for j in range(16)] for i in range(8)]
         self.flags, self.memory, self.given = None, {}, {}
         self.at, self.calls = None, []
+        self.beyond = None  # the number of instructions since the way was settled, as run() has it
 
-    def require_return(self):
+    def require_return(self, one):
         """The stack and the registers that a caller keeps there are as they were."""
+        if one.operands:
+            raise Unknown('a return that moves the stack')
         kept = all(self.general[name] == t.term('left8', name) for name in KEPT)
         if not kept or self.general['sp'] != pointer('stack', ENTRY) or ('stack', ENTRY) in self.memory:
             raise Unknown('a register of the caller is lost')
@@ -197,7 +202,7 @@ class State:
         other.code, other.inputs, other.written, other.flags, other.at = self.code, self.inputs, self.written, self.flags, self.at
         other.general, other.memory, other.given = dict(self.general), dict(self.memory), dict(self.given)
         other.vectors, other.masks = [list(one) for one in self.vectors], [list(one) for one in self.masks]
-        other.calls = list(self.calls)
+        other.calls, other.beyond = list(self.calls), self.beyond
         return other
 
     def address(self, one, operand):

@@ -349,11 +349,17 @@ def move_half(state, one, upper):
 
 
 # Masks.
+def masks(state, one, operands):
+    """The conditions that an instruction takes of masks: eight with a name that ends in b, else sixteen, which are all that are set."""
+    count = 8 if one.name[-1] == 'b' else 16
+    return [state.masks[operand[1]][:count] + [t.F] * (16 - count) for operand in operands]
+
+
 def mask_move(state, one):
     destination, source = one.operands
     if destination[0] == 'k':
         raise Unknown('a mask from elsewhere')
-    put_general(state, one, destination, t.joined(t.term('bits', *state.masks[source[1]]), t.ZERO4))
+    put_general(state, one, destination, t.joined(t.term('bits', *masks(state, one, [source])[0]), t.ZERO4))
 
 
 def mask_words(state, one):
@@ -363,11 +369,11 @@ def mask_words(state, one):
 
 
 def mask_operation(state, one, operation):
-    a, b = (state.masks[operand[1]] for operand in one.operands[1:3])
+    a, b = masks(state, one, one.operands[1:3])
     function = {'or': t.either, 'and': t.both, 'xor': lambda x, y: t.chosen_condition(x, t.negation(y), y)}[operation]
     state.masks[one.operands[0][1]] = list(map(function, a, b))
 
 
 def mask_test(state, one):
-    a, b = (state.masks[operand[1]] for operand in one.operands)
+    a, b = masks(state, one, one.operands)
     state.flags = ('zero', t.negation(t.either(*a, *b)))
