@@ -20,6 +20,7 @@
 #include "files/quantity.h"
 #include "forceshade/checks.h"
 #include "reference/height_energy.h"
+#include "text/number_text.h"
 
 namespace forceshade::apps {
 namespace {
@@ -206,10 +207,12 @@ void add_energy(CLI::App& app, int& result) {
     const float depth = files::parse_length("--depth", options->depth);
     const Description what = subject->description();
     options->damping = what.damping;
-    if (options->damping.time > 0)
-      throw Error(subject->options().name(subjects::kDampingFilter) +
+    if (what.damping.time > 0) {
+      const subjects::Options given = subject->options();  // which do not have what a scene's file says
+      throw Error((given.has(subjects::kDampingFilter) ? given.name(subjects::kDampingFilter) : what.name + ": time") +
                   ": expected a share such as 0.5, since a time constant makes one of a rate, got \"" +
-                  subject->options().value(subjects::kDampingFilter) + '"');
+                  shortest(what.damping.time) + "s\"");
+    }
     result = what.visit([&](const DescribedLaw& law) { return run_law(*options, law, depth); },
                         [&](const DescribedHeightMap& map) { return run_height_map(*options, what.name, map, depth); },
                         [&](const MeshRendering& mesh) {

@@ -125,6 +125,11 @@ TEST(damping_properties, paths_come_near_the_bound_of_sampling) {
   }
 }
 
+TEST(damping_properties, the_factor_of_the_bound_is_that_of_the_page) {
+  for (const auto& [share, factor] : {std::pair{1.0, 1.0}, {0.5, 1.0 / 3}, {0.25, 4.0 / 21}, {0.1, 25.0 / 171}})
+    EXPECT_NEAR(damping::sampling_factor(share), factor, 1e-15) << share;
+}
+
 // The rows are those at which binary64 alone rounds to the other side.
 TEST(damping_properties, the_share_of_a_time_constant_is_the_nearest_number) {
   std::vector<std::array<float, 3>> cases{{5998, 0x1.50bb42p-11F, 0x1.a6115ap-3F},
