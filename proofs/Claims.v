@@ -20,7 +20,7 @@ From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonL
   BigFloatDecide.
 From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
 From Forceshade Require Import BigFloatBounded CylinderThird BumpCylinderThird.
-From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits.
+From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits WideRefined WideSums WideNewton ThirdStagesRefined.
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
 From Forceshade Require Import Damping.
 From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird Bump3pThird Bump3pShadedThird.
@@ -74,7 +74,11 @@ Definition claims : list claim := [
   claimed big_widened_contains; claimed limbs_add; claimed limbs_subtract; claimed limbs_multiply; claimed limbs_shift_right;
   claimed limbs_added; claimed limbs_normalised; claimed limbs_compare; claimed highest_limb; claimed limbs_cut; claimed one_limb;
   claimed more_limbs; claimed fewer_limbs; claimed limbs_of_product; claimed is_zero_in_limbs; claimed is_larger_in_limbs;
-  claimed shift_in_limbs; claimed add_in_limbs; claimed subtract_in_limbs; claimed multiply_in_limbs; claimed big_exactly_contains;
+  claimed shift_in_limbs; claimed add_in_limbs; claimed subtract_in_limbs; claimed multiply_in_limbs; claimed exactly_holds;
+  claimed truncated_holds; claimed wide_sign_is; claimed approximately_holds; claimed add_holds; claimed multiply_holds;
+  claimed divide_holds; claimed root_holds; claimed cylinder_in_limbs; claimed bump_cylinder_in_limbs; claimed bump_2p_in_limbs;
+  claimed bump_3p_in_limbs; claimed bump_1p_shaded_in_limbs; claimed bump_2p_shaded_in_limbs; claimed bump_3p_shaded_in_limbs;
+  claimed big_exactly_contains;
   claimed big_converted_contains; claimed big_sum_contains; claimed big_difference_contains; claimed big_product_contains;
   claimed big_quotient_contains; claimed big_root_contains; claimed big_root_contains_for; claimed big_sum_is_narrow;
   claimed big_product_is_narrow; claimed big_quotient_is_narrow; claimed big_sign_is_right; claimed big_proved_sign_is_right;

@@ -8,8 +8,7 @@ From Forceshade Require Import Formats Comparisons Operations Recorded RoundingT
 From Forceshade Require Import Depth Split CylinderConstants TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsConstants ThreePolygonsRight NewtonThird SecondStage.
 From Forceshade Require Import CylinderSecond BumpCylinderSecond Bump1pShadedSecond Bump2pSecond Bump2pShadedSecond Bump3pSecond.
-From Forceshade Require Import Bump3pShadedSecond CylinderThird BumpCylinderThird Bump1pShadedThird Bump2pThird Bump2pShadedThird.
-From Forceshade Require Import Bump3pThird Bump3pShadedThird.
+From Forceshade Require Import Bump3pShadedSecond ThirdStages.
 Import ListNotations.
 
 Record code := {
@@ -47,26 +46,37 @@ Definition members_of_sides (K : binary32) (sine cosine : double_double) : list 
 Definition members_of_shading (R K : binary32) : list binary64 := [to64 R; K_over_R K R].
 
 Definition code_of_wall (is_fused : bool) (R w K : binary32) : code := plane is_fused K wall_window.
+Definition code_of_bump_1p (is_fused : bool) (R w K : binary32) : code := plane is_fused K bump_1p_window.
+
+(* Third stages compute with numbers of so many limbs, in the arithmetic of limbs or of integers (proofs/ThirdStages.v). *)
+Section Curved.
+Context {number : Type} (arithmetic_of : nat -> arithmetic number).
+Local Notation third count := (third_stage (arithmetic_of count)).
+
 Definition code_of_cylinder (is_fused : bool) (R w K : binary32) : code :=
-  curved (members_of_cylinder R w K) cylinder_window (cylinder_of cylinder R w K is_fused) (cylinder_second R w K) (cylinder_third R w K).
+  curved (members_of_cylinder R w K) cylinder_window (cylinder_of cylinder R w K is_fused)
+    (cylinder_second R w K) (third 32 Third.cylinder R w K).
 Definition code_of_bump_cylinder (is_fused : bool) (R w K : binary32) : code :=
   curved (members_of_cylinder R w K) bump_cylinder_window (cylinder_of bump_cylinder R w K is_fused)
-    (bump_cylinder_second R w K) (bump_cylinder_third R w K).
-Definition code_of_bump_1p (is_fused : bool) (R w K : binary32) : code := plane is_fused K bump_1p_window.
+    (bump_cylinder_second R w K) (third 32 Third.bump_cylinder R w K).
 Definition code_of_bump_2p (is_fused : bool) (R w K : binary32) : code :=
   curved (members_of_two R w ++ members_of_sides K (face_sine_2p R w) (face_cosine_2p R w) ++ [half_width w])
-    bump_2p_window (bump_2p_of R w K is_fused) (bump_2p_second R w K) (bump_2p_third R w K).
+    bump_2p_window (bump_2p_of R w K is_fused) (bump_2p_second R w K) (third 32 Third.bump_2p R w K).
 Definition code_of_bump_3p (is_fused : bool) (R w K : binary32) : code :=
   let t := sine_of_third R w in
   curved (members_of_three w (top_height_3p R t) t ++ members_of_sides K (sine_3p_of t) (cosine_3p_of t) ++ [half_width w; top_of R w])
-    bump_3p_window (bump_3p_of R w K t (top_of R w) is_fused) (bump_3p_second R w K) (bump_3p_third R w K).
+    bump_3p_window (bump_3p_of R w K t (top_of R w) is_fused) (bump_3p_second R w K) (third 64 Third.bump_3p R w K).
 Definition code_of_bump_1p_shaded (is_fused : bool) (R w K : binary32) : code :=
   curved (members_of_shading R K ++ [half_width w])
-    bump_1p_shaded_window (bump_1p_shaded_of R w K is_fused) (bump_1p_shaded_second R w K) (bump_1p_shaded_third R w K).
+    bump_1p_shaded_window (bump_1p_shaded_of R w K is_fused) (bump_1p_shaded_second R w K)
+    (third 12 Third.bump_1p_shaded R w K).
 Definition code_of_bump_2p_shaded (is_fused : bool) (R w K : binary32) : code :=
   curved (members_of_two R w ++ members_of_shading R K ++ [half_width w])
-    bump_2p_shaded_window (bump_2p_shaded_of R w K is_fused) (bump_2p_shaded_second R w K) (bump_2p_shaded_third R w K).
+    bump_2p_shaded_window (bump_2p_shaded_of R w K is_fused) (bump_2p_shaded_second R w K)
+    (third 32 Third.bump_2p_shaded R w K).
 Definition code_of_bump_3p_shaded (is_fused : bool) (R w K : binary32) : code :=
   let t := sine_of_third R w in
   curved (members_of_three w (top_height_3p R t) t ++ members_of_shading R K ++ [half_width w; top_of R w])
-    bump_3p_shaded_window (bump_3p_shaded_of R w K t (top_of R w) is_fused) (bump_3p_shaded_second R w K) (bump_3p_shaded_third R w K).
+    bump_3p_shaded_window (bump_3p_shaded_of R w K t (top_of R w) is_fused) (bump_3p_shaded_second R w K)
+    (third 64 Third.bump_3p_shaded R w K).
+End Curved.

@@ -1,17 +1,19 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The definitions that proofs/Main.v speaks of, as a program: model.ml, over the integers of OCaml's Zarith. Each law has
-   its answer and each of its stages by itself, from bits to bits. tests/proofs/model compares it with the code. *)
+   its answer and each of its stages by itself, from bits to bits. tests/proofs/model compares it with the code. Its third stages compute
+   with integers, which takes less time; what they answer is what limbs do (proofs/ThirdStagesRefined.v). *)
 From Coq Require Import ZArith Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
-From Forceshade Require Import Formats Comparisons Operations Evaluate Code.
+From Forceshade Require Import Formats Comparisons Operations Evaluate ThirdStages Code.
 From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlNatInt ExtrOcamlNativeString.
 From Coq Require Import String List.
 Import ListNotations.
 
 Definition codes : list (string * (bool -> binary32 -> binary32 -> binary32 -> code)) := [
-  ("wall", code_of_wall); ("cylinder", code_of_cylinder); ("bump-cylinder", code_of_bump_cylinder); ("bump-1p", code_of_bump_1p);
-  ("bump-2p", code_of_bump_2p); ("bump-3p", code_of_bump_3p); ("bump-1p-shaded", code_of_bump_1p_shaded);
-  ("bump-2p-shaded", code_of_bump_2p_shaded); ("bump-3p-shaded", code_of_bump_3p_shaded)]%string.
+  ("wall", code_of_wall); ("cylinder", code_of_cylinder of_integers); ("bump-cylinder", code_of_bump_cylinder of_integers);
+  ("bump-1p", code_of_bump_1p); ("bump-2p", code_of_bump_2p of_integers); ("bump-3p", code_of_bump_3p of_integers);
+  ("bump-1p-shaded", code_of_bump_1p_shaded of_integers); ("bump-2p-shaded", code_of_bump_2p_shaded of_integers);
+  ("bump-3p-shaded", code_of_bump_3p_shaded of_integers)]%string.
 
 Definition law_of (name : string) (R w K : binary32) : option code :=
   option_map (fun found => snd found false R w K) (find (fun each => (name =? fst each)%string) codes).

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """proofs/digests.py [--renew FILE...]: compares the code that definitions of these proofs were written from by hand, and the statements
 of the theorems, with the digests of proofs/code.txt, and exits with 1 where one differs. Each line of code.txt names a file, functions of
-it (or * for the whole file) and the digest of their text without comments and line breaks. Whoever changes such code looks at the
-definitions in proofs/*.v again, whoever changes a statement asks whether it says less, and then renews the digest of the file."""
+it (or * for the whole file), or definitions of a file of Coq, and the digest of their text without comments and line breaks. Whoever
+changes such code looks at the definitions in proofs/*.v again, whoever changes a statement asks whether it says less, and then renews
+the digest of the file."""
 
 import hashlib
 import pathlib
@@ -46,13 +47,18 @@ def functions(text, name):
             yield text[begin:body_end(text, head)]
 
 
+def definitions(text, name):
+    """The definition in Coq, to the full stop that ends it."""
+    return re.findall(rf"\b(?:Definition|Fixpoint) {name} .*?\.(?= |$)", text)
+
+
 def digest_of(file, names):
     text = (without_coq_comments if file.endswith(".v") else without_comments)((ROOT / file).read_text())
     parts = [text]
     if names != ["*"]:
         parts = []
         for name in names:
-            found = list(functions(text, re.escape(name)))
+            found = list((definitions if file.endswith(".v") else functions)(text, re.escape(name)))
             if not found:
                 raise SystemExit(f"proofs/code.txt: expected functions of {file}, got {name}")
             parts += found

@@ -45,16 +45,18 @@ refuses() {  # file, what stands there, what is planted, words of the refusal
   proofs_refuse "$4" || not_refused "$@"
   restore "$1"
 }
-# Another specification: it is refused as one that nobody has read, and, were it read, as one of which the theorems are not true.
-states_otherwise() {  # what stands there, what is planted
-  plant proofs/Laws.v "$@"
-  proofs_refuse "does not state" || not_refused proofs/Laws.v "$@"
+# Another definition or specification: it is refused as one that nobody has read, and, were it read, as one of which the theorems are not
+# true.
+defines_otherwise() {  # file, what stands there, what is planted
+  plant "$@"
+  proofs_refuse "does not state" || not_refused "$@"
   cp "$copy/proofs/code.txt" "$copy/stored"
-  "$copy/proofs/digests.py" --renew proofs/Laws.v
-  proofs_refuse "Error" || not_refused proofs/Laws.v "$@"
+  "$copy/proofs/digests.py" --renew "$1"
+  proofs_refuse "Error" || not_refused "$@"
   cp "$copy/stored" "$copy/proofs/code.txt"
-  restore proofs/Laws.v
+  restore "$1"
 }
+states_otherwise() { defines_otherwise proofs/Laws.v "$@"; }  # what stands there, what is planted
 # A header of which the first stages that are recorded are no longer those stored; and, were they stored, no longer those proved.
 records_otherwise() {  # file, what stands there, what is planted
   plant "$@"
@@ -218,10 +220,19 @@ refuses proofs/CylinderSecond.v "(is_positive, exactly64 zero64, multiply" "(is_
 refuses proofs/BumpCylinderSecond.v "| is_unknown => cylinder" "| is_unknown => plane_outcome K z" "Error"
 refuses proofs/Limbs.v "Forall is_limb sum /\\ length sum = length a /\\ 0 <= last <= 1 /\\" \
   "Forall is_limb sum /\\ length sum = length a /\\ last = 0 /\\" "Error"
-refuses proofs/LimbShifts.v "Z.lor (low / 2 ^ part) (word (high * 2 ^ (64 - part)))." \
-  "Z.lor (low / 2 ^ part) (word (high * 2 ^ (63 - part)))." "Error"
-refuses proofs/LimbNumbers.v "Z.lor (word (a * 2 ^ part)) (lower / 2 ^ (64 - part))." \
-  "Z.lor (word (a * 2 ^ part)) (lower / 2 ^ (63 - part))." "Error"
+defines_otherwise proofs/LimbShifts.v "Z.lor (low / 2 ^ part) (word (high * 2 ^ (64 - part)))." \
+  "Z.lor (low / 2 ^ part) (word (high * 2 ^ (63 - part)))."
+defines_otherwise proofs/LimbNumbers.v "Z.lor (word (a * 2 ^ part)) (lower / 2 ^ (64 - part))." \
+  "Z.lor (word (a * 2 ^ part)) (lower / 2 ^ (63 - part))."
+defines_otherwise proofs/WideNumbers.v "if a =? 0 then S (lowest_limb rest) else O" "S (lowest_limb rest)"
+defines_otherwise proofs/WideNumbers.v "(error_exponent small)) rounding +! 2)" "(error_exponent small)) rounding +! 1)"
+defines_otherwise proofs/WideNumbers.v "Z.quot (1 -! binary_exponent a) 2" "Z.quot (0 -! binary_exponent a) 2"
+defines_otherwise proofs/ThirdStages.v "number_of 12 * y * y - number_of 3" "number_of 12 * y * y * y - number_of 3"
+defines_otherwise proofs/Code.v "third 32 Third.bump_2p R" "third 16 Third.bump_2p R"
+refuses fast/numbers/big_float_ball.h "static_cast<std::uint64_t>(t >> 64) & 1" "static_cast<std::uint64_t>(t >> 63) & 1" "is not the code"
+refuses proofs/WideRefined.v "- 2 ^ 63 <= t < 2 ^ 63 -> int64" "- 2 ^ 63 <= t <= 2 ^ 63 -> int64" "Error"
+refuses proofs/ThirdStagesRefined.v "k < 2 ^ 31 -> limbs_hold k l a -> approximation" \
+  "k <= 2 ^ 31 -> limbs_hold k l a -> approximation" "Error"
 refuses proofs/LimbsAreDigits.v "(if dropped then Z.max (error a) (e - width) else error a)." \
   "(if dropped then Z.max (error a) (e - width - 1) else error a)." "Error"
 refuses proofs/BigFloat.v "(Z.max (Z.max (error result) (error small)) rounding + 2)." \

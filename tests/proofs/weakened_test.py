@@ -20,36 +20,39 @@ folder = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
 LAWS = (source / "proofs/Laws.v").read_text()
 MAIN = (source / "proofs/Main.v").read_text()
 NAMES = ["wall", "cylinder", "bump_cylinder", "bump_1p", "bump_2p", "bump_3p", "bump_1p_shaded", "bump_2p_shaded", "bump_3p_shaded"]
-NUMBERS = "forall (is_fused : bool) (R w K x y z : binary32), "
+PLANES = ("wall", "bump_1p")  # these have no third stage
 
 
 def parts(law):
-    """Hypothesis, answer and exact force of a law's theorem."""
-    needed = "stiffness K" if law in ("wall", "bump_1p") else "parameters R w K"
+    """Quantifiers, hypothesis, answer and exact force of a law's theorem."""
+    needed = "stiffness K" if law in PLANES else "parameters R w K"
+    machine, arithmetic = ("", "") if law in PLANES else ("(outside : Z -> Z) ", "(of_limbs outside) ")
     numbers = "(value32 K)" if law == "wall" else "(value32 R) (value32 w) (value32 K)"
-    return needed, f"answer (code_of_{law} is_fused R w K) x y z", f"exact_{law} {numbers}"
+    return (f"forall {machine}(is_fused : bool) (R w K x y z : binary32), ", needed,
+            f"answer (code_of_{law} {arithmetic}is_fused R w K) x y z", f"exact_{law} {numbers}")
 
 
 def whole(law):
-    needed, answer, exact = parts(law)
-    return f"{NUMBERS}{needed} -> right_answer ({answer}) ({exact}) x y z"
+    numbers, needed, answer, exact = parts(law)
+    return f"{numbers}{needed} -> right_answer ({answer}) ({exact}) x y z"
 
 
 def weaker(law, number):
     """Weaker statements of a law's theorem, by what they lack."""
-    needed, answer, exact = parts(law)
+    numbers, needed, answer, exact = parts(law)
     right = f"right_answer ({answer}) ({exact}) x y z"
     lacking = ["value32 x <> 0", "value32 z < -1", "is_finite 24 128 y = true", "in_range y", "value32 K = 1", "is_fused = true", "x = z",
                "value32 R = value32 w", "Rabs (value32 x) <= value32 w"]
     more, other = lacking[number], lacking[(number + 4) % len(lacking)]
     return {
-        "a hypothesis more": f"{NUMBERS}{needed} -> {more} -> {right}",
-        "a hypothesis in the place of another": f"{NUMBERS}{needed} /\\ {other} -> {right}",
-        "one way to multiply and add": f"{NUMBERS}{needed} -> " + right.replace("is_fused", "false"),
-        "only in contact": f"{NUMBERS}{needed} -> fst ({answer}) = contact -> {right}",
-        "some answer is right": f"{NUMBERS}{needed} -> exists some, right_answer some ({exact}) x y z",
-        "or something else": f"{NUMBERS}{needed} -> {right} \\/ fst ({answer}) = invalid",
-        "an implication of itself": f"{NUMBERS}{needed} -> {right} -> {right}",
+        "a hypothesis more": f"{numbers}{needed} -> {more} -> {right}",
+        "a hypothesis in the place of another": f"{numbers}{needed} /\\ {other} -> {right}",
+        "one way to multiply and add": f"{numbers}{needed} -> " + right.replace("is_fused", "false"),
+        "only in contact": f"{numbers}{needed} -> fst ({answer}) = contact -> {right}",
+        "some answer is right": f"{numbers}{needed} -> exists some, right_answer some ({exact}) x y z",
+        "or something else": f"{numbers}{needed} -> {right} \\/ fst ({answer}) = invalid",
+        "an implication of itself": f"{numbers}{needed} -> {right} -> {right}",
+        **({} if law in PLANES else {"exponents of any size": f"{numbers}(forall t, outside t = t) -> {needed} -> {right}"}),
     }
 
 
@@ -115,10 +118,10 @@ def changed(text, old, new):
 def without_coq(root):
     """The digests refuse every weaker text, and no other comment and line break."""
     (root / "proofs").mkdir()
-    for name in ("digests.py", "Laws.v", "Main.v", "Code.v"):
-        shutil.copy(source / "proofs" / name, root / "proofs")
-    listed = (source / "proofs/code.txt").read_text().splitlines(keepends=True)
-    (root / "proofs/code.txt").write_text("".join(line for line in listed if line.startswith("proofs/")))
+    listed = [line.split() for line in (source / "proofs/code.txt").read_text().splitlines() if line.startswith("proofs/")]
+    for name in ["proofs/digests.py"] + [line[0] for line in listed]:
+        shutil.copy(source / name, root / "proofs")
+    (root / "proofs/code.txt").write_text("".join(" ".join(line) + "\n" for line in listed))
     sys.path.insert(0, str(root / "proofs"))
     digests = importlib.import_module("digests")
     sys.argv[1:] = []
@@ -140,7 +143,7 @@ def without_coq(root):
     for number, law in enumerate(NAMES):
         statement = re.search(rf"Theorem {law}_is_correctly_rounded : (.*?)\.\nProof", MAIN, re.DOTALL)
         assert " ".join(statement[1].split()) == whole(law), f"expected of proofs/Main.v: {whole(law)}"
-        assert re.match(r"\. exact \(.*\)\. Qed\.\n", MAIN[statement.end():]), law
+        assert re.match(r"\.\s+exact \([^.]*\)\.\s+Qed\.\n", MAIN[statement.end():]), law
         for what, weak in weaker(law, number).items():
             assert refused("proofs/Main.v", MAIN.replace(statement[1], weak)), (law, what)
             tried += 1
@@ -149,9 +152,18 @@ def without_coq(root):
         tried += 1
     assert refused("proofs/Main.v", changed(MAIN, "\n\nTheorem wall", "\n\nNotation parameters R w K := (K = R).\n\nTheorem wall"))
     assert refused("proofs/Code.v", (source / "proofs/Code.v").read_text().replace("curved (members_of", "plane (members_of", 1))
+    assert refused("proofs/Main.v", MAIN.replace("(of_limbs outside)", "of_integers"))
+    limbs = 0
+    for file, *names, _ in listed:  # the definitions of limbs
+        text = (root / file).read_text()
+        for name in names if names != ["*"] else []:
+            defined = re.search(rf"(Definition|Fixpoint) {name} .*?:= ?", text, re.DOTALL).end()
+            assert refused(file, text[:defined] + " id " + text[defined:]), name
+            assert not refused(file, text + "Lemma another : True. Proof. exact I. Qed.\n"), file
+            limbs += 1
     for file, text in (("proofs/Laws.v", LAWS), ("proofs/Main.v", MAIN)):
         assert not refused(file, text.replace("\n\n", "\n\n(* A (* nested *) remark. *)\n").replace(" ->", "\n  ->")), file
-    return tried + 2
+    return tried + 3 + limbs
 
 
 def coqc(where, file, text, *paths):
@@ -162,18 +174,21 @@ def coqc(where, file, text, *paths):
 def with_coq(root):
     """Coq refuses every weaker statement in the place of the whole one."""
     text = re.search(r"^From Flocq.*?\n\n", MAIN, re.DOTALL | re.MULTILINE)[0]
-    text += "From Coq Require Import Reals.\nFrom Forceshade Require Import Main.\nOpen Scope R_scope.\n"
+    text += "From Coq Require Import ZArith Reals.\nFrom Forceshade Require Import ThirdStages Main.\nOpen Scope R_scope.\n"
     for law in NAMES:
         text += f"Check ({law}_is_correctly_rounded : {whole(law)}).\n"
     # From here on the code is any code, so that Coq need not look into it.
-    text += "Section AnyCode.\nVariables " + " ".join(f"code_of_{law}" for law in NAMES)
-    text += " : bool -> binary32 -> binary32 -> binary32 -> code.\n"
+    text += "Section AnyCode.\n"
+    for law in NAMES:
+        arithmetic = "" if law in PLANES else "forall {number : Type}, (nat -> arithmetic number) -> "
+        text += f"Variable code_of_{law} : {arithmetic}bool -> binary32 -> binary32 -> binary32 -> code.\n"
     tried = 0
     for number, law in enumerate(NAMES):
         for weak in weaker(law, number).values():
             # It follows from the whole statement, which does not follow from it.
-            text += (f"Goal ({whole(law)}) -> ({weak}).\nProof.\n  intros whole is_fused R w K x y z; intros.\n"
-                     "  first [now apply whole | left; now apply whole | eexists; now apply (whole is_fused R w K x y z)\n"
+            machine = "" if law in PLANES else "outside "
+            text += (f"Goal ({whole(law)}) -> ({weak}).\nProof.\n  intros whole {machine}is_fused R w K x y z; intros.\n"
+                     f"  first [now apply whole | left; now apply whole | eexists; now apply (whole {machine}is_fused R w K x y z)\n"
                      f"    | apply whole; tauto].\nQed.\nFail Definition taken (weak : {weak}) : {whole(law)} := weak.\n")
             tried += 1
     text += "End AnyCode.\n"
