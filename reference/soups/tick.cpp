@@ -30,10 +30,19 @@ class Descent {
   Tick ended(const At& r, unsigned moves, State after, bool is_at_goal, Status status = Status::contact) const;
   std::optional<At> obstacle(const Vector& from, const Vector& along, const Rational& most, const Vector& w) const;
 
-  At rounded(const At& at) const;
+  struct Rounded {
+    At at;
+    std::optional<Place> place = {};  // of a triangle's grid that gave it, where it is strictly inside
+  };
+
+  Rounded rounded(const At& at) const;
   At rounded_on_line(const At& at) const;
-  At rounded_in_plane(const At& at) const;
-  Vector corner_of_cell(const Triangle& f, const Vector& x) const;
+  Rounded rounded_in_plane(const At& at) const;
+  struct Corner {
+    Vector x;
+    Place place;
+  };
+  Corner corner_of_cell(const Triangle& f, const Vector& x) const;
   Rational next_point(const At& at, const Line& line, bool is_up) const;
 
   State at_rest(const At& r) const;
@@ -53,6 +62,10 @@ Side side_in(const At& at) {
   const std::vector<Side> sides = at.star->sides(at.cell);
   const auto wall = std::ranges::find_if(sides, [&](const Side& side) { return at.star->is_wall(side); });
   return wall == sides.end() ? sides.front() : *wall;
+}
+
+Place place_in(const Triangle& f, const Whole& k, const Whole& l) {
+  return {PlaceKind::triangle, {}, {f.number, k.convert_to<std::size_t>(), l.convert_to<std::size_t>()}};
 }
 
 // A direction into the cell of a point on a line or in a plane, across it.
@@ -154,10 +167,10 @@ At Descent::rounded_on_line(const At& at) const {
 }
 
 // The corner nearest to p of the grid triangle or grid segment of f that x lies in.
-Vector Descent::corner_of_cell(const Triangle& f, const Vector& x) const {
+Descent::Corner Descent::corner_of_cell(const Triangle& f, const Vector& x) const {
   const auto [beta, gamma] = f.weights(x);
   const Rational b = beta * Rational(kGrid), c = gamma * Rational(kGrid), sum = b + c;
-  std::optional<Vector> best;
+  std::optional<Corner> best;
   for (const int i : {0, 1})
     for (const int j : {0, 1}) {
       const Rational k(floor(b) + i), l(floor(c) + j);
@@ -167,27 +180,30 @@ Vector Descent::corner_of_cell(const Triangle& f, const Vector& x) const {
       };
       if (is_beyond(k, b) || is_beyond(l, c) || is_beyond(k + l, sum)) continue;
       const Vector corner = f.at(k / Rational(kGrid), l / Rational(kGrid));
-      if (!best || is_nearer(corner, *best)) best = corner;
+      if (!best || is_nearer(corner, best->x)) best = {corner, place_in(f, Whole(numerator(k)), Whole(numerator(l)))};
     }
   return *best;
 }
 
-At Descent::rounded_in_plane(const At& at) const {
+Descent::Rounded Descent::rounded_in_plane(const At& at) const {
   const Side side = side_in(at);
-  const Vector w = at.star->up(side), c = corner_of_cell(at.star->blocking(side), at.x);
-  if (c == at.x) return at;
+  const Vector w = at.star->up(side);
+  const Triangle& f = at.star->blocking(side);
+  const auto [c, corner] = corner_of_cell(f, at.x);
+  const std::optional<Place> place = f.holds_strictly(c) ? std::optional(corner) : std::nullopt;
+  if (c == at.x) return {at, place};
   const Vector along = c - at.x;
   if (const std::optional<At> stopped = obstacle(at.x, along, 1, w)) return rounded(*stopped);
-  return at_end(soup_, c, -along, w);
+  return {at_end(soup_, c, -along, w), place};
 }
 
-At Descent::rounded(const At& at) const {
+Descent::Rounded Descent::rounded(const At& at) const {
   switch (at.star->kind()) {
-    case Star::Kind::point: return at;
-    case Star::Kind::line: return rounded_on_line(at);
+    case Star::Kind::point: return {at};
+    case Star::Kind::line: return {rounded_on_line(at)};
     case Star::Kind::plane: return rounded_in_plane(at);
   }
-  return at;
+  return {at};
 }
 
 // The place of a point that rounding gives.
@@ -199,10 +215,7 @@ Place Descent::grid_place(const At& at) const {
   }
   const Triangle& f = at.star->blocking(side_in(at));
   const auto [beta, gamma] = f.weights(at.x);
-  return {PlaceKind::triangle,
-          {},
-          {f.number, nearest(beta * Rational(kGrid)).convert_to<std::size_t>(),
-           nearest(gamma * Rational(kGrid)).convert_to<std::size_t>()}};
+  return place_in(f, nearest(beta * Rational(kGrid)), nearest(gamma * Rational(kGrid)));
 }
 
 State Descent::on_line(const At& r) const {
@@ -222,7 +235,7 @@ State Descent::in_plane(const At& r) const {
   Whole k = std::max(nearest(beta * Rational(kGrid)), Whole(1)), l = std::max(nearest(gamma * Rational(kGrid)), Whole(1));
   if (const Whole excess = k + l - Whole(kGrid - 1); excess > 0) (k >= l ? k : l) -= excess;
   const Vector c = f.at(Rational(k) / Rational(kGrid), Rational(l) / Rational(kGrid)), along = c - r.x, w = r.star->up(side);
-  const Place place{PlaceKind::triangle, {}, {f.number, k.convert_to<std::size_t>(), l.convert_to<std::size_t>()}};
+  const Place place = place_in(f, k, l);
   if (c == r.x) return named(place, r);
   if (obstacle(r.x, along, 1, w) || obstacle(c, -along, 1, w))
     return named({PlaceKind::foot, PlaceKind::triangle, {f.number}, position_}, r);
@@ -272,7 +285,9 @@ Tick Descent::run(const State& before, unsigned most_moves) {
     if (std::ranges::none_of(soup_.triangles(), [&](const Triangle& each) { return each.holds(p_); })) return free(0);
     on = on_surface(p_);
     if (!on->is_rough()) return ended(*on, 0, at_rest(*on), true);
-    on = rounded(*on);
+    Rounded first = rounded(*on);
+    on = std::move(first.at);
+    kept = std::move(first.place);
     g = on->x;
   } else {
     g = point_of(soup_, *kept);
@@ -295,12 +310,12 @@ Tick Descent::run(const State& before, unsigned most_moves) {
       is_slipping |= !flies;
       return ended(end->at, moves + 1, with_bit(at_rest(end->at)), true);
     }
-    At next = rounded(end->at);
-    if (on && !is_nearer(next.x, g)) return resting(moves);
+    Rounded next = rounded(end->at);
+    if (on && !is_nearer(next.at.x, g)) return resting(moves);
     is_slipping |= !flies;
-    on = std::move(next);
+    on = std::move(next.at);
+    kept = std::move(next.place);
     g = on->x;
-    kept.reset();
   }
 }
 

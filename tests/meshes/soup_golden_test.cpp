@@ -16,6 +16,7 @@
 
 #include "reference/soups/force.h"
 #include "tests/meshes/god_object_paths.h"
+#include "tests/meshes/soup_paths.h"
 #include "tests/support/drawn.h"
 #include "text/number_text.h"
 
@@ -30,9 +31,7 @@ Force rounded(const std::array<meshes::RootSum, 3>& force) {
   return {meshes::nearest_binary32(force[0]), meshes::nearest_binary32(force[1]), meshes::nearest_binary32(force[2])};
 }
 
-std::string words(const std::array<float, 3>& numbers) {
-  return shortest(numbers[0]) + ' ' + shortest(numbers[1]) + ' ' + shortest(numbers[2]);
-}
+using tests::words;
 
 std::string words(const Place& place) {
   static constexpr std::array kNames{"free", "v", "e", "t", "c", "ee", "ef", "fff", "q"};
@@ -82,52 +81,14 @@ class Session {
   State state_;
 };
 
-float number(const std::string& word) {
-  return word == "nan" ? std::nanf("") : std::strtof(word.c_str(), nullptr);
-}
-
-struct StoredPath {
-  mesh::TriangleMesh mesh;
-  std::vector<mesh::Sides> sides;
-  mesh::CornerNormals normals;
-  std::vector<std::string> ticks;
-};
-
-StoredPath read(const std::filesystem::path& file) {
-  StoredPath path;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream text(line);
-    std::vector<std::string> all;
-    for (std::string word; text >> word;) all.push_back(word);
-    if (all[0] == "sides") {
-      for (const char c : all[1]) path.sides.push_back(c == 'f' ? mesh::Sides::front : mesh::Sides::both);
-    } else if (all[0] == "v") {
-      path.mesh.vertices.push_back({number(all[1]), number(all[2]), number(all[3])});
-    } else if (all[0] == "t") {
-      const auto index = [&](std::size_t i) { return static_cast<std::uint32_t>(std::stoul(all[i])); };
-      path.mesh.triangles.push_back({index(1), index(2), index(3)});
-      std::array<mesh::Normal, 3> corners{};
-      for (std::size_t i = 0; i < 3 && all.size() > 4; ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis) corners[i][axis] = number(all[4 + (all.size() > 7 ? 3 * i : 0) + axis]);
-      path.normals.push_back(corners);
-    } else {
-      path.ticks.push_back(line);
-    }
-  }
-  return path;
-}
-
 TEST(soups, every_column_is_that_of_another_program) {
   std::size_t paths = 0, ticks = 0;
   std::map<std::string, std::size_t> places;
   for (const auto& entry : std::filesystem::directory_iterator(FORCESHADE_SOURCE_DIR "/tests/golden/soups")) {
-    const StoredPath path = read(entry.path());
+    const tests::SoupPath path = tests::read_soup_path(entry.path());
     Session session(Soup(path.mesh, path.sides), path.normals);
     for (std::size_t i = 0; i < tests::drawn(path.ticks.size()); ++i) {
-      std::array<std::string, 3> words;
-      std::istringstream(path.ticks[i].substr(0, path.ticks[i].find(','))) >> words[0] >> words[1] >> words[2];
-      ASSERT_EQ(session.line({number(words[0]), number(words[1]), number(words[2])}), path.ticks[i])
+      ASSERT_EQ(session.line(tests::position_of(path.ticks[i])), path.ticks[i])
           << entry.path().filename() << ", tick " << i + 1;
       ++ticks;
       if (const auto comma = std::ranges::count(path.ticks[i], ','); comma > 1) {

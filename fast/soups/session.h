@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// One god-object on its path over any set of triangles (docs/soups.md): state, moves and force equal the exact definition in
+// every bit.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fast/soups/places.h"
+#include "fast/soups/segment.h"
+#include "fast/soups/way.h"
+#include "forceshade/law.h"
+
+namespace forceshade::fast::soups {
+
+struct State {
+  Place place;      // nowhere: no valid position has come yet
+  Star::Name cell;  // where it is touching
+  bool is_slipping = false;
+
+  bool operator==(const State&) const = default;
+};
+
+struct Tick {
+  Status status = Status::invalid;
+  std::uint16_t moves = 0;
+  std::array<float, 3> force{};  // N
+  State after;
+};
+
+// One thread at a time; the soup may be shared. A tick allocates only where more than some 16 planes or 64
+// triangles meet at a point, or 1000 boxes of triangles meet a way; and keeps the memory.
+class Session {
+ public:
+  // stiffness: N/mm, of triangles without one of their own. is_shaded: by the soup's corner normals.
+  Session(std::shared_ptr<const Soup> soup, float stiffness, bool is_shaded);
+
+  Tick tick(const std::array<float, 3>& position);
+
+  const State& state() const noexcept { return state_; }
+  // A state that the soup does not have counts as none.
+  void resume(const State& state);
+
+ private:
+  using Near = std::vector<const Face*>;
+  static constexpr unsigned kMostMoves = 256;
+
+  struct End {  // of a move
+    At* at = nullptr;
+    bool is_rest = false;
+  };
+
+  Tick run();
+  End flight(const Point& g);
+  End along_piece(const Way& way);
+  End along_ray(const Way& way);
+  Tick free(unsigned moves);
+  Tick resting(unsigned moves, bool is_slipping, Status status);
+  Tick resting_at_end(At& r, unsigned moves, bool is_slipping);
+  Tick ended(const At& r, unsigned moves, bool is_slipping, bool is_at_goal, Status status);
+
+  void find_near(const Point& a, const Point& b, Near& near) const;
+  void make_end(At& at, const Point& x, const Near& near, const Direction& back, const Direction& w) const;
+  bool make_on_surface(At& at, const Point& x);
+  // Into *stop_.
+  bool is_stopped(const Segment& segment, const Time& most, const Direction& w, const Near& near);
+
+  At* rounded(At* at);
+  At* rounded_on_line(At* at);
+  At* rounded_in_plane(At* at);
+  Point next_point(const At& at, const GridLine& line, const Floor& m, bool is_up, const Near& near);
+  Place corner_of_cell(const Face& f, const Point& x, bool& is_same) const;
+  Place grid_place(const At& at) const;
+  Place rest_on_line(At*& r);
+  Place rest_in_plane(At*& r);
+
+  std::shared_ptr<const Soup> soup_;
+  float stiffness_;
+  bool is_shaded_;
+  State state_;
+  bool is_on_ = false;  // *on_ is where the state is
+  std::array<float, 3> hand_{};
+  Point p_;
+  std::array<At, 5> ats_;
+  At *on_ = &ats_[0], *end_ = &ats_[1], *next_ = &ats_[2], *stop_ = &ats_[3], *spare_ = &ats_[4];
+  std::optional<Place> kept_;           // of *on_, where it is known
+  std::optional<Place> rounded_place_;  // of a triangle's grid that gave what was rounded, where it is strictly inside
+  Near near_, near_end_;
+  std::vector<Time> times_;
+};
+
+}  // namespace forceshade::fast::soups
