@@ -11,8 +11,8 @@
 namespace forceshade::apps {
 namespace {
 
-// The text as an attribute or an element has it.
-std::string xml(const std::string& text) {
+// One line of a text, as an attribute or an element has it.
+std::string xml_line(std::string_view text) {
   std::string all;
   const std::string shown = files::printable(text);
   for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -35,8 +35,22 @@ std::string xml(const std::string& text) {
   return all;
 }
 
-std::string attribute(const char* name, const std::string& value) {
-  return std::string(" ") + name + "=\"" + xml(value) + '"';
+std::string_view first_line(std::string_view text) {
+  return text.substr(0, text.find('\n'));
+}
+
+// A text as an element has it, with its lines.
+std::string xml(std::string_view text) {
+  std::string all = xml_line(first_line(text));
+  while (first_line(text).size() < text.size()) {
+    text.remove_prefix(first_line(text).size() + 1);
+    all += '\n' + xml_line(first_line(text));
+  }
+  return all;
+}
+
+std::string attribute(const char* name, std::string_view value) {
+  return std::string(" ") + name + "=\"" + xml_line(value) + '"';
 }
 
 // Seconds, with a point in every locale that the command can have: it sets none.
@@ -58,7 +72,7 @@ std::string testcase(const JunitCase& each, const std::string& name) {
   std::string text = "    <testcase" + attribute("classname", name + '.' + each.subject) + attribute("name", each.name) +
                      attribute("time", seconds(each.seconds)) + ">\n";
   if (each.failure)
-    text += "      <failure" + attribute("type", "counterexample") + attribute("message", *each.failure) + '>' +
+    text += "      <failure" + attribute("type", "counterexample") + attribute("message", first_line(*each.failure)) + '>' +
             xml(*each.failure) + "</failure>\n";
   if (!each.output.empty()) text += "      <system-out>" + xml(each.output) + "</system-out>\n";
   return text + "    </testcase>\n";

@@ -71,7 +71,7 @@ TEST(junit, keeps_every_name_and_lets_none_break_the_document) {
       {"&lt;&#10;", "&lt;&#10;"},
       {"höhe µ 😀.toml", "höhe µ 😀.toml"},
       {std::string("nul\0bell\a", 9), "nul\\x00bell\\x07"},
-      {"line\nfeed\tand\x1b[2J", "line\\nfeed\\x09and\\x1b[2J"},
+      {"tab\tand\x1b[2J", "tab\\x09and\\x1b[2J"},
       {"\xff\xfe\xc2", "\\xff\\xfe\\xc2"},
       {"\xed\xa0\x80", "\\xed\\xa0\\x80"},  // half of a surrogate pair
       {"\xef\xbf\xbf\xef\xbf\xbe", "\\xef\\xbf\\xbf\\xef\\xbf\\xbe"},
@@ -89,6 +89,15 @@ TEST(junit, keeps_every_name_and_lets_none_break_the_document) {
     EXPECT_EQ(tree.get<std::string>("testsuites.testsuite.testcase.system-out"), shown);
     EXPECT_EQ(tree.get_child("testsuites").count("testsuite"), 1U);
   }
+}
+
+TEST(junit, keeps_the_lines_of_a_text_and_shows_the_first_one_as_a_message) {
+  const ptree tree = parsed(to_junit("checks", {{"a\nb", "c"}}, {{"wall", "forces", 0, "one <\ntwo\a\n", "\nthree"}}));
+  const ptree& suite = tree.get_child("testsuites.testsuite");
+  EXPECT_EQ(suite.get<std::string>("properties.property.<xmlattr>.name"), "a\\nb");
+  EXPECT_EQ(suite.get<std::string>("testcase.failure.<xmlattr>.message"), "one <");
+  EXPECT_EQ(suite.get<std::string>("testcase.failure"), "one <\ntwo\\x07\n");
+  EXPECT_EQ(suite.get<std::string>("testcase.system-out"), "\nthree");
 }
 
 }  // namespace
