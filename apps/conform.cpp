@@ -36,6 +36,7 @@ struct Answerer {
   files::ProcessLimits limits() const {
     files::ProcessLimits limits;
     limits.answer = std::chrono::milliseconds(static_cast<int>(1000 * answer_seconds));
+    limits.stop = &interrupted();
     return limits;
   }
   bool is_object() const {

@@ -5,7 +5,9 @@
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/page.h"
+#include "apps/signals.h"
 #include "apps/standard_streams.h"
+#include "forceshade/checks.h"
 #include "properties/conformance/judgement_text.h"
 
 namespace forceshade::apps {
@@ -22,6 +24,7 @@ void ConformOutputs::expect_room() const {
 }
 
 int ConformOutputs::write(const ConformResults& results) const {
+  if (interrupted()) throw Interrupted("the run was not finished, and nothing was written");
   if (!json_.empty()) write_file(json_, conformance::text_of(results.json));
   if (!out_.empty()) write_file(out_, page_of(out_, results.page));
   if (!junit_.empty()) write_file(junit_, to_junit("forceshade conform", {results.about}, results.cases));

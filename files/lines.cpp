@@ -14,7 +14,7 @@
 namespace forceshade::files {
 namespace {
 
-constexpr std::size_t kLastWords = 2000;
+constexpr std::size_t kLastWords = 2000, kLastLine = 300;
 constexpr std::chrono::milliseconds kToBeEnded{5000};  // once its grace is over
 
 std::string seconds(std::chrono::milliseconds time) {
@@ -75,6 +75,7 @@ std::optional<std::string> Lines::result(std::int64_t now) {
       return line;
     }
   }
+  if (wish_ == Wish::line && limits_.stop != nullptr && *limits_.stop) fail("was not waited for any longer");
   if (has_ended_output_ ? !end_ && now < until_ : now < until_) return std::nullopt;
   const std::string end = how_it_ended();
   if (wish_ == Wish::dismissal) return end;
@@ -103,8 +104,9 @@ void Lines::fail(const std::string& words) const {
   const std::size_t end = last_words_.find_last_not_of('\n');
   const std::size_t begin = end == std::string::npos ? end : last_words_.rfind('\n', end);
   const std::string last = end == std::string::npos ? "" : last_words_.substr(begin == std::string::npos ? 0 : begin + 1);
-  throw ProcessFailed(std::string("the ") + whose_ + ' ' + words +
-                      (last.empty() ? "" : "; it wrote last on standard error: " + shown(last.substr(0, last.find('\n')))));
+  throw ProcessFailed(
+      std::string("the ") + whose_ + ' ' + words +
+      (last.empty() ? "" : "; it wrote last on standard error: " + shown(last.substr(0, last.find('\n')), kLastLine)));
 }
 
 std::string LineProgram::result() {

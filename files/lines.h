@@ -3,6 +3,7 @@
 // A dialogue with a third-party program that answers lines with lines, as bytes and times. The bytes are moved by a few lines
 // elsewhere (child_process.h; in tests, a script); all decisions are here, without a process.
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -25,8 +26,9 @@ struct ProcessLimits {
   std::size_t memory = std::size_t{2} << 30U;        // bytes that it may write to, of each of its processes
   unsigned long threads = 512;                       // of all its processes together
   unsigned processor_seconds = 600, file_megabytes = 64;
-  int ended_well = 0;                  // its exit code after goodbye
-  std::chrono::milliseconds grace{0};  // that it has to end by itself once its input is at its end
+  int ended_well = 0;                       // its exit code after goodbye
+  std::chrono::milliseconds grace{0};       // that it has to end by itself once its input is at its end
+  const std::atomic<bool>* stop = nullptr;  // once this is true, no line is waited for any longer
 };
 
 // In place of the status of a program: it was ended for having more threads than that.

@@ -93,3 +93,8 @@ until [ -e runs ]; do sleep 0.1; done
 kill -INT $!; wait $!; same 130 $?
 expect 0 "interrupted" -- cat said
 same "" "$(pgrep -f "$scratch/own.py" || true)"
+# Interrupted while a renderer is silent: not a verdict on the renderer.
+"$forceshade" conform --law wall --command "touch silent; exec sleep 3600" > said 2>&1 &
+until [ -e silent ]; do sleep 0.1; done
+kill -INT $!; wait $!; same 130 $?
+expect 0 "forceshade: interrupted: the run was not finished, and nothing was written" -- cat said

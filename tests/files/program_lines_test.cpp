@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <csignal>
 #include <functional>
 #include <optional>
@@ -99,6 +100,28 @@ TEST(program_lines, are_the_same_however_their_bytes_are_split) {
       }
   }
   std::printf("%ld splits\n", tried);
+}
+
+TEST(program_lines, wait_for_no_answer_once_they_are_to_stop_but_give_one_that_is_there) {
+  std::atomic<bool> stop = false;
+  ProcessLimits limits = kLimits;
+  limits.stop = &stop;
+  Lines lines(limits, "program");
+  lines.ask("x", 0);
+  lines.took(2);
+  EXPECT_EQ(result_of(lines), kWaits);
+  stop = true;
+  EXPECT_EQ(result_of(lines), "the program was not waited for any longer");
+  lines.said("late, but there\n");
+  EXPECT_EQ(result_of(lines), "late, but there");
+}
+
+TEST(program_lines, show_the_last_words_of_a_program_to_the_reason_behind_a_long_path) {
+  const std::string reason = "cannot open " + std::string(200, 'p') + ": no such file";
+  Lines lines = asked();
+  lines.complained(reason + '\n');
+  EXPECT_EQ(result_of(lines, 10 * kMillisecond),
+            "the program did not answer within 0.01 s; it wrote last on standard error: \"" + reason + '"');
 }
 
 TEST(program_lines, wait_until_the_time_of_an_answer_is_up_and_no_longer) {
