@@ -297,7 +297,7 @@ void add_mesh(CLI::App& app, int& result) {
         ->type_name("FILE")
         ->required();
     add_word(*verb, "--unit", options->unit, "of the coordinates in a mesh's file, which no format says: required for a mesh",
-             {"mm", "m", "in"});
+             {mesh::kUnitNames.begin(), mesh::kUnitNames.end()});
     verb->callback([options, run, &result] { result = run(*options); });
     return std::pair(verb, options);
   };

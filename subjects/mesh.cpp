@@ -124,7 +124,7 @@ void read_texture(const Options& options, const std::vector<std::array<mesh::Tex
 mesh::Unit unit_named(const std::string& word, const std::string& name) {
   const auto unit = value_named<mesh::Unit>(word, mesh::kUnitNames);
   if (static_cast<std::size_t>(unit) < mesh::kUnitNames.size()) return unit;
-  throw Error(name + ": expected mm, m or in, got \"" + word + '"');
+  throw Error(name + ": expected mm, cm, m or in, got \"" + word + '"');
 }
 
 mesh::Contact contact_beside(const mesh::Materials& materials, const Options& options) {
@@ -167,7 +167,7 @@ MeshRendering rendered(const Options& options, float stiffness, const std::funct
 
 MeshRendering read_mesh(const Options& options, float stiffness, const Monitor& monitor) {
   if (!options.has("unit"))
-    throw Error("--unit is required beside --mesh: expected mm, m or in, for no mesh file says its unit");
+    throw Error("--unit is required beside --mesh: expected mm, cm, m or in, for no mesh file says its unit");
   const auto load = [&]() -> Unchecked {
     mesh::LoadedMesh loaded = mesh::load_in_units(
         options.value("mesh"), {unit_named(options.value("unit")), texture_scale(options).value_or(files::Decimal(1))});

@@ -92,7 +92,7 @@ class SceneReader {
     in_.expect_keys(table, {"name", "mesh", "unit", "translation", "rotation", "friction", "stiffness", "materials"});
     const std::string name = name_of(table);
     const std::string file = in_.text_of(table, "mesh", name, "a mesh");
-    const std::string unit_word = in_.text_of(table, "unit", name, "a unit, mm, m or in");
+    const std::string unit_word = in_.text_of(table, "unit", name, "a unit, mm, cm, m or in");
     const mesh::Unit unit = unit_named(unit_word, in_.name_of(*table.get("unit"), "unit"));
     const scene::Pose placement = placement_of(table);
     mesh::LoadedMesh loaded = mesh::load_with_corners(beside(in_.file(), file), unit);

@@ -36,9 +36,9 @@
 namespace forceshade::mesh {
 
 // The unit of the coordinates in the file, which no format states.
-enum class Unit { mm, m, in };
+enum class Unit { mm, cm, m, in };
 
-inline constexpr std::array<std::string_view, 3> kUnitNames{"mm", "m", "in"};
+inline constexpr std::array<std::string_view, 4> kUnitNames{"mm", "cm", "m", "in"};
 
 using TexturePoint = std::array<float, 2>;
 

@@ -11,7 +11,7 @@ namespace forceshade::mesh {
 namespace {
 
 const files::Decimal& millimetres(Unit unit) {
-  static const std::array<files::Decimal, 3> each{1, 1000, *files::Decimal::of("25.4")};
+  static const std::array<files::Decimal, 4> each{1, 10, 1000, *files::Decimal::of("25.4")};
   return each[static_cast<std::size_t>(unit)];
 }
 
@@ -42,7 +42,8 @@ float from_binary(double number, Unit unit) {
   const auto bits = static_cast<std::uint64_t>(std::ldexp(fraction, 53));  // 2^52 to 2^53
   // An inch is 127/5 mm. The quotient has 57 bits or more: a last bit of 1 where there is a remainder stands for all the bits
   // that follow, so that one rounding to 24 bits is that of the exact quotient.
-  const std::uint64_t scaled = unit == Unit::m ? bits * 1000 : bits * 127 / 5 | static_cast<std::uint64_t>(bits * 127 % 5 != 0);
+  const std::uint64_t scaled = unit == Unit::in ? bits * 127 / 5 | static_cast<std::uint64_t>(bits * 127 % 5 != 0)
+                                                : bits * (unit == Unit::cm ? 10 : 1000);
   return std::copysign(std::ldexp(static_cast<float>(scaled), exponent - 53), static_cast<float>(number));
 }
 

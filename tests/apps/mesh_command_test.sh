@@ -14,6 +14,7 @@ for shape in icosphere cube wall torus bump cylinder-bump; do
 done
 expect 0 "held: a mesh of 1280 faces" -- mesh check icosphere.off --unit mm
 expect 0 "the fronts are outside" -- mesh check torus.off --unit mm
+expect 0 "box              -500, -500, -500 to 500, 500, 500 mm" -- mesh check cube.off --unit cm
 expect 0 "box              -1270, -1270, -1270 to 1270, 1270, 1270 mm" -- mesh check cube.off --unit in
 expect 2 "a coordinate within 10000 mm, got -50 m; a small mesh" -- mesh check cube.off --unit m
 expect 0 "" -- mesh make height-map --height-map "$examples/gaussian.toml" --size 20 --cells 8 --out map.off
@@ -40,7 +41,7 @@ expect 0 "held" -- mesh check standard.off --unit mm
 
 # The unit has to be given.
 expect 2 "--unit" -- mesh check cube.off
-expect 2 "expected one of mm, m, in; got \"cm\"" -- mesh check cube.off --unit cm
+expect 2 "expected one of mm, cm, m, in; got \"ft\"" -- mesh check cube.off --unit ft
 
 # Files that are no mesh: 1, with the faces; in JSON, too.
 printf 'OFF\n4 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 0\n3 0 1 2\n3 1 0 3\n' > folded.off

@@ -74,7 +74,7 @@ expect 2 "bad.csv:2: column 3 (z_mm): expected a number" -- "$forceshade" plot b
 [ ! -e other ] || { echo "FAILED: a folder is left behind"; exit 1; }
 
 # Files that are missing, wrong, or no mesh.
-expect 2 "--unit is required beside --mesh: expected mm, m or in" -- "$forceshade" force path.csv --mesh cube.off
+expect 2 "--unit is required beside --mesh: expected mm, cm, m or in" -- "$forceshade" force path.csv --mesh cube.off
 expect 2 "expected --law, --height-map, --mesh or --scene, got none" -- "$forceshade" force path.csv 
 expect 2 "--sides: expected one of front, both" -- "$forceshade" force path.csv $mesh --sides back
 expect 2 "--shading: expected one of vertex, edge, none" -- "$forceshade" force path.csv $mesh --shading smooth

@@ -22,7 +22,7 @@ inline std::vector<std::array<mesh::Vertex, 3>> corners_of(const mesh::TriangleM
 // checked and repaired.
 inline int load_mesh(std::string_view bytes, const char* name) {
   const std::string file = file_of(bytes, name);
-  for (const mesh::Unit unit : {mesh::Unit::mm, mesh::Unit::m, mesh::Unit::in})
+  for (const mesh::Unit unit : {mesh::Unit::mm, mesh::Unit::cm, mesh::Unit::m, mesh::Unit::in})
     read_or_refuse<Error>(file + ": ", [&] {
       const mesh::LoadedMesh loaded = mesh::load_with_corners(file, unit);
       const auto& [vertices, triangles] = loaded.mesh;

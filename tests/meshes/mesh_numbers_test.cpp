@@ -17,11 +17,14 @@
 namespace forceshade::mesh {
 namespace {
 
-constexpr std::array<Unit, 3> kUnits{Unit::mm, Unit::m, Unit::in};
+constexpr std::array<Unit, 4> kUnits{Unit::mm, Unit::cm, Unit::m, Unit::in};
 
 // The binary32 number nearest to number times unit, ties to even.
 float nearest(const mpq_class& number, Unit unit) {
-  const mpq_class factor = unit == Unit::mm ? mpq_class(1) : unit == Unit::m ? mpq_class(1000) : mpq_class(127, 5);
+  const mpq_class factor = unit == Unit::in ? mpq_class(127, 5)
+                                            : mpq_class(unit == Unit::mm   ? 1
+                                                        : unit == Unit::cm ? 10
+                                                                           : 1000);
   return tests::nearest<float>(number * factor);
 }
 
@@ -103,7 +106,7 @@ TEST(mesh_numbers, as_binary_numbers_are_rounded_once_in_every_unit) {
   // Next to midway between two binary32 numbers of mm: a number of 25 bits, the last one 1, is not one of them.
   for (int i = 0; i < 20000; ++i) {
     const auto midway = static_cast<double>((random() & 0x7FFFFFU) * 2 + 0x1000001U);
-    for (const double x : {midway / 1000, midway * 5 / 127})
+    for (const double x : {midway / 10, midway / 1000, midway * 5 / 127})
       for (const double number : {std::nextafter(x, 0.0), x, std::nextafter(x, 1e9)})
         for (const Unit unit : kUnits) {
           ASSERT_EQ(from_binary(number, unit), nearest(mpq_class(number), unit)) << number;
@@ -132,6 +135,7 @@ TEST(mesh_numbers, may_be_too_large_or_too_small_for_binary32_and_are_no_less_nu
     EXPECT_EQ(from_binary(1e300, unit), kInfinity);
     EXPECT_EQ(from_binary(0.0, unit), 0.0F);
   }
+  EXPECT_EQ(from_decimal("1", Unit::cm), 10.0F);
   EXPECT_EQ(from_decimal("1", Unit::m), 1000.0F);
   EXPECT_EQ(from_decimal("1", Unit::in), 25.4F);
   EXPECT_EQ(from_binary(1, Unit::in), 25.4F);

@@ -234,8 +234,9 @@ TEST_F(Scenes, are_refused_with_file_line_and_value) {
   expect(kPlate + kPlate, "line 6: name: expected another name for each object, got \"floor\" again");
   expect("[[object]]\nname = \"a\"\nunit = \"mm\"\n", "line 1: a: expected a mesh, got none");
   expect("[[object]]\nname = \"a\"\nmesh = 3\n", "line 3: mesh: expected a text in quotes, got 3");
-  expect("[[object]]\nname = \"a\"\nmesh = \"plate.off\"\n", "line 1: a: expected a unit, mm, m or in, got none");
-  expect("[[object]]\nname = \"a\"\nmesh = \"plate.off\"\nunit = \"cm\"\n", "line 4: unit: expected mm, m or in, got \"cm\"");
+  expect("[[object]]\nname = \"a\"\nmesh = \"plate.off\"\n", "line 1: a: expected a unit, mm, cm, m or in, got none");
+  expect("[[object]]\nname = \"a\"\nmesh = \"plate.off\"\nunit = \"ft\"\n",
+         "line 4: unit: expected mm, cm, m or in, got \"ft\"");
   expect("[[object]]\nname = \"a\"\nheight-map = \"groove.toml\"\n",
          "line 3: height-map: expected a mesh: a height map is a force above a plane and has no faces; 'forceshade mesh make "
          "height-map'");

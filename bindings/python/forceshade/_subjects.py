@@ -21,7 +21,7 @@ LawName = Literal[
 Interpolant = Literal["cubic-spline", "bilinear"]
 Edge = Literal["clamp", "tile"]
 Render = Literal["height-map", "height-map-shaded", "height-map-conservative"]
-Unit = Literal["mm", "m", "in"]
+Unit = Literal["mm", "cm", "m", "in"]
 Sides = Literal["front", "both"]
 Contact = Literal["direct", "sub-goal", "friction"]
 Friction = Union[float, tuple[float, float]]  # a coefficient, or a static and a dynamic one
@@ -255,7 +255,7 @@ class Mesh(Subject):
     """A triangle mesh, felt through a god-object. Its force depends on the path: a Session follows one.
 
     vertices: float32 (n, 3), mm. triangles: integers (m, 3), numbers of vertices from 0; (b - a) x (c - a) points to the front.
-    Or a file instead of both, OFF, OBJ, PLY or STL, with its `unit`: "mm", "m" or "in"; its shading may be "texture:FILE.toml",
+    Or a file instead of both, OFF, OBJ, PLY or STL, with its `unit`: "mm", "cm", "m" or "in"; its shading may be "texture:FILE.toml",
     with the length `texture_scale` of one unit of its coordinates.
     stiffness: K, N/mm, in [0.001, 1000]; default: 0.5. sides: which block, "front" or "both"; default: "front" for a closed mesh, else
     "both". shading: "vertex" (usual), "edge" or "none" (usual with sub-goal). contact: "direct", "sub-goal" or
@@ -315,7 +315,7 @@ class Mesh(Subject):
             if triangles is not None:
                 raise TypeError("a file has its own triangles; expected Mesh(file, ...)")
             if unit is None:
-                raise TypeError('a mesh file does not say its unit; expected unit="mm", "m" or "in"')
+                raise TypeError('a mesh file does not say its unit; expected unit="mm", "cm", "m" or "in"')
             source = (os.path.abspath(path_of(vertices)),)
             options = {"mesh": path_of(vertices), "unit": word_of(unit, "unit"), **options}
             options["stiffness"] = text_of(stiffness, "stiffness", '"500N/m"')

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, BlockOrder>, 2> kBlockOrders{
     {{"as-listed", BlockOrder::as_listed}, {"random", BlockOrder::random}}};
 constexpr std::array<std::pair<std::string_view, Bigger>, 2> kBiggers{
     {{"higher", Bigger::higher}, {"larger-radius", Bigger::larger_radius}}};
-constexpr std::array<std::string_view, 3> kUnits{"mm", "m", "in"};
+constexpr std::array<std::string_view, 4> kUnits{"mm", "cm", "m", "in"};
 
 // The folder of the files of a protocol, and the rule for missing ones.
 struct Beside {
@@ -61,7 +61,7 @@ Variant shape_of(TomlTable& table, StimulusKind kind, const Beside& where) {
   if (kind != StimulusKind::mesh) return variant;
   variant.unit = table.text("unit");
   if (std::ranges::find(kUnits, variant.unit) == kUnits.end())
-    table.fail("unit", "expected mm, m or in, got \"" + variant.unit + '"');
+    table.fail("unit", "expected mm, cm, m or in, got \"" + variant.unit + '"');
   return variant;
 }
 

@@ -25,7 +25,7 @@ enum class StimulusKind { law, height_map, mesh, subject };
 struct Variant {
   Mil radius = 0;              // 0 where the stimulus has one shape only
   std::filesystem::path file;  // of the height map, mesh or subject; absolute, or relative to the working folder
-  std::string unit;            // of a mesh's numbers: mm, m or in
+  std::string unit;            // of a mesh's numbers: mm, cm, m or in
 };
 
 // Something to be felt. A law has any radius; a height map or a mesh has those of its variants, by rising radius.

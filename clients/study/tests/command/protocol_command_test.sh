@@ -49,6 +49,6 @@ expect 2 "inputs/map.toml: stiffness: expected that of the protocol, 0.5 N/mm, g
 protocol '{ name = "a", subject = "absent.toml" }'
 expect 2 "expected a file, found none at" -- checked
 echo OFF > ball.off
-protocol '{ mesh = "ball.off", unit = "cm" }'
-expect 2 'unit: expected mm, m or in, got "cm"' -- checked
+protocol '{ mesh = "ball.off", unit = "ft" }'
+expect 2 'unit: expected mm, cm, m or in, got "ft"' -- checked
 echo "$checks checks passed"

@@ -337,8 +337,8 @@ TEST(protocol, says_what_is_wrong_with_stimuli) {
   EXPECT_EQ(said("{ name = \"d\", variants = [{ radius_mil = 600, " + map + " }] }"),
             "10: stimuli: stimulus d has no variant of 1400 mil");
   EXPECT_EQ(said("{ name = \"d\", variants = [{ radius_mil = 600, " + mesh + "\"ft\" }] }"),
-            "10: unit: expected mm, m or in, got \"ft\"");
-  for (const char* unit : {"mm", "m", "in"})
+            "10: unit: expected mm, cm, m or in, got \"ft\"");
+  for (const char* unit : {"mm", "cm", "m", "in"})
     EXPECT_EQ(said("{ name = \"d\", variants = [{ radius_mil = 600, " + mesh + '"' + unit + "\" }, { radius_mil = 1400, " +
                    mesh + '"' + unit + "\" }] }"),
               "");
