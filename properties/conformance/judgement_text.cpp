@@ -33,7 +33,7 @@ std::string ulps_in(std::size_t bin) {
 }
 
 std::string error_words(const Distance& distance) {
-  if (distance.ulps == kNoNumber) return "is no finite force";
+  if (distance.ulps == kNoNumber) return "no finite force";
   std::string words = std::to_string(distance.ulps) + " ulp, " + digits(distance.newtons.high, 3) + " N";
   if (distance.exact_newtons.high > 0)
     words += ", " + digits(100 * distance.newtons.high / distance.exact_newtons.high, 3) + " % of the force";
