@@ -137,7 +137,9 @@ def run(state, function, is_settled):
             one = code.instructions.get(state.at)
             if one is None or steps > 400000:
                 raise Unknown('a way that leaves the code' if one is None else 'too many steps')
-            if state.beyond is not None:
+            if state.beyond is None:
+                one.counts = True
+            else:
                 state.beyond += 1
             try:
                 if one.name is None:
@@ -149,7 +151,7 @@ def run(state, function, is_settled):
                     yield state
                     break
                 following = advance(state, one, is_settled)
-            except Unknown as unknown:
+            except (Unknown, KeyError, IndexError) as unknown:  # the latter where a table above has no such entry
                 if state.beyond is not None and not one.name == 'ret':
                     break
                 raise Unknown(f'{unknown}, at {one.address:#x}: {one.text}') from None

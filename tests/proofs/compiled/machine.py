@@ -12,7 +12,7 @@ class Unknown(Exception):
 
 
 class Instruction:
-    __slots__ = ('section', 'address', 'length', 'name', 'operands', 'text')
+    __slots__ = ('section', 'address', 'length', 'name', 'operands', 'text', 'counts')  # counts: on a way that is not settled
 
 
 VECTOR = re.compile(r'([xyz])mm(\d+)((?:\{k[1-7]\})?)((?:\{z\})?)$')
@@ -107,7 +107,7 @@ class ObjectFile:
             if last:
                 last.length = one.address - last.address
             self.instructions[(section, one.address)] = last = one
-            one.name, one.operands = None, None  # read when it is run
+            one.name, one.operands, one.counts = None, None, False  # read when it is run
 
     def read(self, one):
         name, _, rest = re.sub(r'^(?:(?:data16|cs|ds|notrack|bnd|rex\S*) )+', '', one.text).partition(' ')
