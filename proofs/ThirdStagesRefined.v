@@ -118,6 +118,8 @@ Qed.
 
 (* ---- Two polygons and the cylinder ---- *)
 
+(* Where the code computes more of a face than it needs, the exponents of the rest stay in 64 bits, too. *)
+
 Lemma depth_holds : forall R w, limbs_hold 11000 (Third.depth L R w) (Third.depth I R w).
 Proof. intros R w. unfold Third.depth. cbv zeta. held_within. Qed.
 
