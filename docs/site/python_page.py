@@ -14,7 +14,7 @@ import sys
 import forceshade
 
 # The sections: each is a module, with its first sentence as the heading. The last one has what is compiled or stands in no other.
-MODULES = ["_subjects", "_subject", "_sessions", "_exact", "_checks", "_recordings", "_forceshade"]
+MODULES = ["_subjects", "_subject", "_sessions", "_damping", "_exact", "_checks", "_recordings", "_forceshade"]
 faults = []
 aliases = {}  # of types, that the modules use among themselves: Rounding
 

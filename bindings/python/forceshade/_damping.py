@@ -69,7 +69,8 @@ class Damping:
     rate: r, Hz, of the device, whose periods the ticks are: 1 to 2^17.
     damping: B, N s/mm along the force: 0, or 2^-20 to 16; 1 N s/mm is 1000 N s/m.
     drag: B_t, N s/mm across the force: 0, or 2^-20 to 16.
-    share: of the new velocity in the filter: 2^-10 to 1, which is no filter. Or time, its time constant in s.
+    share: that of the new velocity in the filter: 2^-10 to 1, which is no filter.
+    time: in its place the filter's time constant, s: share is 1/(1 + rate time).
     most: S, the most by which damping lengthens the force: 1 to 1024, or infinity.
     full_at: F_0, N, the force from which on drag is full: 2^-10 to 1024.
 

@@ -13,7 +13,9 @@ import forceshade
 law: forceshade.Law = forceshade.Law("wall", stiffness=0.5)
 force: tuple[float, float, float] = law.force(0, np.float32(0.1), -1.5)
 forces = law.forces(np.zeros((5, 3), np.float32), out=np.empty((5, 3), np.float32))
-status: forceshade.Status = forceshade.Session(law).status
+oil: forceshade.Damping = forceshade.Damping(rate=1000, damping=0.002, time=0.001)
+status: forceshade.Status = forceshade.Session(law, damping=oil).status
+damped = oil.steps(np.zeros((5, 3), np.float32), forces, periods=[1, 2, 1, 1, 1])
 END
 # A mistake is one: a keyword that does not exist, a law that does not exist.
 sed 's/stiffness=0.5/stifness=0.5/' program.py > misspelt.py
