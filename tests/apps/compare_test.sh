@@ -42,9 +42,13 @@ vectors=$examples/vectors
 mkdir made
 "$vectors/make" "$forceshade" made || exit 1
 for file in made/*.json; do cmp "$file" "$vectors/$(basename "$file")" || exit 1; done
-same 6 "$(ls made | wc -l)"
+same 7 "$(ls made | wc -l)"
 fits "$vectors/schema.json" made/*.json
 expect 0 "0 wrong of 200" -- "$vectors/check.py" made/wall.json
+damped=(conform positions --law wall --damping 0.002)
+expect 2 "--rate: expected the periods in a second with damping" -- "$forceshade" "${damped[@]}" --out damped.json
+expect 2 "--out: expected FILE.json with damping" -- "$forceshade" "${damped[@]}" --rate 1000 --out damped.csv
+expect 2 "--damping: share is" -- "$forceshade" "${damped[@]}" --damping-filter 100s --rate 100000 --out damped.json
 expect 1 "114 wrong of 200" -- "$vectors/check.py" made/bump-2p.json
 expect 0 '"id":5000' -- bash -c "'$forceshade' conform positions --law wall --points 5000 --out vectors.json && cat vectors.json"
 expect 2 "--out: expected a name that ends in .csv or .npy or .json" -- "$forceshade" conform positions --law wall --out vectors.xml
