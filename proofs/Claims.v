@@ -22,7 +22,7 @@ From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bum
 From Forceshade Require Import BigFloatBounded CylinderThird BumpCylinderThird.
 From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits WideRefined WideSums WideNewton ThirdStagesRefined.
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
-From Forceshade Require Import Damping.
+From Forceshade Require Import Damping Placement.
 From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird Bump3pThird Bump3pShadedThird.
 From Forceshade Require Import Main.
 Import ListNotations.
@@ -110,6 +110,8 @@ Definition claims : list claim := [
   claimed force_is_compared_by_squares; claimed sticking_in_a_triangle; claimed sticking_along_an_edge; claimed share_in_a_triangle;
   claimed share_along_an_edge; claimed keeping_the_bit; claimed energy_of_a_tick; claimed energy_of_a_turn; claimed interpolated_turn;
   claimed one_corner_is_near; claimed refused_move_is_short; claimed never_against_the_slip; claimed refused_slide_is_short;
-  claimed sub_goal_is_near; claimed damper_dissipates; claimed sampling_gives_at_most; claimed side_of_plane_changes_by;
+  claimed sub_goal_is_near; claimed placed_is_rotation; claimed placement_keeps_power; claimed turned_back;
+  claimed placed_force_is_nearest; claimed position_is_rounded_once; claimed unshifted_position_is_exact;
+  claimed damper_dissipates; claimed sampling_gives_at_most; claimed side_of_plane_changes_by;
   claimed passes_edge_changes_by; claimed product_is_off_by; claimed quotient_is_off_by; claimed root_is_off_by].
 Print Assumptions claims.

@@ -170,6 +170,9 @@ refuses proofs/MeshConsequences.v "<= 6 * (s * t * delta)." "<= 3 * (s * t * del
 refuses proofs/Damping.v "m * dot (damper B S t f v) v <= - square" "m * dot (damper B S t f v) v <= - 2 * square" "Error"
 refuses proofs/Damping.v "1 / (4 * (1 - a) * (2 - a))." "1 / (4.01 * (1 - a) * (2 - a))." "Error"
 refuses proofs/Damping.v "(spring k = zero -> along_share k = 0 /\\ across_share k = 0)." "True." "Error"
+refuses proofs/Placement.v "then (from, negb (snd d)) else d" "then (from, snd d) else d" "Error"
+refuses include/forceshade/placement.h "direction = {from, !direction.is_against};" "direction = {from, direction.is_against};" \
+  "is not the code"
 refuses proofs/NormalsInDoubt.v "Rabs c * s + (Rabs d + s) * r." "Rabs c * s + Rabs d * r." "Error"
 refuses proofs/Acceptance.v "exact = up /\\ is_even c = true ->" "exact = up ->" "Error"
 refuses proofs/Acceptance.v ": bool := Z.even (bits_of_b32 c)." ": bool := Z.odd (bits_of_b32 c)." "Error"
