@@ -4,12 +4,16 @@
 #include "subjects/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 
 #include "apps/command.h"
+#include "apps/irregular_mesh.h"
 #include "apps/mesh_input.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
@@ -17,6 +21,7 @@
 #include "files/csv.h"
 #include "files/output_file.h"
 #include "files/printable.h"
+#include "files/quantity.h"
 #include "forceshade/checks.h"
 #include "forceshade/meshes.h"
 #include "properties/worst_tick.h"
@@ -29,8 +34,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct MeshFileOptions {
-  std::string file, unit, out, json;
+  std::string file, unit, out, json, length;  // of cracks that are looked for or joined; empty: none
   bool self_intersecting = false;
+
+  // Throws Error.
+  std::optional<float> length_named(const char* name) const {
+    if (length.empty()) return std::nullopt;
+    const float its = files::parse_length(name, length);
+    if (its >= 0x1p-30F && its <= 10000) return its;
+    throw Error(std::string(name) + ": expected a length of 2^-30 to 10000 mm, got \"" + length + '"');
+  }
 };
 
 // A mesh, which is a ground without objects, or the ground of a scene.
@@ -95,7 +108,13 @@ void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
   file.commit();
 }
 
-constexpr const char kFailedHeading[] = "FAILED: no mesh that can be rendered; faces and vertices are counted from 0";
+constexpr const char kFailedHeading[] = "FAILED: no regular mesh; faces and vertices are counted from 0";
+
+// True if the faults leave a set of triangles that docs/soups.md is about.
+bool is_any_set(const mesh::Findings& findings) {
+  const auto is_found = [&](mesh::Fault fault) { return findings.counts[static_cast<std::size_t>(fault)] > 0; };
+  return std::ranges::none_of(std::array{mesh::Fault::empty, mesh::Fault::index, mesh::Fault::coordinate}, is_found);
+}
 
 // Notes a vertex that has so many triangles that a tick there may be late.
 void note_large_fan(const Input& input, const mesh::TriangleMesh& triangles, std::vector<std::string>& notes) {
@@ -216,10 +235,12 @@ void print_facts(const mesh::Facts& facts) {
 }
 
 int check(const MeshFileOptions& options) {
+  const float nearer_than = options.length_named("--cracks").value_or(0);
   Input input = load(options);
   std::vector<std::string> notes = notes_of(input.ground.loaded);
   const bool has_normals = !input.ground.loaded.normals.empty(), has_texture = !input.ground.loaded.texture.empty();
-  auto checked = checked_with_progress(options.file, std::move(input.ground.loaded.mesh), self_intersections(input));
+  const mesh::TriangleMesh& triangles = input.ground.loaded.mesh;
+  auto checked = checked_with_progress(options.file, triangles, self_intersections(input));
   auto* held = std::get_if<mesh::CheckedMesh>(&checked);
   const std::vector<std::string> faults =
       held != nullptr ? std::vector<std::string>{} : lines_of(input.words(std::get<mesh::Findings>(checked)));
@@ -227,6 +248,7 @@ int check(const MeshFileOptions& options) {
             {"faults", faults},     {"normals", has_normals},  {"texture", has_texture}};
   std::optional<properties::WorstTick> worst;
   std::optional<mesh::Facts> facts;
+  std::vector<Row> rows;
   if (held != nullptr) {
     note_large_fan(input, held->mesh(), notes);
     if (input.may_cross) note_seams(held->mesh(), notes);
@@ -234,14 +256,28 @@ int check(const MeshFileOptions& options) {
     json["worst_tick"] = {{"looks", worst->looks}, {"moves", worst->moves}, {"unfinished", worst->is_unfinished}};
     facts = mesh::facts_of(*held);
     add_facts(json, *facts);
+  } else if (is_any_set(std::get<mesh::Findings>(checked))) {
+    const mesh::Irregularities found = irregularities_with_progress(options.file, triangles);
+    rows = rows_of(found);
+    json["irregularities"] = apps::json_of(found);
+    notes.emplace_back(
+        "any set of triangles is rendered exactly by 'forceshade force' and 'plot' (docs/soups.md), but not by a device yet: "
+        "each "
+        "face blocks, what coincides feels like one, and a gap is a gap");
+  }
+  if (held != nullptr || !rows.empty()) {
+    const mesh::Borders borders = mesh::borders_of(triangles, nearer_than);
+    for (Row& row : rows_of(borders, nearer_than)) rows.push_back(std::move(row));
+    json["borders"] = apps::json_of(borders, nearer_than);
   }
   json["notes"] = notes;
   for (const auto& [name, counted] : names_in(input)) json[name] = json_of(counted);
   write_json(options.json, json);
   const int code = held != nullptr ? kHeld : kFailed;
   if (options.json == "-") return code;
+  if (held != nullptr) print_facts(*facts);
+  for (const auto& [name, words] : rows) print_row(name.c_str(), words);
   if (held != nullptr) {
-    print_facts(*facts);
     print_row("normals", has_normals ? "in the file" : "none");
     print_row("texture", has_texture ? "in the file" : "none");
     for (const auto& [name, counted] : names_in(input)) print_row(name.c_str(), files::printable(words_of(counted)));
@@ -261,6 +297,7 @@ int check(const MeshFileOptions& options) {
 }
 
 int repair(const MeshFileOptions& options) {
+  const std::optional<float> length = options.length_named("--join");
   Input input = load(options);
   if (input.is_scene()) throw Error(options.file + ": expected a mesh to repair, got a scene; repair the mesh of an object");
   mesh::LoadedMesh& loaded = input.ground.loaded;
@@ -268,14 +305,27 @@ int repair(const MeshFileOptions& options) {
   if (!loaded.normals.empty() || !loaded.texture.empty()) done.emplace_back("normals and texture are left out");
   if (!loaded.materials.names.empty() || !loaded.groups.names.empty())
     done.emplace_back("the names of materials and groups are left out");
-  mesh::Repaired repaired = mesh::repair(std::move(loaded.mesh));
+  mesh::Repaired repaired = [&] {
+    try {
+      return mesh::repair(std::move(loaded.mesh), length);
+    } catch (const std::invalid_argument& error) {
+      throw Error("--join: " + std::string(error.what()));
+    }
+  }();
   done.insert(done.end(), repaired.done.begin(), repaired.done.end());
   write_mesh(options.out, repaired.mesh);
   const auto checked = checked_with_progress(options.out, std::move(repaired.mesh), self_intersections(input));
   const auto* findings = std::get_if<mesh::Findings>(&checked);
   const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(findings->words());
-  write_json(options.json,
-             {{"file", options.file}, {"out", options.out}, {"done", done}, {"held", findings == nullptr}, {"faults", faults}});
+  Json moved = Json::array();
+  for (const auto& [vertex, onto, distance] : repaired.moved)
+    moved.push_back({{"from", vertex}, {"onto", onto}, {"distance_mm", distance}});
+  write_json(options.json, {{"file", options.file},
+                            {"out", options.out},
+                            {"done", done},
+                            {"moved", moved},
+                            {"held", findings == nullptr},
+                            {"faults", faults}});
   if (options.json != "-" && options.out != "-") {
     print(repaired.done.empty() ? std::vector<std::string>{"nothing to repair"} : done);
     if (findings != nullptr) std::printf("%s, of the repaired file\n", kFailedHeading);
@@ -304,16 +354,20 @@ void add_mesh(CLI::App& app, int& result) {
   const auto allow_self_intersections = [](CLI::App& verb, MeshFileOptions& options) {
     verb.add_flag("--self-intersecting", options.self_intersecting, "allow faces without a common vertex to cross");
   };
-  const auto [check_verb, check_options] = add(
-      "check",
-      "Check that a mesh can be rendered: exit code 0 and its faces, edges, parts and size; or 1 and what is wrong, with the "
-      "numbers of faces",
-      check);
+  const auto [check_verb, check_options] = add("check",
+                                               "Check that a mesh is regular: exit code 0 and its faces, edges, parts and "
+                                               "size; or 1, what kind of mesh it is, and what is "
+                                               "wrong, with the numbers of faces",
+                                               check);
   allow_self_intersections(*check_verb, *check_options);
+  add_length(*check_verb, "--cracks", check_options->length,
+             "also name borders that are nearer to each other than this without touching, between which a hand can pass");
   add_json(*check_verb, check_options->json, "the same");
   const auto [repair_verb, repair_options] = add(
       "repair", "Join equal vertices, drop faces without area or twice there, turn faces over; lists what was done", repair);
   allow_self_intersections(*repair_verb, *repair_options);
+  add_length(*repair_verb, "--join", repair_options->length,
+             "also move each vertex of a border onto the nearest one within this length that stays; nothing else moves");
   add_output(*repair_verb, "--out", repair_options->out, "the repaired mesh, an OFF file in mm", {".off"})->required();
   add_json(*repair_verb, repair_options->json, "the repairs");
   add_mesh_make(*command, result);

@@ -89,15 +89,30 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
   }
 }
 
-std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
-                                                                      mesh::SelfIntersections self_intersections) {
-  const std::string name = "check of " + (file == "-" ? kStandardInput : fs::path(file).filename().string());
+namespace {
+
+template <class Work>
+auto with_progress_of(const std::string& what, const std::string& file, const Work& work) {
+  const std::string name = what + (file == "-" ? kStandardInput : fs::path(file).filename().string());
   try {
-    return with_progress(
-        name, [&](const Monitor& monitor) { return mesh::check(std::move(triangles), self_intersections, monitor); });
+    return with_progress(name, work);
   } catch (const Interrupted&) {
     throw Interrupted("the " + name + " was not finished");
   }
+}
+
+}  // namespace
+
+std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
+                                                                      mesh::SelfIntersections self_intersections) {
+  return with_progress_of("check of ", file, [&](const Monitor& monitor) {
+    return mesh::check(std::move(triangles), self_intersections, monitor);
+  });
+}
+
+mesh::Irregularities irregularities_with_progress(const std::string& file, const mesh::TriangleMesh& triangles) {
+  return with_progress_of("look at ", file,
+                          [&](const Monitor& monitor) { return mesh::irregularities_of(triangles, monitor); });
 }
 
 }  // namespace forceshade::apps

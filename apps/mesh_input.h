@@ -17,4 +17,7 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit);
 std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
                                                                       mesh::SelfIntersections self_intersections);
 
+// mesh::irregularities_of() in the same way.
+mesh::Irregularities irregularities_with_progress(const std::string& file, const mesh::TriangleMesh& triangles);
+
 }  // namespace forceshade::apps

@@ -105,6 +105,7 @@ bool SubjectOption::is_given() const {
 
 subjects::Options SubjectOption::options() const {
   subjects::Options given;
+  if (accepts_any_mesh_) given.accept_any_mesh();
   for (const auto& [key, option] : options_)
     if (!option->empty()) given.add({key, subjects::is_flag(key) ? "true" : values_.at(key)});
   if (is_given()) return given;

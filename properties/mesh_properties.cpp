@@ -100,9 +100,68 @@ std::string words(double value) {
   return show(static_cast<float>(value));
 }
 
+struct Line {
+  Eigen::Vector3d on, along;
+};
+struct Plane {
+  Eigen::Vector3d on, normal;
+};
+
+Eigen::Vector3d foot(const Line& line, const Eigen::Vector3d& p) {
+  return line.on + (p - line.on).dot(line.along) / line.along.squaredNorm() * line.along;
+}
+
+Eigen::Vector3d meeting(const Line& line, const Plane& plane) {
+  return line.on + (plane.on - line.on).dot(plane.normal) / line.along.dot(plane.normal) * line.along;
+}
+
+Line meeting(const Plane& a, const Plane& b) {
+  const Eigen::Vector3d along = a.normal.cross(b.normal);
+  return {meeting(Line{a.on, a.normal.cross(along)}, b), along};
+}
+
+// A place on a mesh that is not regular, as docs/soups.md lists them.
+Eigen::Vector3d point_of_meeting(const mesh::TriangleMesh& mesh, const mesh::GodObject& state) {
+  const auto vertex = [&](std::uint32_t v) { return vector_of(mesh.vertices[v]); };
+  const auto edge = [&](const std::array<std::uint32_t, 2>& ends) {
+    return Line{vertex(ends[0]), vertex(ends[1]) - vertex(ends[0])};
+  };
+  const auto plane = [&](std::uint32_t i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    return Plane{vertex(a), (vertex(b) - vertex(a)).cross(vertex(c) - vertex(a))};
+  };
+  const Eigen::Vector3d p = vector_of(state.position);
+  switch (state.meeting) {
+    case mesh::Meeting::none: break;
+    case mesh::Meeting::line: {  // the point of the plane parallel to the side beyond the corner, whose weight is the parameter
+      const Plane f = plane(state.index[0]);
+      const mesh::Triangle& corners = mesh.triangles[state.index[0]];
+      const auto corner = [&](std::uint32_t i) { return vertex(corners[(state.further[0] + i) % 3]); };
+      const double weight = kGridStep * state.parameter[0];
+      return meeting(meeting(f, plane(state.index[1])),
+                     {corner(1) + weight * (corner(0) - corner(1)), (corner(2) - corner(1)).cross(f.normal)});
+    }
+    case mesh::Meeting::edges: {
+      const Line one = edge(state.index), other = edge(state.further);
+      return meeting(one, Plane{other.on, other.along.cross(one.along.cross(other.along))});
+    }
+    case mesh::Meeting::edge_and_triangle: return meeting(edge(state.index), plane(state.further[0]));
+    case mesh::Meeting::triangles:
+      return meeting(meeting(plane(state.index[0]), plane(state.index[1])), plane(state.further[0]));
+    case mesh::Meeting::foot_on_triangle: {
+      const Plane f = plane(state.index[0]);
+      return meeting(Line{p, f.normal}, f);
+    }
+    case mesh::Meeting::foot_on_edge: return foot(edge(state.index), p);
+    case mesh::Meeting::foot_on_line: return foot(meeting(plane(state.index[0]), plane(state.index[1])), p);
+  }
+  return p;
+}
+
 }  // namespace
 
 Eigen::Vector3d point_of(const mesh::TriangleMesh& mesh, const mesh::GodObject& state) {
+  if (state.meeting != mesh::Meeting::none) return point_of_meeting(mesh, state);
   const auto vertex = [&](std::uint32_t v) { return vector_of(mesh.vertices[v]); };
   const auto share = [&](std::size_t i) { return kGridStep * state.parameter[i]; };
   switch (state.place) {

@@ -149,7 +149,7 @@ MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenT
       stiffness_(mesh_->stiffness),
       open_(std::move(open)),
       rendering_{identity_of(name, *mesh_), {[its = open_, K = stiffness_] { return its(K); }}} {
-  if (const auto error = first_error(*mesh_)) throw std::invalid_argument(error->message());
+  if (const auto error = first_error_of_any(*mesh_)) throw std::invalid_argument(error->message());
 }
 
 const reference::GodObject& MeshSubject::reference() const {

@@ -19,8 +19,7 @@ class MeshSubject final : public Subject {
  public:
   // name: of its file. The mesh has been checked (include/forceshade/meshes.h). Throws std::invalid_argument where a side
   // refuses it.
-  MeshSubject(const std::string& name, const MeshRendering& rendering)
-      : MeshSubject(name, rendering, fast_god_object(rendering)) {}
+  MeshSubject(const std::string& name, const MeshRendering& rendering) : MeshSubject(name, rendering, fast_god_object(rendering)) {}
   // Any renderer of it.
   MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open);
 

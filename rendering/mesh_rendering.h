@@ -64,9 +64,10 @@ inline std::optional<ParameterError> error_of_materials(const mesh::Materials& m
 }
 
 // The reason for refusal, but for those that the texture's height map has itself: the stiffness; the materials, and friction
-// where the mesh may cross itself; normals that are not one for each corner, with components in [-2, 2], where the shading or
-// the contact rule uses them; the same of a texture, with points within 10^4 mm and gradients of 0 or of 2^-30 to 1000 mm/mm.
-inline std::optional<ParameterError> first_error(const MeshRendering& rendering) {
+// where a regular mesh may cross itself; on a mesh that is not regular, a shading or contact rule that docs/soups.md does not
+// have; normals that are not one for each corner, with components in [-2, 2], where the shading or the contact rule uses them;
+// the same of a texture, with points within 10^4 mm and gradients of 0 or of 2^-30 to 1000 mm/mm.
+inline std::optional<ParameterError> first_error_of_any(const MeshRendering& rendering) {
   const auto outside = [](const char* name, const char* unit, float value, float most) -> std::optional<ParameterError> {
     if (std::fabs(value) <= most) return std::nullopt;
     return ParameterError{name, unit, value, -most, most};
@@ -80,7 +81,16 @@ inline std::optional<ParameterError> first_error(const MeshRendering& rendering)
   if (const auto error = error_of_stiffness(rendering.stiffness)) return error;
   const bool is_frictional = rendering.contact == mesh::Contact::friction;
   if (const auto error = error_of_materials(rendering.materials, triangles, is_frictional)) return error;
-  if (is_frictional && rendering.checked.self_intersections() == mesh::SelfIntersections::allowed)
+  const bool is_regular = rendering.checked.is_regular();
+  const bool is_shaded_otherwise =
+      rendering.shading != mesh::Shading::none &&
+      (!has_corner_normals(rendering.shading) || rendering.shading == mesh::Shading::texture_scheme);
+  if (!is_regular && has_corner_normals(rendering.contact))
+    return ParameterError{"contact rule of a mesh that is not regular, by its number,", "", 1, 0, 0};
+  if (!is_regular && is_shaded_otherwise)
+    return ParameterError{"shading of a mesh that is not regular, by its number,", "", static_cast<float>(rendering.shading), 0,
+                          1};
+  if (is_frictional && is_regular && rendering.checked.self_intersections() == mesh::SelfIntersections::allowed)
     for (const mesh::Material& material : rendering.materials.list)
       if (material.static_friction > 0)
         return ParameterError{"static coefficient of friction of a mesh that may cross itself", "", material.static_friction, 0,
@@ -106,6 +116,14 @@ inline std::optional<ParameterError> first_error(const MeshRendering& rendering)
         }
     }
   return std::nullopt;
+}
+
+// The same, for a side that renders regular meshes alone.
+inline std::optional<ParameterError> first_error(const MeshRendering& rendering) {
+  if (!rendering.checked.is_regular())
+    return ParameterError{"kind of the mesh (0: regular, 1: any set of triangles, which the exact side alone renders)", "", 1,
+                          0, 0};
+  return first_error_of_any(rendering);
 }
 
 }  // namespace forceshade

@@ -60,6 +60,19 @@ void expect_crease_to_count(const Options& options, mesh::Shading shading, mesh:
               "; expected the shading vertex or texture:FILE, or the contact sub-goal, beside it");
 }
 
+// Refuses what docs/soups.md does not define.
+void expect_defined(const Options& options, const MeshRendering& rendering) {
+  if (rendering.checked.is_regular()) return;
+  const std::string_view shading = name_of(rendering.shading), contact = name_of(rendering.contact);
+  const auto refuse = [&](std::string_view key, const char* expected, std::string_view got) {
+    throw Error(options.name(key) + ": expected " + expected + " for a mesh that is not regular, got \"" + std::string(got) +
+                "\"; 'forceshade mesh check' says what it is");
+  };
+  if (has_corner_normals(rendering.contact)) refuse("contact", "direct or friction", contact);
+  if (rendering.shading != mesh::Shading::none && rendering.shading != mesh::Shading::vertex_scheme)
+    refuse("shading", "vertex or none", shading);
+}
+
 std::string words_of_friction(const Options& options) {
   const mesh::Material material = parse_friction(options.name("friction"), options.value("friction"));
   return shortest(material.static_friction) + ',' + shortest(material.dynamic_friction);
@@ -80,6 +93,7 @@ mesh::CheckedMesh checked(const Options& options, Unchecked& unchecked, const Mo
   const bool may_cross = options.is_true("self-intersecting");
   const auto result = [&] {
     try {
+      if (options.accepts_any_mesh() && !may_cross) return mesh::check_any(std::move(unchecked.loaded.mesh), monitor);
       return mesh::check(std::move(unchecked.loaded.mesh),
                          may_cross ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused, monitor);
     } catch (const Interrupted&) {
@@ -91,7 +105,8 @@ mesh::CheckedMesh checked(const Options& options, Unchecked& unchecked, const Mo
   const bool crosses = findings.counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
   throw Error(files::printable(file) + ": cannot be rendered:\n" + unchecked.words(findings) +
                   "'forceshade mesh repair' mends some of this" +
-                  (crosses && !may_cross ? "; with --self-intersecting, faces without a common vertex may cross" : ""),
+                  (crosses && !may_cross ? "; with --self-intersecting, faces without a common vertex may cross" : "") +
+                  (options.has("scene") ? "" : "; 'forceshade force' and 'plot' take any set of triangles (docs/soups.md)"),
               Error::Lines::several);
 }
 
@@ -150,11 +165,11 @@ MeshRendering rendered(const Options& options, float stiffness, const std::funct
   const mesh::Contact contact = contact_beside(materials, options);
   MeshRendering rendering{checked(options, unchecked, monitor)};
   rendering.stiffness = stiffness;
-  const bool is_closed = !options.has("sides") && mesh::facts_of(rendering.checked).is_closed();
-  const std::string sides = options.has("sides") ? options.value("sides") : is_closed ? "front" : "both";
-  rendering.sides = value_named<mesh::Sides>(sides, mesh::kSidesNames);
+  rendering.sides = options.has("sides") ? value_named<mesh::Sides>(options.value("sides"), mesh::kSidesNames)
+                                         : mesh::usual_sides(rendering.checked);
   rendering.shading = shading_named(shading_of(options));
   rendering.contact = contact;
+  expect_defined(options, rendering);
   expect_crease_to_count(options, rendering.shading, contact);
   rendering.materials = std::move(materials);
   if (rendering.has_corner_normals()) rendering.normals = mesh::corner_normals(rendering.checked, crease).normals;

@@ -78,11 +78,16 @@ class Options {
   bool is_true(std::string_view key) const { return value(key) == "true"; }
   std::string name(std::string_view key) const;
 
+  // Meshes that are not regular are read, too, for a command that can render them (docs/soups.md).
+  void accept_any_mesh() { accepts_any_mesh_ = true; }
+  bool accepts_any_mesh() const { return accepts_any_mesh_; }
+
   auto begin() const { return options_.begin(); }
   auto end() const { return options_.end(); }
 
  private:
   std::vector<Option> options_;
+  bool accepts_any_mesh_ = false;
 };
 
 enum class Laws { one, several };

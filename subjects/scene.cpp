@@ -219,8 +219,9 @@ Scene load_scene(const Options& options) {
 
 Description read_scene(const Options& options, float stiffness, const Monitor& monitor) {
   SceneReader reader(options.value("scene"));
-  const Options all = reader.options(options);
+  Options all = reader.options(options);
   Scene scene = reader.read(all);
+  if (options.accepts_any_mesh() && scene.moving.empty()) all.accept_any_mesh();
   const std::string name = std::filesystem::path(options.value("scene")).filename().string();
   const auto ground = [&] {
     const auto load = [&]() -> Unchecked {

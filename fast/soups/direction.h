@@ -184,11 +184,19 @@ struct Direction {
   }
 };
 
+// A triangle's normal.
 struct NormalOf {
-  const Face& face;
+  explicit NormalOf(const Face& its) noexcept : face(&its), about(normal<Ball>(its)) {}
+
+  const Face* face;
+  Vector3<Ball> about;
+
   template <class N>
   Vector3<N> get() const noexcept {
-    return normal<N>(face);
+    if constexpr (std::is_same_v<N, Ball>)
+      return about;
+    else
+      return normal<Whole>(*face);
   }
 };
 

@@ -232,6 +232,7 @@ void Session::resume(const State& state) {
   state_ = {};
   is_on_ = false;
   kept_.reset();
+  if (!in_domain(state.place.position)) return;
   std::optional<Point> x = point_of(*soup_, state.place);
   if (!x) return;
   if (state.place.kind != PlaceKind::free) {

@@ -107,9 +107,10 @@ void Star::find_triangles(const Point& x, std::span<const Face* const> near) {
   for (Held& held : triangles_) {
     is_rough_ = is_rough_ || soup_->static_friction(*held.face) > 0;
     held.plane = 0;
-    while (held.plane < planes_.size() && !are_parallel(NormalOf{*planes_[held.plane]}, NormalOf{*held.face})) ++held.plane;
-    if (held.plane == planes_.size()) planes_.push_back(held.face);
-    held.is_flipped = held.face != planes_[held.plane] && sign_of_dot(NormalOf{*planes_[held.plane]}, NormalOf{*held.face}) < 0;
+    const NormalOf n(*held.face);
+    while (held.plane < planes_.size() && !are_parallel(planes_[held.plane], n)) ++held.plane;
+    if (held.plane == planes_.size()) planes_.push_back(n);
+    held.is_flipped = held.face != planes_[held.plane].face && sign_of_dot(planes_[held.plane], n) < 0;
   }
 }
 
@@ -203,8 +204,8 @@ void Star::find_rays() {
         in_plane_[ray * planes_.size() + j] = 1;
       };
       if (shared == rays_.size()) {
-        offer(Line::of_planes(*planes_[i], *planes_[j], 1));
-        offer(Line::of_planes(*planes_[i], *planes_[j], -1));
+        offer(Line::of_planes(*planes_[i].face, *planes_[j].face, 1));
+        offer(Line::of_planes(*planes_[i].face, *planes_[j].face, -1));
         continue;
       }
       bool is_other_known = false;
@@ -222,18 +223,19 @@ void Star::find_rays() {
 }
 
 int Star::across(std::uint32_t plane, const Direction& d) const {
-  const Face& f = *planes_[plane];
+  const NormalOf& n = planes_[plane];
+  const Face& f = *n.face;
   if (d.in_plane != nullptr)
     if (const Held* its = held(*d.in_plane); its != nullptr && its->plane == plane) return 0;
   if (d.kind == Direction::Kind::line && d.line.is_known_in_plane(f)) return 0;
   if (d.kind == Direction::Kind::normal && d.f == &f) return d.sign;
-  return sign_of_dot(NormalOf{f}, d);
+  return sign_of_dot(n, d);
 }
 
 // The sign of the turn around the plane's normal from ray i to ray j.
 int Star::turn(std::uint32_t plane, std::uint32_t i, std::uint32_t j) const {
   if (i == j || are_opposite(i, j)) return 0;
-  return sign_of_determinant(rays_[i].along, rays_[j].along, NormalOf{*planes_[plane]});
+  return sign_of_determinant(rays_[i].along, rays_[j].along, planes_[plane]);
 }
 int Star::half_turn(std::uint32_t plane, std::uint32_t i, std::uint32_t j) const {
   if (i == j) return 0;
@@ -244,15 +246,15 @@ int Star::half_turn(std::uint32_t plane, std::uint32_t i, std::uint32_t j) const
 void Star::add_piece(std::uint32_t plane, std::uint32_t from, std::uint32_t to) {
   Piece piece{.plane = plane, .from = from, .to = to, .half = 0, .middle = {}};
   if (from == kNone) {
-    piece.middle = Direction::along(Line::of_side(*planes_[plane], 0, 1));
+    piece.middle = Direction::along(Line::of_side(*planes_[plane].face, 0, 1));
   } else {
     const Line &a = rays_[from].along.line, &b = rays_[to].along.line;
     piece.half = half_turn(plane, from, to);
     piece.middle = piece.half == 0   ? -rays_[from].along
-                   : piece.half == 2 ? Direction::across(*planes_[plane], a)
+                   : piece.half == 2 ? Direction::across(*planes_[plane].face, a)
                                      : Direction::sum_of(a, b, piece.half == 1 ? 1 : -1);
   }
-  piece.middle.in_plane = planes_[plane];
+  piece.middle.in_plane = planes_[plane].face;
   piece.first = static_cast<std::uint32_t>(piece_triangles_.size());
   for (std::uint32_t i = 0; i < triangles_.size(); ++i)
     if (triangles_[i].plane == plane && covers(triangles_[i], piece.middle)) piece_triangles_.push_back(i);
@@ -303,7 +305,7 @@ void Star::order_around_rays() {
     // The sign of the turn around the ray from one entry to another: (a x r) x (b x r) is along r as a x b is.
     const auto turn_from = [&](const Entry& a, const Entry& b) {
       if (a.plane == b.plane) return 0;
-      return a.sign() * b.sign() * sign_of_determinant(NormalOf{*planes_[a.plane]}, NormalOf{*planes_[b.plane]}, ray.along);
+      return a.sign() * b.sign() * sign_of_determinant(planes_[a.plane], planes_[b.plane], ray.along);
     };
     const Entry base = around.front();
     for (Entry& entry : around) {

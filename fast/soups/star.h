@@ -80,7 +80,7 @@ class Star {
   std::span<const Piece> pieces() const noexcept { return pieces_; }
   std::span<const Held> triangles() const noexcept { return triangles_; }  // in order
   const Held* held(const Face& f) const noexcept;
-  const Face& plane(std::uint32_t plane) const noexcept { return *planes_[plane]; }
+  const NormalOf& plane(std::uint32_t plane) const noexcept { return planes_[plane]; }
   bool is_rough() const noexcept { return is_rough_; }
 
   // The cell of d + εw for every small ε > 0; nothing where that lies on the surface.
@@ -115,7 +115,7 @@ class Star {
   // The lowest triangle of the piece that blocks on this side.
   const Held& blocking(const Side& side) const noexcept;
   Direction up(const Side& side) const noexcept {
-    return Direction::normal_of(*planes_[pieces_[side.piece].plane], side.sign());
+    return Direction::normal_of(*planes_[pieces_[side.piece].plane].face, side.sign());
   }
   // The wedge around a ray that lies at this side of a piece. A piece that begins and ends at the ray has two: it is the one
   // that follows the piece counter-clockwise.
@@ -162,7 +162,7 @@ class Star {
   bool is_rough_ = false;
   const Soup* soup_ = nullptr;
   std::vector<Held> triangles_;
-  std::vector<const Face*> planes_;  // the first triangle of each
+  std::vector<NormalOf> planes_;  // by the first triangle of each
   std::vector<Ray> rays_;
   std::vector<char> in_plane_;  // for each ray and plane: it is in the plane and its cones
   std::vector<Piece> pieces_;

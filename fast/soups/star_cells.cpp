@@ -14,8 +14,8 @@ N squared_sine(const Vector3<N>& d, const Vector3<N>& n) noexcept {
   return squared(cross(d, n));
 }
 
-int sign_of_turn(const Direction& a, const Direction& b, const Face& f) noexcept {
-  return sign_of([&]<class N>() { return determinant(a.get<N>(), b.get<N>(), normal<N>(f)); });
+int sign_of_turn(const Direction& a, const Direction& b, const NormalOf& n) noexcept {
+  return sign_of([&]<class N>() { return determinant(a.get<N>(), b.get<N>(), n.get<N>()); });
 }
 int sign_along(const Direction& a, const Direction& b) noexcept {
   return sign_of([&]<class N>() { return dot(a.get<N>(), b.get<N>()); });
@@ -86,12 +86,12 @@ std::uint32_t Star::known_ray(const Direction& d) const noexcept {
 }
 
 bool Star::is_inside(const Piece& piece, const Direction& d) const {
-  const Face& f = *planes_[piece.plane];
+  const NormalOf& n = planes_[piece.plane];
   if (piece.is_whole()) return true;
   const Direction &a = rays_[piece.from].along, &b = rays_[piece.to].along;
   const std::uint32_t known = known_ray(d);
   if (known == piece.from || known == piece.to) return false;
-  const int turn = sign_of_turn(a, d, f);
+  const int turn = sign_of_turn(a, d, n);
   int half = turn > 0 ? 1 : 3;
   if (turn == 0) {
     const int along = sign_along(a, d);
@@ -100,7 +100,7 @@ bool Star::is_inside(const Piece& piece, const Direction& d) const {
   }
   if (piece.half == 0) return true;
   if (half != piece.half) return half < piece.half;
-  return half != 2 && sign_of_turn(d, b, f) > 0;
+  return half != 2 && sign_of_turn(d, b, n) > 0;
 }
 
 // The region of the wedge around a ray that holds a direction across it; kNone on a piece, or where there is none.
@@ -112,7 +112,7 @@ std::uint32_t Star::region_at_ray(std::uint32_t ray, const Direction* across) co
   // The same within the plane of an entry.
   const auto is_along = [&](const Entry& entry) {
     return entry.sign() *
-           sign_of([&]<class N>() { return determinant(normal<N>(*planes_[entry.plane]), along.get<N>(), across->get<N>()); });
+           sign_of([&]<class N>() { return determinant(planes_[entry.plane].get<N>(), along.get<N>(), across->get<N>()); });
   };
   int half = 0;
   std::size_t before = 0;
@@ -153,7 +153,7 @@ std::uint32_t Star::region(std::uint32_t part, const Direction& d, const Directi
       const N s = dot(d.get<N>(), r);
       return {s * size_of(s), squared(r)};
     }
-    const Vector3<N> n = normal<N>(*planes_[pieces_[i].plane]);
+    const Vector3<N> n = planes_[pieces_[i].plane].get<N>();
     return {squared_sine(d.get<N>(), n), squared(n)};
   };
   Ball most;
@@ -183,11 +183,10 @@ std::uint32_t Star::region(std::uint32_t part, const Direction& d, const Directi
   if (!is_ray) return beside_piece(nearest);
   // Only w is across a ray along d.
   const std::span<const Entry> around = std::span(entries_).subspan(rays_[nearest].first, rays_[nearest].count);
-  const bool is_along =
-      std::ranges::all_of(around, [&](const Entry& entry) { return across(entry.plane, d) == 0; }) &&
-      sign_of([&]<class N>() {
-        return determinant(normal<N>(*planes_[around.front().plane]), rays_[nearest].along.get<N>(), d.get<N>());
-      }) == 0;
+  const bool is_along = std::ranges::all_of(around, [&](const Entry& entry) { return across(entry.plane, d) == 0; }) &&
+                        sign_of([&]<class N>() {
+                          return determinant(planes_[around.front().plane].get<N>(), rays_[nearest].along.get<N>(), d.get<N>());
+                        }) == 0;
   return region_at_ray(nearest, is_along ? w : &d);
 }
 
@@ -205,15 +204,15 @@ std::optional<Star::Cell> Star::cell(const Direction& d, const Direction* w) con
 
 // True if the middle of piece a comes before that of b on the way around the triangle's normal from its first side.
 bool Star::is_before_in(const Held& held, std::uint32_t a, std::uint32_t b) const {
-  const Face& f = *held.face;
-  const Direction base = Direction::along(Line::of_side(f, 0, 1));
+  const NormalOf n(*held.face);
+  const Direction base = Direction::along(Line::of_side(*held.face, 0, 1));
   const auto half = [&](const Direction& d) {
-    const int turn = sign_of_turn(base, d, f);
+    const int turn = sign_of_turn(base, d, n);
     return turn > 0 ? 1 : turn < 0 ? 3 : sign_along(base, d) > 0 ? 0 : 2;
   };
   const Direction &one = pieces_[a].middle, &other = pieces_[b].middle;
   const int of_one = half(one), of_other = half(other);
-  return of_one != of_other ? of_one < of_other : sign_of_turn(one, other, f) > 0;
+  return of_one != of_other ? of_one < of_other : sign_of_turn(one, other, n) > 0;
 }
 
 std::uint32_t Star::number_in(std::uint32_t triangle, std::uint32_t piece) const {
@@ -272,18 +271,18 @@ Star::Wedge Star::wedge(std::uint32_t ray, const Side& side) const {
   const bool turns_left = at->is_from == side.is_above;
   const Entry& next = around[(i + (turns_left ? 1 : around.size() - 1)) % around.size()];
   const Side beyond{next.piece, next.is_from != turns_left};
-  const Face &f = *planes_[at->plane], &h = *planes_[next.plane];
+  const NormalOf &f = planes_[at->plane], &h = planes_[next.plane];
   // The wedge is wide where the side's own direction comes first: up is at a right angle to the piece.
   bool is_wide = at->plane == next.plane;
   if (!is_wide) {
     const int turn = (turns_left ? 1 : -1) * at->sign() * next.sign() *
-                     sign_of([&]<class N>() { return determinant(normal<N>(f), normal<N>(h), along.get<N>()); });
+                     sign_of([&]<class N>() { return determinant(f.get<N>(), h.get<N>(), along.get<N>()); });
     is_wide = turn < 0 || -side.sign() * next.sign() * (turns_left ? 1 : -1) * sign_of([&]<class N>() {
-                return dot(normal<N>(f), normal<N>(h));
+                return dot(f.get<N>(), h.get<N>());
               }) > 0;
   }
   if (is_wide) return {up(side), beyond};
-  return {Direction::wedge(f, at->sign(), h, next.sign(), along.as_line()), beyond};
+  return {Direction::wedge(*f.face, at->sign(), *h.face, next.sign(), along.as_line()), beyond};
 }
 
 }  // namespace forceshade::fast::soups

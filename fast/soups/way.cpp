@@ -26,7 +26,7 @@ Quotient<N> gain_of(const Star& star, const Candidate& one, const Direction& u) 
     const N s = dot(u.get<N>(), r);
     return {s * size_of(s), squared(r)};
   }
-  const Vector3<N> n = normal<N>(star.plane(star.pieces()[one.wall.piece].plane));
+  const Vector3<N> n = star.plane(star.pieces()[one.wall.piece].plane).get<N>();
   return {squared(cross(u.get<N>(), n)), squared(n)};
 }
 
@@ -110,7 +110,7 @@ std::optional<Way> steepest(const Soup& soup, const At& g, const Point& p, const
   const auto leads_nearer = [&](std::uint32_t ray) {
     return sign_of([&]<class N>() { return dot(u.get<N>(), star.rays()[ray].along.get<N>()); }) > 0;
   };
-  const auto is_aside = [&](const Star::Piece& piece) { return !are_parallel(u, NormalOf{star.plane(piece.plane)}); };
+  const auto is_aside = [&](const Star::Piece& piece) { return !are_parallel(u, star.plane(piece.plane)); };
   star.for_walls(g.cell, [&](const Side& wall) {
     const Star::Piece& piece = star.pieces()[wall.piece];
     if (star.is_inside(piece, u) && is_aside(piece)) offer({wall, kNone, {}});

@@ -180,9 +180,12 @@ class TickSession : public Session {
 };
 
 class Mesh;  // fast/meshes/mesh.h
+namespace soups {
+class Soup;  // fast/soups/soup.h
+}  // namespace soups
 
-// The god-object on a mesh: state, moves and force equal the exact definition in every bit (docs/god-object.md). Copies share
-// the mesh.
+// The god-object on a mesh, also on one that is not regular: state, moves and force equal the exact definition in every bit
+// (docs/god-object.md, docs/soups.md). Copies share the mesh.
 class GodObject {
  public:
   // Refused with the reason: a stiffness outside [10^-3, 10^3] N/mm, normals and textures outside the domains of docs/meshes.md
@@ -198,14 +201,17 @@ class GodObject {
 
   // One tick from a state, as a session that goes on from it gives it, for callers that keep many states themselves. position:
   // mm. Where the god-object is free it takes longer than a session, which keeps its distance from the mesh. Without
-  // allocation, lock or exception, and from several threads at once.
+  // allocation, lock or exception, and from several threads at once; on a mesh that is not regular it opens a session, and so
+  // allocates.
   mesh::Tick tick(const mesh::GodObject& state, const std::array<float, 3>& position) const noexcept;
 
  private:
-  GodObject(std::shared_ptr<const Mesh> mesh, float stiffness, mesh::Shading shading, mesh::Contact contact) noexcept
-      : mesh_(std::move(mesh)), stiffness_(stiffness), shading_(shading), contact_(contact) {}
+  GodObject(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const soups::Soup> soup, float stiffness, mesh::Shading shading,
+            mesh::Contact contact) noexcept
+      : mesh_(std::move(mesh)), soup_(std::move(soup)), stiffness_(stiffness), shading_(shading), contact_(contact) {}
 
-  std::shared_ptr<const Mesh> mesh_;
+  std::shared_ptr<const Mesh> mesh_;         // of a regular one
+  std::shared_ptr<const soups::Soup> soup_;  // of any other
   float stiffness_;
   mesh::Shading shading_;
   mesh::Contact contact_;

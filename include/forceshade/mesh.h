@@ -7,9 +7,9 @@
 //   const bool is_new = nowhere.place == mesh::Place::nowhere;
 //
 // Lengths are in mm, forces in N, the stiffness in N/mm. A mesh is checked once, by mesh::check() of meshes.h, and only what
-// it gives can be rendered: fast::GodObject of fast.h does it, reference::GodObject of reference.h defines it. All of these
-// are values, which threads may share while none changes them. Nothing here allocates but the vectors' copies, or throws but
-// std::bad_alloc.
+// it gives can be rendered: fast::GodObject of fast.h does it, reference::GodObject of reference.h defines it. The latter also
+// renders what mesh::check_any() gives, which is any set of triangles (docs/soups.md). All of these are values, which threads
+// may share while none changes them. Nothing here allocates but the vectors' copies, or throws but std::bad_alloc.
 //
 // Not promised: more enumerators or members may come in a new version (docs/versions.md).
 //
@@ -88,33 +88,39 @@ enum class SelfIntersections { refused, allowed };
 struct Findings;
 
 // A mesh whose triangles are joined as docs/meshes.md demands. They may also meet beside their common vertices.
-// Only mesh::check_joints() and mesh::check() make it.
+// Only mesh::check_joints() makes it.
 class JoinedMesh {
  public:
   const TriangleMesh& mesh() const { return mesh_; }
 
  private:
-  friend class CheckedMesh;
   friend std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh);
   explicit JoinedMesh(TriangleMesh mesh) : mesh_(std::move(mesh)) {}
 
   TriangleMesh mesh_;
 };
 
-// A mesh that can be rendered. Only mesh::check() makes it.
-class CheckedMesh : public JoinedMesh {
+// A mesh that can be rendered. Only mesh::check() and mesh::check_any() make it.
+class CheckedMesh {
  public:
+  const TriangleMesh& mesh() const { return mesh_; }
+  // True of what mesh::check() gives, whose triangles are joined. Otherwise it is any set of triangles, of which some may have
+  // no area, and docs/soups.md defines the god-object on it.
+  bool is_regular() const { return is_regular_; }
   // `refused`: it has been found that no triangles meet beside their common vertices. `allowed`: that those with a common
-  // vertex do not, and that none meet in one plane.
+  // vertex do not, and that none meet in one plane; or it is not regular.
   SelfIntersections self_intersections() const { return self_intersections_; }
 
  private:
   friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections,
                                                    const Monitor& monitor);
-  CheckedMesh(TriangleMesh mesh, SelfIntersections self_intersections)
-      : JoinedMesh(std::move(mesh)), self_intersections_(self_intersections) {}
+  friend std::variant<CheckedMesh, Findings> check_any(TriangleMesh mesh, const Monitor& monitor);
+  CheckedMesh(TriangleMesh mesh, SelfIntersections self_intersections, bool is_regular)
+      : mesh_(std::move(mesh)), self_intersections_(self_intersections), is_regular_(is_regular) {}
 
+  TriangleMesh mesh_;
   SelfIntersections self_intersections_;
+  bool is_regular_;
 };
 
 // The one list of the shading schemes. vertex_scheme uses corner normals; texture_scheme these and a texture.
@@ -155,15 +161,33 @@ enum class Side : std::uint8_t { front, back };
 inline constexpr std::array<std::string_view, 5> kPlaceNames{"nowhere", "free", "vertex", "edge", "triangle"};
 inline constexpr std::array<std::string_view, 2> kSideNames{"front", "back"};
 
+// A place on a mesh that is not regular which lies in several features, or is the foot of a position, with a parameter that is
+// no multiple of 2^-24 (docs/soups.md). `place` and `index` are then the first feature that it names. none: `place` says all.
+enum class Meeting : std::uint8_t {
+  none,
+  line,
+  edges,
+  edge_and_triangle,
+  triangles,
+  foot_on_triangle,
+  foot_on_edge,
+  foot_on_line
+};
+
 // The whole memory of a god-object: exact, of constant size, the same on every machine. What a place does not use is 0.
 struct GodObject {
   Place place = Place::nowhere;
   Side side = Side::front;               // of the surface; front where it is free
   bool is_slipping = false;              // with friction: it slipped, and has not come to hold since
-  std::array<float, 3> position{};       // free: mm, as quantised
-  std::array<std::uint32_t, 2> index{};  // vertex v: {v}; edge: {a, b}, a < b; triangle i: {i}
+  std::array<float, 3> position{};       // free: mm, as quantised; a foot: of the hand whose foot it is
+  std::array<std::uint32_t, 2> index{};  // vertex v: {v}; edge: {a, b}, a < b; triangle i: {i}; several of them: {i, j}
   std::array<std::uint32_t, 2>
-      parameter{};  // in units of 2^-24. Edge: a + m (b - a): {m}. Triangle: a + k (b - a) + l (c - a): {k, l}
+      parameter{};  // in units of 2^-24. Edge: a + m (b - a): {m}. Triangle: a + k (b - a) + l (c - a): {k, l}. Line: {k}
+
+  // On a mesh that is not regular.
+  Meeting meeting = Meeting::none;
+  std::array<std::uint32_t, 2> further{};  // edges: of the second one; triangles, edge and triangle: the last one; line: corner
+  std::array<std::uint32_t, 2> cell{};     // the name of the cell, which `side` belongs to: triangle, number of its piece
 
   bool operator==(const GodObject&) const = default;
 };

@@ -23,6 +23,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -121,6 +122,14 @@ std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh);
 std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused,
                                           const Monitor& monitor = {});
 
+// As check() where the mesh is regular; any other set of triangles is given, too, as it is. Findings are of coordinates,
+// indices and counts alone, or of the triangles where none has an area. Throws Interrupted.
+std::variant<CheckedMesh, Findings> check_any(TriangleMesh mesh, const Monitor& monitor = {});
+
+// The sides of which no other are named. `front` where each edge has as many triangles in one direction as in the other, which
+// a closed mesh has; else `both`. Triangles without area do not count, and vertices with equal coordinates are one.
+Sides usual_sides(const CheckedMesh& mesh);
+
 struct Facts {
   std::uint64_t vertices = 0, triangles = 0;
   std::uint64_t unused_vertices = 0;           // in no triangle
@@ -134,7 +143,60 @@ struct Facts {
   bool is_closed() const { return rim_edges == 0; }
 };
 
-Facts facts_of(const JoinedMesh& mesh);
+// The mesh is regular.
+Facts facts_of(const CheckedMesh& mesh);
+
+// The kinds of things that a regular mesh has not (docs/soups.md). Pairs of triangles touch where their borders alone meet,
+// beside what common vertices say; their insides cross, or coincide in one plane.
+enum class Irregularity { no_area, same_vertices, many_at_edge, same_direction, several_fans, touching, crossing, coinciding };
+inline constexpr std::array<std::string_view, 8> kIrregularityNames{"faces without area",
+                                                                    "faces with the vertices of a face before them",
+                                                                    "edges with more than two faces",
+                                                                    "edges with faces turned over",
+                                                                    "vertices with several fans",
+                                                                    "pairs of faces that touch",
+                                                                    "pairs of faces that cross",
+                                                                    "pairs of faces that coincide"};
+
+struct Irregularities {
+  static constexpr std::size_t kListed = 5;
+
+  struct Place {
+    std::vector<std::uint32_t> triangles;  // of many only the first
+    Vertex near{};                         // mm: the vertex, the middle of the edge, or of the box in which two triangles meet
+  };
+  struct Kind {
+    std::uint64_t count = 0;
+    std::vector<Place> places;  // the first ones
+  };
+  std::array<Kind, kIrregularityNames.size()> kinds;
+  std::uint64_t equal_vertices = 0;  // that have the coordinates of one before them
+  bool is_complete = true;           // false: too many triangles are near each other to look at all pairs
+
+  const Kind& of(Irregularity kind) const { return kinds[static_cast<std::size_t>(kind)]; }
+};
+
+// Each decided exactly. Vertices with equal coordinates count as one, and triangles without area for no_area alone. Every index
+// is that of a vertex, and every coordinate is within 10000 mm. Throws Interrupted.
+Irregularities irregularities_of(TriangleMesh mesh, const Monitor& monitor = {});
+
+// A place at which two edges of one triangle each, as irregularities_of() counts, come near each other without touching.
+struct Crack {
+  std::array<std::uint32_t, 2> triangles{};
+  Vertex near{};        // mm: an end of one of them
+  double distance = 0;  // mm
+};
+
+// The edges of one triangle, and those of them that are nearer to each other than a length; two with a common end where their
+// other ends are. A crack is as wide as its distance, and a hand can pass.
+struct Borders {
+  std::uint64_t edges = 0;
+  double length = 0;  // mm, of all
+  std::vector<Crack> cracks;
+};
+
+// Each decided exactly. nearer_than: mm, 0 for none, or 2^-30 at least.
+Borders borders_of(TriangleMesh mesh, float nearer_than = 0);
 
 // The edges with one triangle that lie on another such edge, with equal ends: exporters give each side of a seam vertices of
 // its own. Only a mesh that may cross itself can have them; a hand goes between the two.
@@ -164,12 +226,20 @@ struct ComputedNormals {
 // that are joined to the corner's own triangle over edges at the vertex that do not separate. An edge separates if its
 // triangles turn by more than the crease angle, 0 to 180 degrees; at 180 none does. Each component is the binary32 number
 // nearest to the exact one; zeros are +0. Where the mean is 0 and so has no direction, the normal is (0, 0, 0), which shades
-// nothing. Throws std::invalid_argument where the angle is out of its range.
+// nothing. On a mesh that is not regular every edge separates but those of two triangles in opposite directions, with vertices
+// and triangles counted as usual_sides() does. Throws std::invalid_argument where the angle is out of its range.
 ComputedNormals corner_normals(const CheckedMesh& mesh, double crease_degrees = 180);
 
 struct Repaired {
+  // A vertex that was moved onto another, both by their numbers at first; vertices of equal coordinates count as the first.
+  struct Moved {
+    std::uint32_t vertex = 0, onto = 0;
+    double distance = 0;  // mm
+  };
+
   TriangleMesh mesh;
   std::vector<std::string> done;  // one sentence each; empty if nothing was
+  std::vector<Moved> moved;
 };
 
 // Repairs the mesh in this order: coordinates below 2^-30 mm in size are 0; vertices with equal coordinates are one, in the
@@ -178,6 +248,11 @@ struct Repaired {
 // joined over edges with two faces run along these in opposite directions, in each part as few as possible (where both ways
 // turn as many, its first face stays), unless it cannot be done. Faces that are kept stay in their order. Nothing is moved,
 // filled or cut: what is still no mesh then (include/forceshade/meshes.h) is not repaired.
-Repaired repair(TriangleMesh mesh);
+//
+// join: mm, 2^-30 at least. Then, before faces with the same vertices go, each end of an edge with one face is moved onto the
+// nearest other that was not moved and has a lower number, the lowest of equally near ones, if that is within this length,
+// decided exactly. Nothing else moves. A vertex near the inside of such an edge stays where it is, and done says so. Throws
+// std::invalid_argument with the reason where a face would lose its area or turn by a right angle or more.
+Repaired repair(TriangleMesh mesh, std::optional<float> join = {});
 
 }  // namespace forceshade::mesh

@@ -69,6 +69,9 @@ struct DecimalGeometry {
 DecimalGeometry geometry(const Parameters& parameters, unsigned digits);
 
 class Ball64;  // reference/numbers/ball64.h
+namespace meshes {
+class Ticks;  // reference/meshes/ticks.h
+}  // namespace meshes
 template <class N>
 struct BumpGeometry;  // reference/laws/bump_geometry.h
 struct LawGeometry;   // reference/law.cpp
@@ -139,8 +142,8 @@ class HeightMapField {
   float stiffness_;
 };
 
-// The god-object on a mesh: every decision the sign of an integer, the force rounded once to binary32. Immutable and safe to
-// share between threads; copies share the mesh.
+// The god-object on a mesh, also on one that is not regular (docs/soups.md): every decision the sign of an integer, the force
+// rounded once to binary32. Immutable and safe to share between threads; copies share the mesh.
 class GodObject {
  public:
   static constexpr unsigned kMostMoves = 256;  // in a tick
@@ -158,10 +161,9 @@ class GodObject {
   DecimalMapForce decimal(const mesh::GodObject& before, const std::array<float, 3>& position, unsigned digits) const;
 
  private:
-  struct Parts;
-  explicit GodObject(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+  explicit GodObject(std::shared_ptr<const meshes::Ticks> ticks) : ticks_(std::move(ticks)) {}
 
-  std::shared_ptr<const Parts> parts_;
+  std::shared_ptr<const meshes::Ticks> ticks_;
 };
 
 // A god-object that follows positions in order.

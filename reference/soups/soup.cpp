@@ -2,6 +2,8 @@
 #include "reference/soups/soup.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <map>
 #include <optional>
 
@@ -28,6 +30,32 @@ Names names_of(const mesh::TriangleMesh& mesh) {
 
 Vector normal_of(const std::array<Vector, 3>& corner) {
   return cross(corner[1] - corner[0], corner[2] - corner[0]);
+}
+
+// Around a number. The nearest binary64 towards 0 is less than one step away.
+std::array<double, 2> ends_of(const Rational& value) {
+  const double towards_zero = value.convert_to<double>();
+  return {std::nextafter(towards_zero, -HUGE_VAL), std::nextafter(towards_zero, HUGE_VAL)};
+}
+
+Box box_of(std::initializer_list<const Vector*> points) {
+  Box box{{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
+  for (const Vector* point : points) {
+    std::size_t axis = 0;
+    for (const Rational* coordinate : {&point->x, &point->y, &point->z}) {
+      const auto [low, high] = ends_of(*coordinate);
+      box.low[axis] = std::min(box.low[axis], low);
+      box.high[axis] = std::max(box.high[axis], high);
+      ++axis;
+    }
+  }
+  return box;
+}
+
+bool are_apart(const Box& a, const Box& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis]) return true;
+  return false;
 }
 
 }  // namespace
@@ -72,11 +100,20 @@ Soup::Soup(const mesh::TriangleMesh& mesh, const std::vector<mesh::Sides>& sides
                           blocks == mesh::Sides::both,
                           material.static_friction,
                           material.dynamic_friction});
+    boxes_.push_back(box_of({&corner[0], &corner[1], &corner[2]}));
   }
 }
 
 const Triangle& Soup::numbered(std::size_t number) const {
-  return *std::ranges::find(triangles_, number, &Triangle::number);
+  return *std::ranges::lower_bound(triangles_, number, {}, &Triangle::number);
+}
+
+std::vector<const Triangle*> Soup::holding(const Vector& x) const {
+  const Box around = box_of({&x});
+  std::vector<const Triangle*> all;
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    if (!are_apart(around, boxes_[i]) && triangles_[i].holds(x)) all.push_back(&triangles_[i]);
+  return all;
 }
 
 std::vector<Rational> Soup::changes(const Vector& from, const Vector& along, const Rational& most) const {
@@ -84,7 +121,11 @@ std::vector<Rational> Soup::changes(const Vector& from, const Vector& along, con
   const auto add = [&](const Rational& t) {
     if (t > 0 && t <= most) all.push_back(t);
   };
-  for (const Triangle& triangle : triangles_) {
+  const Vector end = from + most * along;
+  const Box around = box_of({&from, &end});
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    if (are_apart(around, boxes_[i])) continue;
+    const Triangle& triangle = triangles_[i];
     const Rational slope = dot(triangle.normal, along), height = dot(triangle.normal, triangle.corner[0] - from);
     if (!slope.is_zero()) {
       const Rational t = height / slope;
@@ -95,8 +136,8 @@ std::vector<Rational> Soup::changes(const Vector& from, const Vector& along, con
     // The line lies in the triangle's plane, and in the triangle from one number to another.
     std::optional<Rational> first, last;
     bool is_outside = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Rational inside = triangle.inside(i, from), grows = dot(cross(triangle.side(i), along), triangle.normal);
+    for (std::size_t side = 0; side < 3; ++side) {
+      const Rational inside = triangle.inside(side, from), grows = dot(cross(triangle.side(side), along), triangle.normal);
       if (grows.is_zero()) {
         is_outside |= inside < 0;
         continue;

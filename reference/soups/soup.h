@@ -36,6 +36,11 @@ struct Triangle {
   Vector at(const Rational& beta, const Rational& gamma) const { return corner[0] + beta * side(0) - gamma * side(2); }
 };
 
+// Ends of binary64, between which coordinates lie.
+struct Box {
+  std::array<double, 3> low, high;
+};
+
 class Soup {
  public:
   // Triangles without area are left out. sides: one for all, or one for each triangle. materials: one for each triangle, or
@@ -44,7 +49,8 @@ class Soup {
        const std::vector<mesh::Material>& materials = {});
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  const Triangle& numbered(std::size_t number) const;  // as in the file; it has an area
+  const Triangle& numbered(std::size_t number) const;           // as in the file; it has an area
+  std::vector<const Triangle*> holding(const Vector& x) const;  // in order
   const Vector& vertex(std::uint32_t name) const { return vertices_[name]; }
 
   // The numbers t > 0, up to `most`, at which the set of triangles that hold from + t along changes; in order, each once.
@@ -53,6 +59,7 @@ class Soup {
  private:
   std::vector<Vector> vertices_;
   std::vector<Triangle> triangles_;
+  std::vector<Box> boxes_;  // of the triangles
 };
 
 }  // namespace forceshade::reference::soups

@@ -66,12 +66,11 @@ struct Star::Plane {
 
 Star::Star(const Soup& soup, const Vector& x) {
   std::vector<Plane> planes;
-  for (const Triangle& triangle : soup.triangles()) {
-    if (!triangle.holds(x)) continue;
-    triangles_.push_back(&triangle);
-    auto plane = std::ranges::find_if(planes, [&](const Plane& each) { return are_parallel(each.normal, triangle.normal); });
-    if (plane == planes.end()) plane = planes.insert(plane, Plane{triangle.normal, {}});
-    plane->cones.push_back(cone_of(triangle, x));
+  triangles_ = soup.holding(x);
+  for (const Triangle* triangle : triangles_) {
+    auto plane = std::ranges::find_if(planes, [&](const Plane& each) { return are_parallel(each.normal, triangle->normal); });
+    if (plane == planes.end()) plane = planes.insert(plane, Plane{triangle->normal, {}});
+    plane->cones.push_back(cone_of(*triangle, x));
   }
   const auto add_ray = [&](const Vector& direction) {
     const Vector along =

@@ -282,7 +282,7 @@ Tick Descent::run(const State& before, unsigned most_moves) {
     return ended(*on, moves, with_bit(named(kept ? *kept : grid_place(*on), *on)), on->x == p_, status);
   };
   if (!before.place) {
-    if (std::ranges::none_of(soup_.triangles(), [&](const Triangle& each) { return each.holds(p_); })) return free(0);
+    if (soup_.holding(p_).empty()) return free(0);
     on = on_surface(p_);
     if (!on->is_rough()) return ended(*on, 0, at_rest(*on), true);
     Rounded first = rounded(*on);

@@ -11,14 +11,12 @@
 #include "rendering/half_edges.h"
 #include "rendering/meshes/box_tree.h"
 #include "rendering/meshes/findings.h"
+#include "rendering/meshes/pairs.h"
 #include "rendering/meshes/predicates.h"
 #include "rendering/meshes/readers.h"
 
 namespace forceshade::mesh {
 namespace {
-
-// The most pairs of triangles with boxes that meet, beside 64 a triangle: half a minute's work or so.
-constexpr std::uint64_t kMostPairs = std::uint64_t{1} << 30;
 
 bool is_before(const Finding& a, const Finding& b) {
   return std::tie(a.fault, a.triangles, a.vertices) < std::tie(b.fault, b.triangles, b.vertices);
@@ -149,24 +147,6 @@ void check_fans(const TriangleMesh& mesh, const std::vector<std::uint32_t>& oppo
   }
 }
 
-// Puts the corners that two triangles share first, in the same order. Returns their number.
-std::size_t shared_first(Triangle& s, Triangle& t) {
-  std::size_t shared = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = shared; k < 3; ++k)
-      if (s[i] == t[k]) {
-        std::swap(s[i], s[shared]);
-        std::swap(t[k], t[shared]);
-        ++shared;
-        break;
-      }
-  return shared;
-}
-
-bool are_in_one_plane(const TrianglePoints& s, const TrianglePoints& t) {
-  return std::ranges::all_of(t, [&](const Vertex& point) { return side_of(s[0], s[1], s[2], point) == 0; });
-}
-
 void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, bool may_cross, Collector& found) {
   Triangle s = mesh.triangles[i], t = mesh.triangles[j];
   const std::size_t shared = shared_first(s, t);
@@ -186,7 +166,7 @@ void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, bool
 
 void check_meetings(const TriangleMesh& mesh, bool may_cross, const Monitor& monitor, Collector& found) {
   const BoxTree tree(mesh);
-  const std::uint64_t most = kMostPairs + 64 * mesh.triangles.size();
+  const std::uint64_t most = most_pairs(mesh.triangles.size());
   std::atomic<std::size_t> task = 0;
   std::atomic<std::uint64_t> pairs = 0;
   std::mutex mutex;
@@ -328,7 +308,19 @@ std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections s
                            is_found))
     check_meetings(mesh, self_intersections == SelfIntersections::allowed, monitor, found);
   if (Findings findings = found.take(); !findings.empty()) return findings;
-  return CheckedMesh(std::move(mesh), self_intersections);
+  return CheckedMesh(std::move(mesh), self_intersections, true);
+}
+
+std::variant<CheckedMesh, Findings> check_any(TriangleMesh mesh, const Monitor& monitor) {
+  std::variant<CheckedMesh, Findings> checked = check(mesh, SelfIntersections::refused, monitor);
+  const auto* findings = std::get_if<Findings>(&checked);
+  if (findings == nullptr) return checked;
+  const auto is_found = [&](Fault fault) { return findings->counts[static_cast<std::size_t>(fault)] > 0; };
+  if (std::ranges::any_of(std::array{Fault::empty, Fault::index, Fault::coordinate}, is_found)) return checked;
+  quantise(mesh);
+  if (std::ranges::none_of(mesh.triangles, [&](const Triangle& triangle) { return has_area(points_of(mesh, triangle)); }))
+    return checked;
+  return CheckedMesh(std::move(mesh), SelfIntersections::allowed, false);
 }
 
 }  // namespace forceshade::mesh

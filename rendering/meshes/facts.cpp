@@ -50,7 +50,7 @@ std::uint64_t count_parts(const std::vector<std::uint32_t>& opposite) {
 
 }  // namespace
 
-Facts facts_of(const JoinedMesh& checked) {
+Facts facts_of(const CheckedMesh& checked) {
   const TriangleMesh& mesh = checked.mesh();
   const std::vector<std::uint32_t> opposite = opposite_half_edges(mesh);
   Facts facts;

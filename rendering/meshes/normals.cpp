@@ -5,6 +5,7 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "rendering/half_edges.h"
 #include "rendering/meshes/creases.h"
 #include "rendering/meshes/doubtful_normals.h"
+#include "rendering/meshes/welded.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -187,24 +189,18 @@ class Computation {
   CornerNormals& normals_;
 };
 
-}  // namespace
-
-ComputedNormals corner_normals(const CheckedMesh& checked, double crease_degrees) {
-  if (!(crease_degrees >= 0 && crease_degrees <= 180))
-    throw std::invalid_argument("expected a crease angle of 0 to 180 degrees");
-  const TriangleMesh& mesh = checked.mesh();
+// first: a half-edge of each fan.
+ComputedNormals normals_of(const TriangleMesh& mesh, double crease_degrees, std::span<const std::uint32_t> first) {
   ComputedNormals result{CornerNormals(mesh.triangles.size()), {}};
   const Computation computation(mesh, crease_degrees, result.normals);
-  std::vector<std::uint32_t> first(mesh.vertices.size(), kNoEdge);
-  for (auto h = static_cast<std::uint32_t>(3 * mesh.triangles.size()); h-- > 0;) first[start_of(mesh, h)] = h;
-  // Each thread does a part of the vertices, of which each has corners of its own.
+  // Each thread does a part of the fans, of which each has corners of its own.
   const std::size_t threads = mesh.triangles.size() < 10000 ? 1 : std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
   std::mutex mutex;
   std::exception_ptr failure;
   const auto work = [&](std::size_t i) {
     const std::size_t begin = first.size() * i / threads, end = first.size() * (i + 1) / threads;
     try {
-      const NormalStages stages = computation.run(std::span(first).subspan(begin, end - begin));
+      const NormalStages stages = computation.run(first.subspan(begin, end - begin));
       const std::lock_guard lock(mutex);
       result.stages.binary64 += stages.binary64;
       result.stages.intervals += stages.intervals;
@@ -219,6 +215,33 @@ ComputedNormals corner_normals(const CheckedMesh& checked, double crease_degrees
   others.clear();
   if (failure) std::rethrow_exception(failure);
   return result;
+}
+
+ComputedNormals normals_of_soup(const TriangleMesh& mesh, double crease_degrees) {
+  const auto [triangles, number] = welded(mesh);
+  const std::vector<std::uint32_t> opposite = opposite_half_edges(triangles);
+  std::vector<bool> is_met(opposite.size(), false);
+  std::vector<std::uint32_t> first;
+  for (std::uint32_t h = 0; h < opposite.size(); ++h) {
+    if (is_met[h]) continue;
+    first.push_back(h);
+    walk_around(opposite, h, [&](std::uint32_t at) { is_met[at] = true; });
+  }
+  ComputedNormals its = normals_of(triangles, crease_degrees, first), result{CornerNormals(mesh.triangles.size()), its.stages};
+  for (std::size_t i = 0; i < number.size(); ++i) result.normals[number[i]] = its.normals[i];
+  return result;
+}
+
+}  // namespace
+
+ComputedNormals corner_normals(const CheckedMesh& checked, double crease_degrees) {
+  if (!(crease_degrees >= 0 && crease_degrees <= 180))
+    throw std::invalid_argument("expected a crease angle of 0 to 180 degrees");
+  const TriangleMesh& mesh = checked.mesh();
+  if (!checked.is_regular()) return normals_of_soup(mesh, crease_degrees);
+  std::vector<std::uint32_t> first(mesh.vertices.size(), kNoEdge);
+  for (auto h = static_cast<std::uint32_t>(3 * mesh.triangles.size()); h-- > 0;) first[start_of(mesh, h)] = h;
+  return normals_of(mesh, crease_degrees, first);
 }
 
 }  // namespace forceshade::mesh

@@ -5,6 +5,8 @@
 
 #include "forceshade/meshes.h"
 #include "rendering/half_edges.h"
+#include "rendering/meshes/distances.h"
+#include "rendering/meshes/join.h"
 #include "rendering/meshes/predicates.h"
 #include "rendering/meshes/readers.h"
 #include "rendering/meshes/weld.h"
@@ -12,11 +14,11 @@
 namespace forceshade::mesh {
 namespace {
 
+constexpr std::size_t kNamed = 20;
 constexpr std::uint32_t kBeyond = 0xFFFFFFFF;  // in place of a vertex that does not exist
 
 // "dropped 3 faces without area: 4, 9, 12", of many only the first.
 std::string sentence(const std::string& words, const std::vector<std::uint32_t>& numbers) {
-  constexpr std::size_t kNamed = 20;
   std::string text = words + ": ";
   for (std::size_t i = 0; i < numbers.size() && i < kNamed; ++i) text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
   return numbers.size() > kNamed ? text + ", ..." : text;
@@ -28,7 +30,7 @@ class Repair {
     for (std::uint32_t i = 0; i < number_.size(); ++i) number_[i] = i;
   }
 
-  Repaired run() {
+  Repaired run(std::optional<float> length) {
     weld();
     drop("with a vertex that does not exist", [&](const Triangle& t) {
       return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return v >= mesh_.vertices.size(); });
@@ -37,9 +39,10 @@ class Repair {
     drop("without area", [&](const Triangle& t) {
       return !has_area({mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]});
     });
+    if (length) join(*length);
     drop_same();
     orient();
-    return {std::move(mesh_), std::move(done_)};
+    return {std::move(mesh_), std::move(done_), std::move(moved_)};
   }
 
  private:
@@ -58,6 +61,7 @@ class Repair {
       if (!is_valid) continue;
       ++valid;
       place[v] = welder.place_of(vertex);
+      if (place[v] == first_.size()) first_.push_back(static_cast<std::uint32_t>(v));
     }
     const std::size_t count = mesh_.vertices.size();
     mesh_.vertices = welder.take();
@@ -69,6 +73,29 @@ class Repair {
     if (mesh_.vertices.size() < valid)
       done_.push_back("joined " + std::to_string(valid - mesh_.vertices.size()) +
                       " vertices to another with the same coordinates");
+  }
+
+  void join(float length) {
+    const Join join = join_borders(mesh_, length, number_);
+    for (std::uint32_t v = 0; v < join.onto.size(); ++v)
+      if (const std::uint32_t onto = join.onto[v]; onto != v)
+        moved_.push_back({first_[v], first_[onto], squared(side(mesh_.vertices[v], mesh_.vertices[onto])).root()});
+    for (Triangle& t : mesh_.triangles)
+      for (std::uint32_t& v : t) v = join.onto[v];
+    const std::string within = " within " + shortest(length) + " mm";
+    if (!moved_.empty()) {
+      std::string words = "moved " + std::to_string(moved_.size()) + " vertices of borders onto another" + within + ": ";
+      for (std::size_t i = 0; i < moved_.size() && i < kNamed; ++i)
+        words += (i == 0 ? "" : ", ") + std::to_string(moved_[i].vertex) + " onto " + std::to_string(moved_[i].onto) + " by " +
+                 shortest(static_cast<float>(moved_[i].distance)) + " mm";
+      done_.push_back(moved_.size() > kNamed ? words + ", ..." : words);
+    }
+    std::vector<std::uint32_t> beside;
+    for (const std::uint32_t v : join.beside) beside.push_back(first_[v]);
+    if (!beside.empty())
+      done_.push_back(sentence("left " + std::to_string(beside.size()) + " vertices" + within +
+                                   " of the inside of a border's edge, which has no vertex there",
+                               beside));
   }
 
   // The faces of which it is so go. `number_` keeps the numbers that the faces had.
@@ -157,13 +184,15 @@ class Repair {
 
   TriangleMesh mesh_;
   std::vector<std::uint32_t> number_;  // of each face, which it had at first
+  std::vector<std::uint32_t> first_;   // of each vertex, the first with its coordinates
   std::vector<std::string> done_;
+  std::vector<Repaired::Moved> moved_;
 };
 
 }  // namespace
 
-Repaired repair(TriangleMesh mesh) {
-  return Repair(std::move(mesh)).run();
+Repaired repair(TriangleMesh mesh, std::optional<float> join) {
+  return Repair(std::move(mesh)).run(join);
 }
 
 }  // namespace forceshade::mesh

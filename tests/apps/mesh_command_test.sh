@@ -117,6 +117,45 @@ for name in mine.stl mine.PLY mine.obj; do
   same kept "$(cat $name)"
 done
 expect 1 "FAILED: " -- mesh repair folded.off --unit mm --out folded2.off
+# Any set of triangles: what it is, and its force. The hand that has crossed the second face's plane is held in the valley of both.
+expect 1 "pairs of faces that cross 1: faces 0 and 1 near (3, 1, 0) mm" -- mesh check crossing.off --unit mm
+also "FAILED: no regular mesh" "a gap is a gap" "borders          6 edges with one face"
+expect 1 '"pairs of faces that cross": {' -- mesh check crossing.off --unit mm --json
+printf 'x_mm,y_mm,z_mm\n2.5,0.5,1\n2.5,0.5,-0.2\n2.5,1.5,-0.2\n' > valley.csv
+for digits in "" "--digits binary32"; do
+  expect 0 "2.5,1.5,-0.2,0,-0.25,0.1,contact" -- "$forceshade" force valley.csv --mesh crossing.off --unit mm --shading none $digits
+done
+expect 2 '--shading: expected vertex or none for a mesh that is not regular, got "edge"' -- \
+  "$forceshade" force valley.csv --mesh crossing.off --unit mm --shading edge
+expect 2 '--contact: expected direct or friction for a mesh that is not regular' -- \
+  "$forceshade" force valley.csv --mesh crossing.off --unit mm --contact sub-goal
+expect 2 "take any set of triangles" -- "$forceshade" properties --mesh crossing.off --unit mm --cases 1
+expect 2 "face 0 has no area" -- "$forceshade" force valley.csv --mesh flat.off --unit mm
+# Objects of a scene that touch: the hand goes over their seam and feels nothing of it, and the wedge between two is no way in.
+mesh make cube --size 20mm --out twenty.off
+printf '[[object]]\nname = "left"\nmesh = "twenty.off"\nunit = "mm"\ntranslation = [-10, 0, 0]\n\n[[object]]\nname = "right"\n' > touching.toml
+printf 'mesh = "twenty.off"\nunit = "mm"\ntranslation = [10, 5, 0]\n' >> touching.toml
+printf 'x_mm,y_mm,z_mm\n-5,0,12\n-5,0,8\n5,0,8\n' > seam.csv
+same "0,0,1,contact" "$("$forceshade" force seam.csv --scene touching.toml --shading none | tail -2 | cut -d, -f4- | uniq)"
+expect 1 "pairs of faces that coincide" -- mesh check touching.toml
+# Cracks, and what closes them.
+printf 'OFF\n8 4 0\n0 0 0\n10 0 0\n10 10 0\n0 10 0\n10.01 0 0\n20 0 0\n20 10 0\n10.01 10 0\n3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n' > plates.off
+expect 0 "borders          8 edges with one face, 79.97" -- mesh check plates.off --unit mm
+expect 0 "7 pairs of these edges are nearer to each other than 0.02 mm without touching, and a hand can pass: faces 0 and 2, 0.0100" -- \
+  mesh check plates.off --unit mm --cracks 0.02mm
+expect 0 "0 pairs of these edges are nearer to each other than 0.01 mm" -- mesh check plates.off --unit mm --cracks 0.01mm
+expect 0 '"nearer_than_mm"' -- mesh check plates.off --unit mm --cracks 0.02mm --json
+expect 0 "moved 2 vertices of borders onto another within 0.02 mm: 4 onto 1 by 0.0100" -- \
+  mesh repair plates.off --unit mm --out joined.off --join 0.02mm
+expect 0 "faces            4 in 1 part" -- mesh check joined.off --unit mm
+same "$(sed -n '3,6p' plates.off)" "$(sed -n '3,6p' joined.off)"
+expect 0 '"onto": 1' -- mesh repair plates.off --unit mm --out joined.off --overwrite --join 0.02mm --json
+expect 0 "nothing to repair" -- mesh repair plates.off --unit in --out inches.off --join 0.02mm
+expect 2 "--join: face 0 would lose its area" -- mesh repair plates.off --unit mm --out none.off --join 10mm
+expect 2 "--join: expected a length of 2^-30 to 10000 mm" -- mesh repair plates.off --unit mm --out none.off --join 0
+expect 2 "--join" -- mesh repair plates.off --unit mm --out none.off --join 3kg
+expect 2 "--unit" -- mesh repair plates.off --out none.off --join 0.02mm
+same "" "$(ls | grep none)"
 # Normals in a file are not rendered: it is said, and a certificate is the same.
 printf 'NOFF\n4 4 0\n0 0 0 1 0 0\n9 0 0 0 1 0\n0 9 0 0 0 1\n0 0 9 1 1 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n' > with.off
 sed -e '1s/N//' -e 's/^\([0-9]\) \([0-9]\) \([0-9]\) [01] [01] [01]$/\1 \2 \3/' with.off > without.off

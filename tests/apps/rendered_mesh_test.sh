@@ -82,11 +82,12 @@ expect 2 "--crease" -- "$forceshade" force path.csv $mesh --crease 200
 expect 2 "--mesh" -- "$forceshade" force path.csv --law wall $mesh
 expect 2 "--unit" -- "$forceshade" force path.csv --law wall --unit mm
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n2 2 0\n3 0 1 2\n3 0 1 3\n' > folded.off
-expect 2 "folded.off: cannot be rendered" -- "$forceshade" force path.csv --mesh folded.off --unit mm
+expect 0 "5,0,-30,0,0,0,free" -- "$forceshade" force path.csv --mesh folded.off --unit mm
+expect 2 "folded.off: cannot be rendered" -- "$forceshade" properties --mesh folded.off --unit mm
 expect 2 "cannot be rendered:
 lines 7 and 8: faces 0 and 1 run along their edge, of vertices 0 and 1, in the same direction: one of them is turned over
 lines 7 and 8: faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1
-'forceshade mesh repair' mends some of this" -- "$forceshade" force path.csv --mesh folded.off --unit mm
+'forceshade mesh repair' mends some of this" -- "$forceshade" properties --mesh folded.off --unit mm
 expect 2 "none.off" -- "$forceshade" certify --mesh none.off --unit mm --out none
 [ ! -e none ] || { echo "FAILED: a folder is left behind"; exit 1; }
 
@@ -130,14 +131,14 @@ printf 'OFF\n8 4 0\n-20 -20 0\n20 -20 0\n20 20 0\n-20 20 0\n0 -19 -7\n0 19 -7\n0
 plates="--mesh plates.off --unit mm --sides front --shading none"
 crossing="$plates --self-intersecting"
 printf 'x_mm,y_mm,z_mm\n5,1,3\n5,1,-1\n-1,1,-1\n-1,3,-1\n5,3,-1\n' > groove.csv
-expect 2 "with --self-intersecting, faces without a common vertex may cross" -- "$forceshade" force groove.csv $plates
-for side in "" "--digits binary32"; do
+expect 2 "with --self-intersecting, faces without a common vertex may cross" -- "$forceshade" properties $plates
+for side in "" "--digits binary32" "--self-intersecting" "--self-intersecting --digits binary32"; do
   same "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status
 5,1,3,0,0,0,free
 5,1,-1,0.00,0.00,0.50,contact
 -1,1,-1,0.50,0.00,0.50,contact
 -1,3,-1,0.50,0.00,0.50,contact
-5,3,-1,0.00,0.00,0.50,contact" "$("$forceshade" force groove.csv $crossing --stiffness 0.5 $side |
+5,3,-1,0.00,0.00,0.50,contact" "$("$forceshade" force groove.csv $plates --stiffness 0.5 $side |
     awk -F, -v OFS=, 'NR > 2 { for (i = 4; i < 7; ++i) $i = sprintf("%.2f", $i < 0 ? -$i : $i) } 1')"
 done
 expect 0 "plates.off      states        held    50 cases" -- "$forceshade" properties $crossing --cases 50

@@ -72,8 +72,8 @@ fi
 
 # Faults of a scene.
 sed 's/"0.1mm"/-1/' scenes/table.toml > scenes/crossing.toml
-for command in "mesh check scenes/crossing.toml" "force --scene scenes/crossing.toml"; do
-  code=2; [ "${command%% *}" = force ] || code=1
+for command in "mesh check scenes/crossing.toml" "properties --scene scenes/crossing.toml"; do
+  code=2; [ "${command%% *}" = properties ] || code=1
   expect $code "object board, face 0 (line 7), and object knob, face 0 (line 19), meet, but have no vertex in common" -- \
     "$forceshade" $command
 done
@@ -83,6 +83,7 @@ sed -i '/^friction/d; /^materials/d' scenes/crossing.toml
 expect 0 "held: a scene of 42 faces; whether faces without a common vertex cross was not checked" -- \
   "$forceshade" mesh check scenes/crossing.toml --self-intersecting
 expect 0 "contact" -- "$forceshade" force stroke.csv --scene scenes/crossing.toml --self-intersecting
+expect 0 "contact" -- "$forceshade" force stroke.csv --scene scenes/crossing.toml
 expect 2 "scenes/table.toml: line 2: shading: expected once, got several times" -- "$forceshade" force $table --shading edge
 expect 2 "--scene" -- "$forceshade" force $table --mesh scenes/knob.obj --unit mm
 expect 2 "--scene" -- "$forceshade" force $table --law wall
