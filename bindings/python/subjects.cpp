@@ -132,8 +132,11 @@ Description mesh_of_arrays(const py::buffer& vertices, const py::buffer& triangl
   const auto checked =
       interruptible([&](const std::atomic<bool>& stop) { return mesh::check(std::move(all), allowed, Monitor({}, stop)); });
   const py::gil_scoped_release released;
-  if (const auto* findings = std::get_if<mesh::Findings>(&checked))
-    throw py::value_error("the mesh cannot be rendered: " + findings->words());
+  if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
+    std::string words = findings->words();
+    if (words.ends_with('\n')) words.pop_back();
+    throw py::value_error("the mesh cannot be rendered: " + words);
+  }
   return c::described(std::get<mesh::CheckedMesh>(checked), blocked, static_cast<mesh::Shading>(scheme), rule, crease,
                       stiffness, std::move(surface));
 }
