@@ -74,8 +74,7 @@ class Search : private Draws {
     const std::uint64_t kind = bits() % 4;
     if (kind == 0) return largest_fan_;
     for (int i = 0; kind == 1 && i < kLooksForValley; ++i, h = any())
-      if (mesh_.twin(h) != fast::kRim && mesh_.face(fast::face_of(h)).edge_angle(fast::corner_of(h)) == fast::EdgeAngle::narrow)
-        break;
+      if (mesh_.twin(h) != fast::kRim && mesh_.face(fast::face_of(h)).fold(fast::corner_of(h)) == fast::Fold::narrow) break;
     return h;
   }
   Vector3d start(fast::HalfEdge h) const { return point(mesh_.start_point(h)); }

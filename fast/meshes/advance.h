@@ -23,8 +23,10 @@ template <class Stages>
 FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const HandAndGoal& ends, float stiffness,
                               mesh::Shading shading, const Stages& stages, mesh::Tick& tick) noexcept {
   tick.moves = static_cast<std::uint16_t>(at.moves);
-  tick.status = !at.is_finished ? Status::unfinished : at.spot.place == mesh::Place::free ? Status::free : Status::contact;
-  if (mesh.has_stiffness() && is_touching(at.spot)) stiffness = stiffness_at(mesh, at.spot, stiffness);
+  tick.status = !at.is_finished                            ? Status::unfinished
+                : at.grid_point.place == mesh::Place::free ? Status::free
+                                                           : Status::contact;
+  if (mesh.has_stiffness() && is_touching(at.grid_point)) stiffness = stiffness_at(mesh, at.grid_point, stiffness);
   ForceDecision decided;
   set_force(mesh_force(mesh, at, ends, stiffness, shading, Stages::kFilter, &decided), tick);
   if (decided.last != Stage::binary64) stages.note(decided.last);

@@ -75,7 +75,7 @@ inline constexpr Span3 kFootInTriangle = scaled_span(dot(kFaceNormalSpan, kEdgeS
 inline constexpr Span3 kFootOnEdge = cross(kEdgeSpan, cross(kEdgeSpan, kEdgeSpan));
 inline constexpr Span3 kWayInTriangle = all_three(kFootInTriangle.x + square(kFaceNormalSpan) * kEdgeSpan.x);
 inline constexpr Span3 kWayOnEdge = all_three(kFootOnEdge.x + square(kEdgeSpan) * kEdgeSpan.x);
-inline constexpr Span3 kWayAtSpot =
+inline constexpr Span3 kWayAtGridPoint =
     all_three(kWeightSpan * kEdgeSpan.x + kWeightSpan * kEdgeSpan.x + kWeightSpan * kEdgeSpan.x);
 
 // The spans of a corner's weight in a triangle, and of an end's on an edge.
@@ -105,9 +105,9 @@ inline constexpr ShadedCase kShadedCases[]{
     {kWayInTriangle, square(kFaceNormalSpan), by_edges(kWeightInTriangle)},
     {kWayOnEdge, square(kEdgeSpan), interpolated(kWeightOnEdge)},
     {kWayOnEdge, square(kEdgeSpan), across_edge(kWayOnEdge, kWeightOnEdge)},
-    {kWayAtSpot, kGridSpan, interpolated(kWeightSpan)},
-    {kWayAtSpot, kGridSpan, by_edges(kWeightSpan)},
-    {kWayAtSpot, kGridSpan, across_edge(kWayAtSpot, kWeightSpan)},
+    {kWayAtGridPoint, kGridSpan, interpolated(kWeightSpan)},
+    {kWayAtGridPoint, kGridSpan, by_edges(kWeightSpan)},
+    {kWayAtGridPoint, kGridSpan, across_edge(kWayAtGridPoint, kWeightSpan)},
 };
 
 // Cases in which friction takes a part of the force: what presses, at the point of the grid, and its directions; and r - q less
@@ -120,7 +120,7 @@ inline constexpr ShadedCase kPulledCases[]{
     {kFootOnEdge, square(kEdgeSpan), across_edge(kFootOnEdge, kWeightSpan)},
 };
 constexpr int bits_of_pulled_force(const ShadedCase& of) noexcept {
-  const BitSpan pull = of.length * kWayAtSpot.x - kGridSpan * of.way.x, root = kStiffnessSpan * of.direction.x;
+  const BitSpan pull = of.length * kWayAtGridPoint.x - kGridSpan * of.way.x, root = kStiffnessSpan * of.direction.x;
   const BitSpan rest = kTieSpan * (kGridSpan * of.length) - kStiffnessSpan * pull;
   return bits_to_compare(kGridSpan * kGridSpan * (root * root * square(of.way)), rest * rest * square(of.direction));
 }

@@ -2,8 +2,8 @@
 #pragma once
 // The straight way from the god-object's point to p: where it first meets the surface from a side on which it may not go on.
 
+#include "fast/meshes/grid_point.h"
 #include "fast/meshes/heading.h"
-#include "fast/meshes/spot.h"
 
 namespace forceshade::fast {
 
@@ -32,7 +32,8 @@ template <class Stages>
 class Flight {
  public:
   // `from` is the god-object's point g, U = 2^24(p - g) not 0.
-  Flight(const Mesh& mesh, const Spot& from, const Point& g, const Offset& U, const float* p, const Stages& stages) noexcept
+  Flight(const Mesh& mesh, const GridPoint& from, const Point& g, const Offset& U, const float* p,
+         const Stages& stages) noexcept
       : mesh_(mesh), from_(from), g_(g), U_(U), p_(p), stages_(stages) {}
 
   // Looks at every triangle that the flight may meet before it lands.
@@ -262,23 +263,24 @@ class Flight {
   bool is_blocked(Hit& hit) noexcept {
     const bool is_one_sided = mesh_.sides() == mesh::Sides::front;
     if (hit.part == Hit::Part::triangle) return !is_one_sided || hit.side == mesh::Side::front;
-    const Aim from = aim(hit, true);
+    const DirectionKind from = kind(hit, true);
     const Heading onward = heading(hit, false);
-    if (onward.aim == Aim::open || onward.aim == from || (is_one_sided && from == Aim::back && onward.aim == Aim::front))
+    if (onward.kind == DirectionKind::open || onward.kind == from ||
+        (is_one_sided && from == DirectionKind::back && onward.kind == DirectionKind::front))
       return false;
     onward_ = onward;
-    hit.side = !is_one_sided && from == Aim::back ? mesh::Side::back : mesh::Side::front;
+    hit.side = !is_one_sided && from == DirectionKind::back ? mesh::Side::back : mesh::Side::front;
     return true;
   }
 
   // The side that the flight's direction leads to, or the one it comes from, at an edge or a corner.
-  Aim aim(const Hit& hit, bool is_opposite) const noexcept { return heading(hit, is_opposite).aim; }
+  DirectionKind kind(const Hit& hit, bool is_opposite) const noexcept { return heading(hit, is_opposite).kind; }
   Heading heading(const Hit& hit, bool is_opposite) const noexcept {
     const Vector3<double> d = is_opposite ? Vector3<double>{-U_.U.x, -U_.U.y, -U_.U.z} : U_.U;
     const Direction direction{d, U_.size, &g_, p_, is_opposite};
     const Headings<Stages> headings(mesh_, direction, stages_);
     const HalfEdge h = 3 * hit.face + hit.corner;
-    if (hit.part == Hit::Part::edge) return {headings.aim_at_edge(h), {}};
+    if (hit.part == Hit::Part::edge) return {headings.kind_at_edge(h), {}};
     return headings.at_vertex(mesh_.start(h));
   }
 
@@ -294,7 +296,7 @@ class Flight {
                      ? mesh::Side::back
                      : mesh::Side::front;
     } else {
-      hit.side = aim(hit, true) == Aim::back ? mesh::Side::back : mesh::Side::front;
+      hit.side = kind(hit, true) == DirectionKind::back ? mesh::Side::back : mesh::Side::front;
     }
     if (mesh_.sides() == mesh::Sides::front) hit.side = mesh::Side::front;
     end_ = hit;
@@ -324,7 +326,7 @@ class Flight {
 
  private:
   const Mesh& mesh_;
-  const Spot& from_;
+  const GridPoint& from_;
   const Point& g_;
   const Offset& U_;
   const float* p_;

@@ -52,21 +52,21 @@ float rounded_quotient(const FixedInteger<kNum>& num, const FixedInteger<kDen>& 
     using Sum = decltype(vector.x + length * past.x);
     return rounded(Vector3<Sum>{vector.x + length * past.x, vector.y + length * past.y, vector.z + length * past.z}, length);
   };
-  const Spot& spot = arrival.spot;
-  if (arrival.rest == Rest::in_triangle) {
-    const Face& f = mesh.face(face_of(spot.half));
+  const GridPoint& grid_point = arrival.grid_point;
+  if (arrival.rest == RestKind::in_triangle) {
+    const Face& f = mesh.face(face_of(grid_point.half));
     const auto n = ExactFace(f).n;
     const auto across = -dot(n, exact_difference(ends.goal(), f.corner[0].data()));
     return rounded_past_goal(Vector3<decltype(across * n.x)>{across * n.x, across * n.y, across * n.z}, square(n));
   }
-  if (arrival.rest == Rest::on_edge) {
-    const float* const start = mesh.start_point(spot.half);
-    const ExactDifference e = exact_difference(mesh.start_point(next(spot.half)), start);
+  if (arrival.rest == RestKind::on_edge) {
+    const float* const start = mesh.start_point(grid_point.half);
+    const ExactDifference e = exact_difference(mesh.start_point(next(grid_point.half)), start);
     return rounded_past_goal(cross(e, cross(e, exact_difference(ends.goal(), start))), square(e));
   }
-  if (arrival.rest == Rest::at_goal)
+  if (arrival.rest == RestKind::at_goal)
     return rounded(exact_difference(ends.goal(), ends.hand()), FixedInteger<26>(std::int64_t{1}));
-  const ExactOffset U = exact_offset_from(point_of(mesh, spot), ends.hand());
+  const ExactOffset U = exact_offset_from(point_of(mesh, grid_point), ends.hand());
   return rounded(ExactOffset{-U.x, -U.y, -U.z}, FixedInteger<26>(std::int64_t{kGrid}));
 }
 
@@ -159,7 +159,7 @@ FORCESHADE_INLINE std::optional<Force3> quick_force(const Face& f, const Plane& 
 
 // From 2^24(p - r) at a rest that friction holds, each component to `error`; where that is 0, as offset_from() computes it: to
 // 2^-53 of its size and 2^-63; as it is a multiple of 2^-53, a component that is computed as 0 is 0 then.
-FORCESHADE_INLINE bool is_sure_at_spot(const Vector3<double>& U, double error, double K, Force3& force) noexcept {
+FORCESHADE_INLINE bool is_sure_at_grid_point(const Vector3<double>& U, double error, double K, Force3& force) noexcept {
   bool is_sure = true;
   const double fixed = 0x1p-24 * K * (error + 0x1p-62);
   const auto component = [&](double along) FORCESHADE_INLINE_BODY -> float {
@@ -175,13 +175,14 @@ FORCESHADE_INLINE bool is_sure_at_spot(const Vector3<double>& U, double error, d
 [[gnu::noinline]] std::optional<Force3> force_from_offset(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
                                                           double K) noexcept {
   Force3 force;
-  if (!is_sure_at_spot(offset_from(point_of(mesh, arrival.spot), ends.hand(), 0).U, 0, K, force)) return std::nullopt;
+  if (!is_sure_at_grid_point(offset_from(point_of(mesh, arrival.grid_point), ends.hand(), 0).U, 0, K, force))
+    return std::nullopt;
   return force;
 }
-FORCESHADE_INLINE std::optional<Force3> quick_force_at_spot(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
-                                                            double K) noexcept {
+FORCESHADE_INLINE std::optional<Force3> quick_force_at_grid_point(const Mesh& mesh, const Arrival& arrival,
+                                                                  const HandAndGoal& ends, double K) noexcept {
   Force3 force;
-  if (is_sure_at_spot(arrival.to_hand.U, arrival.error_to_hand, K, force)) [[likely]]
+  if (is_sure_at_grid_point(arrival.to_hand.U, arrival.error_to_hand, K, force)) [[likely]]
     return force;
   if (arrival.error_to_hand == 0) return std::nullopt;
   return force_from_offset(mesh, arrival, ends, K);
@@ -191,8 +192,10 @@ FORCESHADE_INLINE std::optional<Force3> quick_force_at_spot(const Mesh& mesh, co
 FORCESHADE_INLINE std::optional<Force3> force_in_binary64(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends,
                                                           double K) noexcept {
   if (ends.are_one()) {
-    if (arrival.rest == Rest::in_triangle) return quick_force(mesh.face(face_of(arrival.spot.half)), arrival.plane, K);
-    if (arrival.rest == Rest::at_spot && arrival.to_hand.size > 0) return quick_force_at_spot(mesh, arrival, ends, K);
+    if (arrival.rest == RestKind::in_triangle)
+      return quick_force(mesh.face(face_of(arrival.grid_point.half)), arrival.plane, K);
+    if (arrival.rest == RestKind::at_grid_point && arrival.to_hand.size > 0)
+      return quick_force_at_grid_point(mesh, arrival, ends, K);
   }
   return unshaded_force(mesh, arrival, ends, K);
 }
@@ -205,7 +208,7 @@ std::optional<std::array<float, 3>> mesh_force(const Mesh& mesh, const Arrival& 
   ForceDecision ignored;
   ForceDecision& by = decided != nullptr ? *decided : ignored;
   by = {};
-  if (arrival.rest == Rest::none || (arrival.rest == Rest::at_goal && ends.are_one())) return Force3{};
+  if (arrival.rest == RestKind::none || (arrival.rest == RestKind::at_goal && ends.are_one())) return Force3{};
   const auto K = static_cast<double>(stiffness);
   if (shading == mesh::Shading::none) {
     if (is_filtered)

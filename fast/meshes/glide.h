@@ -32,7 +32,7 @@ template <class Stages>
   constexpr double kTwoSteps = 0x1p-23;
   const Mesh& mesh = rests.mesh_;
   const Stages& stages = rests.stages_;
-  const mesh::Side side = at.spot.side;
+  const mesh::Side side = at.grid_point.side;
   const auto point = [](const float* at) {
     return Vector3<double>{static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])};
   };
@@ -65,7 +65,7 @@ template <class Stages>
       at.moves = moves + 1;
       at.plane = {n, across, all, area, size_w};
       rests.put(rests.rest_in_triangle(f, weights, side));
-      at.rest = Rest::in_triangle;
+      at.rest = RestKind::in_triangle;
       return true;
     }
     bool is_over_O_E = at_S < 0;  // out over the edge from O to E; else over that from S to O

@@ -8,7 +8,7 @@
 namespace forceshade::fast {
 
 // The side to which a direction points, seen from a point of the surface.
-enum class Aim { on, open, front, back };
+enum class DirectionKind { on, open, front, back };
 
 // The steepest way along the surface.
 struct Slide {
@@ -18,15 +18,15 @@ struct Slide {
 };
 
 struct Heading {
-  Aim aim;
+  DirectionKind kind;
   Slide way;
   int triangles = 0;  // that were looked at, at a vertex
 };
 
 // Beside an edge with two triangles, d being on neither; first, second: the signs of n·d.
-FORCESHADE_INLINE Aim aim_between(const Mesh& mesh, HalfEdge h, int first, int second) noexcept {
-  const bool is_narrow = mesh.face(face_of(h)).edge_angle(corner_of(h)) == EdgeAngle::narrow;
-  return (is_narrow ? first > 0 && second > 0 : first > 0 || second > 0) ? Aim::front : Aim::back;
+FORCESHADE_INLINE DirectionKind kind_between(const Mesh& mesh, HalfEdge h, int first, int second) noexcept {
+  const bool is_narrow = mesh.face(face_of(h)).fold(corner_of(h)) == Fold::narrow;
+  return (is_narrow ? first > 0 && second > 0 : first > 0 || second > 0) ? DirectionKind::front : DirectionKind::back;
 }
 
 // The position of a direction d at an edge relative to a triangle there: the signs of n·d, and of (e x d)·n, positive where d
@@ -36,11 +36,11 @@ struct Beside {
 };
 
 // The side to which d points from a point inside the edge h. second: of the triangle beyond the edge; at the rim there is none.
-FORCESHADE_INLINE Aim aim_beside(const Mesh& mesh, HalfEdge h, const Beside& first, const Beside& second) noexcept {
-  if (first.side == 0 && first.inward >= 0) return Aim::on;
-  if (mesh.twin(h) == kRim) return Aim::open;
-  if (second.side == 0 && second.inward >= 0) return Aim::on;
-  return aim_between(mesh, h, first.side, second.side);
+FORCESHADE_INLINE DirectionKind kind_beside(const Mesh& mesh, HalfEdge h, const Beside& first, const Beside& second) noexcept {
+  if (first.side == 0 && first.inward >= 0) return DirectionKind::on;
+  if (mesh.twin(h) == kRim) return DirectionKind::open;
+  if (second.side == 0 && second.inward >= 0) return DirectionKind::on;
+  return kind_between(mesh, h, first.side, second.side);
 }
 
 // 2^24(p - g) or its opposite.
@@ -104,10 +104,10 @@ class Headings {
   }
 
   // At a point inside an edge.
-  Aim aim_at_edge(HalfEdge h) const noexcept {
+  DirectionKind kind_at_edge(HalfEdge h) const noexcept {
     const HalfEdge other = mesh_.twin(h);
-    return aim_beside(mesh_, h, {side(face_of(h)), inward(h)},
-                      other == kRim ? Beside{} : Beside{side(face_of(other)), inward(other)});
+    return kind_beside(mesh_, h, {side(face_of(h)), inward(h)},
+                       other == kRim ? Beside{} : Beside{side(face_of(other)), inward(other)});
   }
 
   // At a point inside an edge: the steepest way; nothing where none leads nearer.
@@ -147,9 +147,9 @@ class Headings {
       h = following;
     } while (h != kRim && h != start);
     if (!is_at_rim && into_last <= 0 && into_first_from_start <= 0) offer({Slide::Along::edge, start, false});
-    const Aim aim = aim_at_vertex(best, is_at_rim);
+    const DirectionKind kind = kind_at_vertex(best, is_at_rim);
     if (best.along == Slide::Along::edge && along(best) <= 0) best = {};
-    return {aim, best, triangles};
+    return {kind, best, triangles};
   }
 
   // True if `a` is steeper than `b`, or comes before it where both are alike.
@@ -174,17 +174,17 @@ class Headings {
 
  private:
   const float* end_point(HalfEdge h) const noexcept { return mesh_.start_point(next(h)); }
-  static Aim aim_of(bool is_front) noexcept { return is_front ? Aim::front : Aim::back; }
+  static DirectionKind kind_of(bool is_front) noexcept { return is_front ? DirectionKind::front : DirectionKind::back; }
 
-  Aim aim_at_vertex(const Slide& best, bool is_at_rim) const noexcept {
+  DirectionKind kind_at_vertex(const Slide& best, bool is_at_rim) const noexcept {
     if (best.along == Slide::Along::triangle) {
       const int sign = side(face_of(best.half));
-      return sign == 0 ? Aim::on : is_at_rim ? Aim::open : aim_of(sign > 0);
+      return sign == 0 ? DirectionKind::on : is_at_rim ? DirectionKind::open : kind_of(sign > 0);
     }
     const int first = side(face_of(best.half));
-    if (first == 0 && inward(best.half) == 0 && along(best) > 0) return Aim::on;
-    if (is_at_rim) return Aim::open;
-    return aim_between(mesh_, best.half, first, side(face_of(mesh_.twin(best.half))));
+    if (first == 0 && inward(best.half) == 0 && along(best) > 0) return DirectionKind::on;
+    if (is_at_rim) return DirectionKind::open;
+    return kind_between(mesh_, best.half, first, side(face_of(mesh_.twin(best.half))));
   }
 
   // e·d, e leading away from the vertex.

@@ -38,7 +38,7 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
     result.face_of_file_[order[f]] = f;
     face.vertex = triangles.triangles[order[f]];
     face.twin.fill(kRim);
-    face.index_and_edge_angles = order[f] << Face::kBendBits;
+    face.index_and_folds = order[f] << Face::kBendBits;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         face.corner[i][axis] = quantised(triangles.vertices[face.vertex[i]][axis]);
@@ -47,7 +47,7 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
   }
   result.first_around_.assign(triangles.vertices.size(), kRim);
   result.join();
-  result.find_bends();
+  result.find_folds();
   const auto in_order = [&](auto& into, const auto& from) {
     into.reserve(order.size());
     for (const std::uint32_t t : order) into.push_back(from[t]);
@@ -103,15 +103,15 @@ void Mesh::join() {
 }
 
 // n1·(d - a) and n2·(c - a) have the same sign: both are the volume of the tetrahedron of the two triangles.
-void Mesh::find_bends() {
+void Mesh::find_folds() {
   for (HalfEdge h = 0; h < 3 * faces(); ++h) {
     Face& face = faces_[face_of(h)];
     const HalfEdge other = twin(h);
     if (other == kRim || other < h) continue;
     const int sign = side_of(face, start_point(previous(other)), FilteredStages());
-    const auto angle = static_cast<std::uint32_t>(sign > 0 ? EdgeAngle::narrow : sign == 0 ? EdgeAngle::flat : EdgeAngle::wide);
-    face.index_and_edge_angles |= angle << (2 * corner_of(h));
-    faces_[face_of(other)].index_and_edge_angles |= angle << (2 * corner_of(other));
+    const auto angle = static_cast<std::uint32_t>(sign > 0 ? Fold::narrow : sign == 0 ? Fold::flat : Fold::wide);
+    face.index_and_folds |= angle << (2 * corner_of(h));
+    faces_[face_of(other)].index_and_folds |= angle << (2 * corner_of(other));
   }
 }
 

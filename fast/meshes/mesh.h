@@ -20,7 +20,7 @@ namespace forceshade::fast {
 class HeightMapField;
 
 // The angle of two triangles along an edge, seen from in front: n1·(d - a) is > 0, 0 or < 0 (docs/god-object.md).
-enum class EdgeAngle : std::uint32_t { narrow, flat, wide };
+enum class Fold : std::uint32_t { narrow, flat, wide };
 
 // A half-edge is 3·face + i: the edge from corner i of the face to corner i + 1. Faces are numbered as they lie in memory.
 using HalfEdge = std::uint32_t;
@@ -30,11 +30,11 @@ struct alignas(64) Face {
   std::array<std::array<float, 3>, 3> corner;  // mm
   std::array<std::uint32_t, 3> vertex;         // of the file
   std::array<HalfEdge, 3> twin;                // the other half of edge i, or kRim
-  std::uint32_t index_and_edge_angles;         // of the file, above two bits for each edge
+  std::uint32_t index_and_folds;               // of the file, above two bits for each edge
 
   static constexpr unsigned kBendBits = 6;
-  std::uint32_t index() const noexcept { return index_and_edge_angles >> kBendBits; }
-  EdgeAngle edge_angle(std::uint32_t i) const noexcept { return static_cast<EdgeAngle>(index_and_edge_angles >> (2 * i) & 3U); }
+  std::uint32_t index() const noexcept { return index_and_folds >> kBendBits; }
+  Fold fold(std::uint32_t i) const noexcept { return static_cast<Fold>(index_and_folds >> (2 * i) & 3U); }
 };
 static_assert(sizeof(Face) == 64);
 using Faces = std::vector<Face, LargePages<Face>>;
@@ -136,7 +136,7 @@ class Mesh {
     return materials_[material_of_face_.empty() ? 0 : material_of_face_[f]];
   }
   void join();
-  void find_bends();
+  void find_folds();
 
   Faces faces_;
   std::vector<HalfEdge> first_around_;       // by vertex of the file

@@ -72,22 +72,22 @@ class RestNumbers {
   // Mesh, arrival, hand and goal have to outlive this.
   RestNumbers(const Mesh& mesh, const Arrival& arrival, const HandAndGoal& ends) noexcept
       : mesh_(mesh),
-        spot_(arrival.spot),
+        grid_point_(arrival.grid_point),
         rest_(arrival.rest),
         pull_(arrival.pull),
         ends_(ends),
         goal_point_(point<N>(ends.goal())) {}
 
   const Mesh& mesh() const noexcept { return mesh_; }
-  const Spot& spot() const noexcept { return spot_; }
-  Rest rest() const noexcept { return rest_; }
+  const GridPoint& grid_point() const noexcept { return grid_point_; }
+  RestKind rest() const noexcept { return rest_; }
   // True if the way, or what of it presses, is a foot's: at a right angle to the triangle or edge.
-  bool is_at_foot() const noexcept { return (rest_ != Rest::at_spot || is_pulled()) && ends_.are_one(); }
+  bool is_at_foot() const noexcept { return (rest_ != RestKind::at_grid_point || is_pulled()) && ends_.are_one(); }
   // True if friction takes a part of the force: then q is p's nearest point of the plane or line along which the hand pulls.
-  bool is_pulled() const noexcept { return rest_ == Rest::at_spot && pull_.along != Slide::Along::nothing; }
+  bool is_pulled() const noexcept { return rest_ == RestKind::at_grid_point && pull_.along != Slide::Along::nothing; }
 
   Way3<N> way() const noexcept {
-    if (ends_.are_one() || rest_ == Rest::at_spot) [[likely]]
+    if (ends_.are_one() || rest_ == RestKind::at_grid_point) [[likely]]
       return way_from_goal();
     return way_past_goal();
   }
@@ -99,7 +99,7 @@ class RestNumbers {
   // r - q, along the pull.
   Way3<N> way_of_pull() const noexcept {
     if constexpr (kIsFromIntegers) {
-      const ExactOffset U = exact_offset_from(point_of(mesh_, spot_), ends_.hand());
+      const ExactOffset U = exact_offset_from(point_of(mesh_, grid_point_), ends_.hand());
       const auto less = [&](const auto& pressure, const auto& length, double unit) -> Way3<N> {
         const auto one = [&](const auto& a, const auto& b) { return -(a * length) - b.template shifted<24>(); };
         const auto exact =
@@ -124,14 +124,15 @@ class RestNumbers {
     const Vector3<N> a = point<N>(f.corner[0].data());
     return cross(point<N>(f.corner[1].data()) - a, point<N>(f.corner[2].data()) - a);
   }
-  Vector3<N> start() const noexcept { return point<N>(mesh_.start_point(spot_.half)); }
-  Vector3<N> edge() const noexcept { return edge(spot_.half); }
+  Vector3<N> start() const noexcept { return point<N>(mesh_.start_point(grid_point_.half)); }
+  Vector3<N> edge() const noexcept { return edge(grid_point_.half); }
 
   // Up to a common factor.
   std::array<N, 3> weights_in_triangle() const noexcept {
-    if (rest_ == Rest::at_spot)
-      return {whole<N>(kGrid - spot_.weight[0] - spot_.weight[1]), whole<N>(spot_.weight[0]), whole<N>(spot_.weight[1])};
-    const Face& f = mesh_.face(face_of(spot_.half));
+    if (rest_ == RestKind::at_grid_point)
+      return {whole<N>(kGrid - grid_point_.weight[0] - grid_point_.weight[1]), whole<N>(grid_point_.weight[0]),
+              whole<N>(grid_point_.weight[1])};
+    const Face& f = mesh_.face(face_of(grid_point_.half));
     if constexpr (kIsFromIntegers) {
       const ExactWeights exact(f, ends_.goal());
       return {near(exact.corner[0], kUnit4), near(exact.corner[1], kUnit4), near(exact.corner[2], kUnit4)};
@@ -142,9 +143,9 @@ class RestNumbers {
     return {square(n) - (second + third), second, third};
   }
   std::array<N, 2> weights_on_edge() const noexcept {
-    if (rest_ == Rest::at_spot) return {whole<N>(kGrid - spot_.weight[0]), whole<N>(spot_.weight[0])};
+    if (rest_ == RestKind::at_grid_point) return {whole<N>(kGrid - grid_point_.weight[0]), whole<N>(grid_point_.weight[0])};
     if constexpr (kIsFromIntegers) {
-      const ExactFoot exact(mesh_.start_point(spot_.half), mesh_.start_point(next(spot_.half)), ends_.goal());
+      const ExactFoot exact(mesh_.start_point(grid_point_.half), mesh_.start_point(next(grid_point_.half)), ends_.goal());
       return {near(exact.length - exact.along, kUnit2), near(exact.along, kUnit2)};
     }
     const Vector3<N> e = edge();
@@ -174,14 +175,14 @@ class RestNumbers {
     }
   }
 
-  // r less the goal; at the spot, r less p.
+  // r less the goal; at the grid_point, r less p.
   FORCESHADE_INLINE Way3<N> way_from_goal() const noexcept {
     switch (rest_) {
-      case Rest::in_triangle: return to_triangle(mesh_.face(face_of(spot_.half)));
-      case Rest::on_edge: return to_edge(spot_.half);
-      case Rest::at_goal: return {{}, N::exactly(1)};
+      case RestKind::in_triangle: return to_triangle(mesh_.face(face_of(grid_point_.half)));
+      case RestKind::on_edge: return to_edge(grid_point_.half);
+      case RestKind::at_goal: return {{}, N::exactly(1)};
       default: {
-        const Point g = point_of(mesh_, spot_);
+        const Point g = point_of(mesh_, grid_point_);
         if constexpr (kIsFromIntegers) return {opposite(near(exact_offset_from(g, ends_.hand()), kUnit)), N::exactly(0x1p24)};
         const Vector3<N> p = point<N>(ends_.hand());
         Vector3<N> to = scaled(whole<N>(g.weight[0]), point<N>(g.corner[0]) - p);
@@ -208,8 +209,8 @@ class RestNumbers {
   }
 
   const Mesh& mesh_;
-  const Spot& spot_;
-  Rest rest_;
+  const GridPoint& grid_point_;
+  RestKind rest_;
   const Slide& pull_;
   HandAndGoal ends_;
   Vector3<N> goal_point_;

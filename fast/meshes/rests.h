@@ -12,21 +12,22 @@ namespace forceshade::fast {
 
 // The way in which the exact point r of a rest, which decides the force, follows from the state and from p, the goal of the
 // walk.
-enum class Rest {
-  none,         // free
-  at_spot,      // r = g: the state itself
-  in_triangle,  // r = the point of the triangle's plane nearest to p
-  on_edge,      // r = the point of the edge's line nearest to p
-  at_goal,      // r = p
+enum class RestKind {
+  none,           // free
+  at_grid_point,  // r = g: the state itself
+  in_triangle,    // r = the point of the triangle's plane nearest to p
+  on_edge,        // r = the point of the edge's line nearest to p
+  at_goal,        // r = p
 };
 
 struct Arrival {
-  Spot spot;
-  Rest rest = Rest::none;
+  GridPoint grid_point;
+  RestKind rest = RestKind::none;
   int moves = 0;
   bool is_finished = true;
   Plane plane{};  // of the rest's triangle: in_triangle alone
-  // By the contact rule friction alone: mesh::GodObject's; and the rough way along which the hand pulls at a rest at the spot.
+  // By the contact rule friction alone: mesh::GodObject's; and the rough way along which the hand pulls at a rest at the
+  // grid_point.
   bool is_slipping = false;
   Slide pull{};
   Offset to_hand{};          // 2^24(p - g) there, where it is at hand
@@ -38,12 +39,12 @@ struct Arrival {
 // Between what a god-object remembers and the file's numbering. A state is one of the contact rule.
 inline Arrival arrival_of(const Mesh& mesh, const mesh::GodObject& state, mesh::Contact contact) noexcept {
   Arrival at;
-  at.spot = spot_of(mesh, state);
-  at.is_slipping = state.is_slipping && contact == mesh::Contact::friction && is_touching(at.spot);
+  at.grid_point = grid_point_of(mesh, state);
+  at.is_slipping = state.is_slipping && contact == mesh::Contact::friction && is_touching(at.grid_point);
   return at;
 }
 inline mesh::GodObject object_of(const Mesh& mesh, const Arrival& at) noexcept {
-  mesh::GodObject state = object_of(mesh, at.spot);
+  mesh::GodObject state = object_of(mesh, at.grid_point);
   state.is_slipping = at.is_slipping;
   return state;
 }
@@ -53,23 +54,23 @@ template <class Stages>
 class Rests {
  public:
   // p: mm, in the domain and quantised. Both have to outlive this.
-  FORCESHADE_INLINE Rests(const Mesh& mesh, Spot& spot, const std::array<float, 3>& p, const Stages& stages) noexcept
-      : mesh_(mesh), spot_(spot), p_(p), stages_(stages) {}
+  FORCESHADE_INLINE Rests(const Mesh& mesh, GridPoint& grid_point, const std::array<float, 3>& p, const Stages& stages) noexcept
+      : mesh_(mesh), grid_point_(grid_point), p_(p), stages_(stages) {}
 
   // Makes this the state, but for the position of a free one. One member at a time: a load that spans several recent stores
   // waits for them.
-  FORCESHADE_INLINE void put(const Spot& to) const noexcept {
-    spot_.place = to.place;
-    spot_.side = to.side;
-    spot_.half = to.half;
-    spot_.weight[0] = to.weight[0];
-    spot_.weight[1] = to.weight[1];
+  FORCESHADE_INLINE void put(const GridPoint& to) const noexcept {
+    grid_point_.place = to.place;
+    grid_point_.side = to.side;
+    grid_point_.half = to.half;
+    grid_point_.weight[0] = to.weight[0];
+    grid_point_.weight[1] = to.weight[1];
   }
 
   // p, which lies on the surface at the hit, with its parameters rounded.
-  Spot spot_at_position(const Hit& hit) const noexcept {
+  GridPoint grid_point_at_position(const Hit& hit) const noexcept {
     const HalfEdge h = 3 * hit.face + hit.corner;
-    if (hit.part == Hit::Part::corner) return spot_at_vertex(mesh_, h, hit.side);
+    if (hit.part == Hit::Part::corner) return grid_point_at_vertex(mesh_, h, hit.side);
     if (hit.part == Hit::Part::edge) return rest_on_edge(h, hit.side);
     const Face& f = mesh_.face(hit.face);
     return rest_in_triangle(hit.face, Weights(FaceNumbers(f), difference(p_.data(), f.corner[0].data())), hit.side);
@@ -77,14 +78,14 @@ class Rests {
 
   // ---- Rule 4: what the state keeps of a rest.
 
-  Spot rest_on_edge(HalfEdge h, mesh::Side side) const noexcept {
+  GridPoint rest_on_edge(HalfEdge h, mesh::Side side) const noexcept {
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
     std::uint32_t m = GridParameters(foot.length).nearest(foot.along, stages_, [&] {
       const ExactFoot exact = exact_foot(h);
       return exact_nearest(exact.along, exact.length);
     });
     m = m < 1 ? 1 : m > kGrid - 1 ? kGrid - 1 : m;
-    return spot_on_edge(mesh_, h, m, side);
+    return grid_point_on_edge(mesh_, h, m, side);
   }
   FORCESHADE_INLINE std::uint32_t rested(std::uint32_t f, const GridParameters& parameters, const Weights& weights,
                                          std::size_t corner) const noexcept {
@@ -94,7 +95,7 @@ class Rests {
     });
     return nearest < 1 ? 1 : nearest;
   }
-  FORCESHADE_INLINE Spot rest_in_triangle(std::uint32_t f, const Weights& weights, mesh::Side side) const noexcept {
+  FORCESHADE_INLINE GridPoint rest_in_triangle(std::uint32_t f, const Weights& weights, mesh::Side side) const noexcept {
     const GridParameters parameters(weights.all);
     std::uint32_t k = rested(f, parameters, weights, 1), l = rested(f, parameters, weights, 2);
     if (k + l > kGrid - 1) {
@@ -104,12 +105,12 @@ class Rests {
     return {mesh::Place::triangle, side, 3 * f, {k, l}, {}};
   }
 
-  // True if the spot, whose parameters are those of q rounded, is q.
+  // True if the grid_point, whose parameters are those of q rounded, is q.
   FORCESHADE_INLINE bool is_nearest_already(std::uint32_t f, const Weights& weights) const noexcept {
     for (std::size_t i = 0; i < 2; ++i) {
-      const int sign = compare_with_halves(weights.corner[i + 1], weights.all, 2 * spot_.weight[i], stages_, [&] {
+      const int sign = compare_with_halves(weights.corner[i + 1], weights.all, 2 * grid_point_.weight[i], stages_, [&] {
         const ExactWeights exact(mesh_.face(f), p_.data());
-        return exact_compare_with_halves(exact.corner[i + 1], exact.all, 2 * spot_.weight[i]);
+        return exact_compare_with_halves(exact.corner[i + 1], exact.all, 2 * grid_point_.weight[i]);
       });
       if (sign != 0) return false;
     }
@@ -130,8 +131,8 @@ class Rests {
   }
 
   // True if the rounded point is nearer to p.
-  [[gnu::noinline]] bool is_nearer(const Spot& to) const noexcept {
-    const Point here = point_of(mesh_, spot_), there = point_of(mesh_, to);
+  [[gnu::noinline]] bool is_nearer(const GridPoint& to) const noexcept {
+    const Point here = point_of(mesh_, grid_point_), there = point_of(mesh_, to);
     const auto length = [&](const Point& point) -> DoubleWithError {
       const Offset U = offset_from(point, p_.data(), largest());
       return {square(U.U), kOffsetLength.error * U.size * U.size};
@@ -140,14 +141,14 @@ class Rests {
              return square(exact_offset_from(here, p_.data())).compare(square(exact_offset_from(there, p_.data())));
            }) > 0;
   }
-  Spot rounded_landing(HalfEdge h, const Cell& cell, mesh::Side side) const noexcept {
+  GridPoint rounded_landing(HalfEdge h, const Cell& cell, mesh::Side side) const noexcept {
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
-    return spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), side);
+    return grid_point_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), side);
   }
 
   // The point of a triangle with these cells: the corner of its part of the grid that is nearest to p.
-  FORCESHADE_INLINE Spot rounded_in_triangle(std::uint32_t f, const std::array<Cell, 3>& cells,
-                                             mesh::Side side) const noexcept {
+  FORCESHADE_INLINE GridPoint rounded_in_triangle(std::uint32_t f, const std::array<Cell, 3>& cells,
+                                                  mesh::Side side) const noexcept {
     const std::uint32_t k = cells[1].floor, l = cells[2].floor;
     std::array<GridCorner, 3> corners{};  // in the order in which equally near ones count
     std::size_t count = 0;
@@ -173,14 +174,14 @@ class Rests {
       add(1, 1);
     }
     const GridCorner nearest = nearest_corner(mesh_.face(f), corners, count);
-    return spot_in_triangle(mesh_, f, nearest.k, nearest.l, side);
+    return grid_point_in_triangle(mesh_, f, nearest.k, nearest.l, side);
   }
 
   // p, which lies on the surface at the hit, as the end of a move that is no rest.
-  [[gnu::noinline]] Spot rounded_position(const Hit& hit) const noexcept {
+  [[gnu::noinline]] GridPoint rounded_position(const Hit& hit) const noexcept {
     stages_.note(Stage::wide);
     const HalfEdge h = 3 * hit.face + hit.corner;
-    if (hit.part == Hit::Part::corner) return spot_at_vertex(mesh_, h, hit.side);
+    if (hit.part == Hit::Part::corner) return grid_point_at_vertex(mesh_, h, hit.side);
     if (hit.part == Hit::Part::edge) {
       const ExactFoot foot = exact_foot(h);
       return rounded_landing(h, exact_cell(foot.along, foot.length), hit.side);
@@ -194,7 +195,7 @@ class Rests {
   // ---- How p lies to the state.
 
   bool is_at_position() const noexcept {
-    const Point g = point_of(mesh_, spot_);
+    const Point g = point_of(mesh_, grid_point_);
     const Offset U = offset_from(g, p_.data(), largest());
     if (stages_.sure(U.size < HUGE_VAL)) return false;
     stages_.note(Stage::wide);
@@ -258,7 +259,7 @@ class Rests {
 
  public:
   const Mesh& mesh_;
-  Spot& spot_;
+  GridPoint& grid_point_;
   const std::array<float, 3>& p_;
   Stages stages_;
 };

@@ -59,7 +59,7 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
   mesh::Tick tick;
   advance_filtered(*mesh_, at_, p, stiffness_, shading_, contact_, stage_, tick);
   square_ = 0;  // a ball is of use only to a god-object that is in it
-  if (at_.spot.place == mesh::Place::free)
+  if (at_.grid_point.place == mesh::Place::free)
     seek_ball();
   else
     is_seeking_ = false;
@@ -83,7 +83,7 @@ double lower_bound_of_square(const Face& face, const Vector3<double>& at) noexce
 [[gnu::noinline]] void MeshSession::seek_ball() noexcept {
   constexpr double kLeastSquare = 0x1p-4, kMostSquare = 0x1p30;  // mm²
   constexpr int kPause = 16, kBoxesOfATick = 4;
-  const std::array<float, 3>& position = at_.spot.position;
+  const std::array<float, 3>& position = at_.grid_point.position;
   if (!is_seeking_) {
     if (ticks_until_ball_ > 0) {
       --ticks_until_ball_;

@@ -35,8 +35,8 @@ class MeshSession final : public TickSession {
     before_ = last_;
     last_ = p;
     if (!stays_free(p)) return tick_on_mesh(p);
-    const std::uint16_t moves = p == at_.spot.position ? 0 : 1;
-    at_.spot.position = p;
+    const std::uint16_t moves = p == at_.grid_point.position ? 0 : 1;
+    at_.grid_point.position = p;
     if (off_centre(p) > renew_square_) seek_ball();
     mesh::Tick tick{Status::free, moves, {}, {}};
     tick.after.place = mesh::Place::free;
@@ -73,7 +73,7 @@ class MeshSession final : public TickSession {
   FORCESHADE_INLINE bool is_in_ball(const std::array<float, 3>& p) const noexcept { return off_centre(p) < square_; }
   // True if the god-object is free and the ball proves that it still is when it has followed the hand to p.
   FORCESHADE_INLINE bool stays_free(const std::array<float, 3>& p) const noexcept {
-    return at_.spot.place == mesh::Place::free && is_in_ball(p);
+    return at_.grid_point.place == mesh::Place::free && is_in_ball(p);
   }
 
   mesh::Tick tick_on_mesh(const std::array<float, 3>& p) noexcept;

@@ -39,7 +39,7 @@ class Sheets : Ways<Stages> {
 
   // True if a flight from g that met the surface in `hit`, `left`/`all` of it being left there, may be rounded to c.
   bool is_apart(const Point& g, const Hit& hit, const FixedInteger<304>& left, const FixedInteger<304>& all,
-                const Spot& c) const noexcept {
+                const GridPoint& c) const noexcept {
     const Place end = place_at(c);
     const Face& inside = mesh_.face(hit.face);  // the line from x to c lies in it
     if (other_at(end, key_of(mesh_, c), &inside)) return false;
@@ -89,7 +89,7 @@ class Sheets : Ways<Stages> {
       return result;
     }
     const HalfEdge h = 3 * hit.face + hit.corner;
-    Spot at{hit.part == Hit::Part::edge ? mesh::Place::edge : mesh::Place::vertex, mesh::Side::front, h, {}, {}};
+    GridPoint at{hit.part == Hit::Part::edge ? mesh::Place::edge : mesh::Place::vertex, mesh::Side::front, h, {}, {}};
     if (hit.part == Hit::Part::edge) {
       const Cell& cell = cells[after(hit.corner)];
       const bool is_upwards = mesh_.start(h) < mesh_.start(next(h));
@@ -103,9 +103,9 @@ class Sheets : Ways<Stages> {
     return result;
   }
 
-  // A point of the grid around these to which there is a clear way from g. from: g's spot where it is on the surface; then the
-  // point is nearer to p.
-  std::optional<Spot> landing(const Point& g, const Spot* from, const Bases& bases, Tries& tries) const noexcept {
+  // A point of the grid around these to which there is a clear way from g. from: g's grid_point where it is on the surface;
+  // then the point is nearer to p.
+  std::optional<GridPoint> landing(const Point& g, const GridPoint* from, const Bases& bases, Tries& tries) const noexcept {
     struct Step {
       std::int64_t k, l;
     };
@@ -123,20 +123,20 @@ class Sheets : Ways<Stages> {
           const Step& step = ring == 0 ? kAround[i] : kRing[i];
           const std::int64_t k = bases.all[b].k + reach * step.k, l = bases.all[b].l + reach * step.l;
           if (k < 0 || l < 0 || k + l > kGrid || !tries.take()) continue;
-          Spot c = spot_in_triangle(mesh_, bases.all[b].face, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(l),
-                                    mesh::Side::front);
+          GridPoint c = grid_point_in_triangle(mesh_, bases.all[b].face, static_cast<std::uint32_t>(k),
+                                               static_cast<std::uint32_t>(l), mesh::Side::front);
           const Distance off = distance(point_of(mesh_, c));
           if (!best.would_take(off) || !arrives(start, from, c)) continue;
           best.offer(c, off);
         }
-      if (best.is_found) return best.spot;
+      if (best.is_found) return best.grid_point;
     }
     return std::nullopt;
   }
 
   // The god-object's goal in place of e, in the closed triangle `carrier` as it is itself: a point nearer to p, or none.
-  std::optional<Spot> detour(const Spot& from, const Spot& e, std::uint32_t carrier, const Block& block,
-                             Tries& tries) const noexcept {
+  std::optional<GridPoint> detour(const GridPoint& from, const GridPoint& e, std::uint32_t carrier, const Block& block,
+                                  Tries& tries) const noexcept {
     Nearest best;
     best.limit = distance(point_of(mesh_, from));
     best.has_limit = true;
@@ -148,13 +148,13 @@ class Sheets : Ways<Stages> {
         go_beside(best, limit, from, here.all[i], there.all[j], tries);
     for (std::size_t j = 0; j < there.count && tries.take(); ++j) change_sheet(best, from, e, carrier, there.all[j], tries);
     if (!best.is_found) return std::nullopt;
-    return best.spot;
+    return best.grid_point;
   }
 
  private:
   using Place = typename Ways<Stages>::Place;
   using Ways<Stages>::mesh_, Ways<Stages>::stages_, Ways<Stages>::place_at, Ways<Stages>::about, Ways<Stages>::offset;
-  using Ways<Stages>::opposite, Ways<Stages>::side_about, Ways<Stages>::have_common_vertex, Ways<Stages>::aim_at;
+  using Ways<Stages>::opposite, Ways<Stages>::side_about, Ways<Stages>::have_common_vertex, Ways<Stages>::kind_at;
   using Ways<Stages>::is_clear, Ways<Stages>::other_at;
 
   static constexpr int kLeastSteps = 8;
@@ -164,13 +164,13 @@ class Sheets : Ways<Stages> {
   using Distance = FixedInteger<192>;  // squared, in units of 2^-154 mm²
   // The nearest of those that are offered; of equally near ones the first.
   struct Nearest {
-    Spot spot{};
+    GridPoint grid_point{};
     Distance limit{};
     bool has_limit = false, is_found = false;
     bool would_take(const Distance& off) const noexcept { return !has_limit || off.compare(limit) < 0; }
-    void offer(const Spot& c, const Distance& off) noexcept {
+    void offer(const GridPoint& c, const Distance& off) noexcept {
       if (!would_take(off)) return;
-      spot = c;
+      grid_point = c;
       limit = off;
       has_limit = is_found = true;
     }
@@ -209,19 +209,19 @@ class Sheets : Ways<Stages> {
   }
 
   // True if a direct way from g to c is clear; sets c's side.
-  bool arrives(const Place& g, const Spot* from, Spot& c) const noexcept {
+  bool arrives(const Place& g, const GridPoint* from, GridPoint& c) const noexcept {
     const Place end = place_at(c);
     const ExactOffset u = offset(g.exact, end.exact);
     if (is_zero(u)) return false;
     if (from != nullptr) {
-      const Aim blocked = from->side == mesh::Side::front ? Aim::back : Aim::front;
-      if (aim_at(key_of(mesh_, *from), from->half, u) == blocked) return false;
+      const DirectionKind blocked = from->side == mesh::Side::front ? DirectionKind::back : DirectionKind::front;
+      if (kind_at(key_of(mesh_, *from), from->half, u) == blocked) return false;
     }
     const FeatureKey own = key_of(mesh_, c);
-    const Aim A = aim_at(own, c.half, opposite(u));
+    const DirectionKind A = kind_at(own, c.half, opposite(u));
     const bool is_one_sided = mesh_.sides() == mesh::Sides::front;
-    if (A == Aim::on || (is_one_sided && A == Aim::back) || !is_clear(g, end, c, nullptr)) return false;
-    c.side = A == Aim::back ? mesh::Side::back : mesh::Side::front;
+    if (A == DirectionKind::on || (is_one_sided && A == DirectionKind::back) || !is_clear(g, end, c, nullptr)) return false;
+    c.side = A == DirectionKind::back ? mesh::Side::back : mesh::Side::front;
     return true;
   }
 
@@ -233,7 +233,7 @@ class Sheets : Ways<Stages> {
       for (std::uint32_t up = 0; up < 2; ++up) {
         if ((up == 1 && k.is_whole) || (across == 1 && l.is_whole) || k.floor + up + l.floor + across > kGrid) continue;
         if (!tries.take()) return;
-        visit(spot_in_triangle(mesh_, face, k.floor + up, l.floor + across, side));
+        visit(grid_point_in_triangle(mesh_, face, k.floor + up, l.floor + across, side));
       }
   }
 
@@ -250,7 +250,7 @@ class Sheets : Ways<Stages> {
   }
 
   // Along the way to e, as far as it is clear about.
-  void shorten(Nearest& best, const Distance& limit, const Spot& from, const Spot& e, std::uint32_t carrier,
+  void shorten(Nearest& best, const Distance& limit, const GridPoint& from, const GridPoint& e, std::uint32_t carrier,
                const Block& blocked, Tries& tries) const noexcept {
     const auto G = weights_in(mesh_, from, carrier), E = weights_in(mesh_, e, carrier);
     const std::uint32_t most =
@@ -273,17 +273,17 @@ class Sheets : Ways<Stages> {
       Nearest of_these;
       of_these.limit = limit;
       of_these.has_limit = true;
-      around(carrier, cell[0], cell[1], from.side, tries, [&](const Spot& c) {
+      around(carrier, cell[0], cell[1], from.side, tries, [&](const GridPoint& c) {
         const Distance off = distance(point_of(mesh_, c));
         if (of_these.would_take(off) && is_clear(start, place_at(c), c, &face)) of_these.offer(c, off);
       });
       if (!of_these.is_found) continue;
-      return best.offer(of_these.spot, of_these.limit);
+      return best.offer(of_these.grid_point, of_these.limit);
     }
   }
 
   // In the triangle `along`, parallel to the plane of the triangle `beside`.
-  void go_beside(Nearest& best, const Distance& limit, const Spot& from, std::uint32_t along, std::uint32_t beside,
+  void go_beside(Nearest& best, const Distance& limit, const GridPoint& from, std::uint32_t along, std::uint32_t beside,
                  Tries& tries) const noexcept {
     const ExactFace T(mesh_.face(along));
     const auto n = ExactFace(mesh_.face(beside)).n;
@@ -312,14 +312,14 @@ class Sheets : Ways<Stages> {
     if (num.is_zero()) return;
     const auto end = [&](std::size_t i) { return exact_cell(whole(G[i]) * den + num * d[i], den.template shifted<24>()); };
     struct Candidate {
-      Spot spot;
+      GridPoint grid_point;
       Distance off;
     };
     std::array<Candidate, 4> ends;
     std::size_t count = 0;
     const Place start = place_at(from);
     const auto least = least_square(mesh_.face(along));
-    around(along, end(1), end(2), from.side, tries, [&](const Spot& c) {
+    around(along, end(1), end(2), from.side, tries, [&](const GridPoint& c) {
       if (square(offset(start.exact, place_at(c).exact)).compare(least) < 0) return;
       const Distance off = distance(point_of(mesh_, c));
       std::size_t i = count++;
@@ -327,15 +327,16 @@ class Sheets : Ways<Stages> {
       ends[i] = {c, off};
     });
     for (std::size_t i = 0; i < count && ends[i].off.compare(limit) < 0; ++i)
-      if (is_clear(start, place_at(ends[i].spot), ends[i].spot, &mesh_.face(along)))
-        return best.offer(ends[i].spot, ends[i].off);
+      if (is_clear(start, place_at(ends[i].grid_point), ends[i].grid_point, &mesh_.face(along)))
+        return best.offer(ends[i].grid_point, ends[i].off);
     if (count == 0 || ends[0].off.compare(limit) >= 0) return;
-    if (const auto blocked = block(from, ends[0].spot, along)) shorten(best, limit, from, ends[0].spot, along, *blocked, tries);
+    if (const auto blocked = block(from, ends[0].grid_point, along))
+      shorten(best, limit, from, ends[0].grid_point, along, *blocked, tries);
   }
 
   // Onto the triangle `to`, where the way to e goes through its plane: if p is beyond that plane, and its foot there is not
   // beyond the plane of the triangle that the god-object slides in.
-  void change_sheet(Nearest& best, const Spot& from, const Spot& e, std::uint32_t carrier, std::uint32_t to,
+  void change_sheet(Nearest& best, const GridPoint& from, const GridPoint& e, std::uint32_t carrier, std::uint32_t to,
                     Tries& tries) const noexcept {
     const Face &here = mesh_.face(carrier), &there = mesh_.face(to);
     const auto n = ExactFace(there).n, own = ExactFace(here).n;
@@ -354,7 +355,7 @@ class Sheets : Ways<Stages> {
     };
     Bases base;
     base.all[base.count++] = {to, down(second), down(third)};
-    const std::optional<Spot> found = landing(start.point, &from, base, tries);
+    const std::optional<GridPoint> found = landing(start.point, &from, base, tries);
     if (found) best.offer(*found, distance(point_of(mesh_, *found)));
   }
 

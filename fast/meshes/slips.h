@@ -21,20 +21,22 @@ class Slips : protected Rests<Stages> {
  protected:
   // Moves `at`; all of it has to outlive this.
   FORCESHADE_INLINE Slips(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages) noexcept
-      : Rests<Stages>(mesh, at.spot, p, stages), at_(at) {}
+      : Rests<Stages>(mesh, at.grid_point, p, stages), at_(at) {}
 
   // The most moves of the tick. Once it has looked at so many triangles, these are the moves that it has made.
   FORCESHADE_INLINE int most_moves() const noexcept { return at_.looks < kMostLooks ? kMostMoves : at_.moves; }
 
   // The beginning of a flight, as far as it and the next moves depend on it.
   struct Beginning {
-    Spot spot;
+    GridPoint grid_point;
     int moves, looks, tries;
     bool is_slipping;
   };
-  FORCESHADE_INLINE Beginning beginning() const noexcept { return {spot_, at_.moves, at_.looks, at_.tries, at_.is_slipping}; }
+  FORCESHADE_INLINE Beginning beginning() const noexcept {
+    return {grid_point_, at_.moves, at_.looks, at_.tries, at_.is_slipping};
+  }
   void begin_again(const Beginning& from) noexcept {
-    spot_ = from.spot;
+    grid_point_ = from.grid_point;
     at_.moves = from.moves;
     at_.looks = from.looks;
     at_.tries = from.tries;
@@ -80,20 +82,21 @@ class Slips : protected Rests<Stages> {
                                                                          const Coefficients& of) noexcept {
     using Quick = QuickSlips<Stages>;
     if constexpr (!Stages::kFilter) return Quick::Outcome::unsure;
-    const std::array<std::uint32_t, 2> from = spot_.place == mesh::Place::triangle ? spot_.weight : weights_of_last_two(f);
+    const std::array<std::uint32_t, 2> from =
+        grid_point_.place == mesh::Place::triangle ? grid_point_.weight : weights_of_last_two(f);
     Quick quick(facing.numbers, facing.across, facing.weights, of, stages_);
     const int before = at_.moves;
     const auto outcome = quick.run(from[0], from[1], at_.is_slipping, at_.moves, most_moves());
     if (at_.moves != before)
       put({mesh::Place::triangle,
-           spot_.side,
+           grid_point_.side,
            3 * f,
            {static_cast<std::uint32_t>(quick.k()), static_cast<std::uint32_t>(quick.l())},
            {}});
     if (outcome == Quick::Outcome::rests) {
       at_.to_hand = {quick.way_to_hand(), 1};
       at_.error_to_hand = quick.error_of_way();
-      at_.rest = Rest::at_spot;
+      at_.rest = RestKind::at_grid_point;
       at_.pull = {Slide::Along::triangle, 3 * f, false};
     }
     return outcome;
@@ -106,7 +109,7 @@ class Slips : protected Rests<Stages> {
     for (;;) {
       const auto step =
           by_friction_in(f, facing.numbers, of, [&](const auto& friction) { return slip_by(friction, f, facing, inside); });
-      if (!step || *step != Step::onward || spot_.place != mesh::Place::triangle) return step;
+      if (!step || *step != Step::onward || grid_point_.place != mesh::Place::triangle) return step;
     }
   }
   std::optional<Step> slip_along(const Slide& way, const Foot& foot, bool is_towards_start, bool is_foot_inside,
@@ -115,12 +118,12 @@ class Slips : protected Rests<Stages> {
         way.half, of, [&](const auto& friction) { return slip_by(friction, way, foot, is_towards_start, is_foot_inside); });
   }
 
-  // A rest at the spot that is not for friction's sake. way: the steepest, along which the hand pulls.
+  // A rest at the grid_point that is not for friction's sake. way: the steepest, along which the hand pulls.
   Step stay(const Slide& way) noexcept {
     const Slide pull = rough(way);
-    if (pull.along != Slide::Along::nothing) return held_at_spot(pull);
+    if (pull.along != Slide::Along::nothing) return held_at_grid_point(pull);
     at_.to_hand = {};
-    return rest_at_spot({}, false);
+    return rest_at_grid_point({}, false);
   }
   Step exhausted(const Slide& way) noexcept {
     at_.pull = rough(way);
@@ -141,24 +144,27 @@ class Slips : protected Rests<Stages> {
     const std::uint32_t f = face_of(h), other = mesh_.twin(h) == kRim ? f : face_of(mesh_.twin(h));
     return mesh_.face(other).index() < mesh_.face(f).index() ? other : f;
   }
-  const Spot* spot_if_touching() const noexcept { return spot_.place == mesh::Place::free ? nullptr : &spot_; }
+  const GridPoint* grid_point_if_touching() const noexcept {
+    return grid_point_.place == mesh::Place::free ? nullptr : &grid_point_;
+  }
   FORCESHADE_INLINE static DoubleWithError times(std::uint32_t weight, const DoubleWithError& a) noexcept {
     return fast::times(static_cast<double>(weight), a);
   }
   static FixedInteger<25> integer(std::uint32_t weight) noexcept { return FixedInteger<25>(static_cast<std::int64_t>(weight)); }
   // True if the god-object may leave the surface that way.
-  bool is_own(Aim aim) const noexcept {
-    return aim == Aim::open || aim == (spot_.side == mesh::Side::front ? Aim::front : Aim::back);
+  bool is_own(DirectionKind kind) const noexcept {
+    return kind == DirectionKind::open ||
+           kind == (grid_point_.side == mesh::Side::front ? DirectionKind::front : DirectionKind::back);
   }
-  // The steepest way from a touching spot; nothing where the surface does not lead nearer.
+  // The steepest way from a touching grid_point; nothing where the surface does not lead nearer.
   [[gnu::noinline]] Slide steepest() const noexcept {
-    const HalfEdge h = spot_.half;
-    if (spot_.place == mesh::Place::triangle) return {Slide::Along::triangle, h, false};
-    const Point g = point_of(mesh_, spot_);
+    const HalfEdge h = grid_point_.half;
+    if (grid_point_.place == mesh::Place::triangle) return {Slide::Along::triangle, h, false};
+    const Point g = point_of(mesh_, grid_point_);
     const Offset U = offset_from(g, p_.data(), largest());
     const Direction direction{U.U, U.size, &g, p_.data(), false};
     const Headings<Stages> headings(mesh_, direction, stages_);
-    if (spot_.place == mesh::Place::vertex) return headings.at_vertex(mesh_.start(h)).way;
+    if (grid_point_.place == mesh::Place::vertex) return headings.at_vertex(mesh_.start(h)).way;
     return headings.on_edge(h);
   }
 
@@ -171,7 +177,7 @@ class Slips : protected Rests<Stages> {
     if (at_.moves == most_moves()) return exhausted(way);
     const std::uint32_t left = friction.share_left();
     const Weights& weights = facing.weights;
-    const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
+    const std::array<std::uint32_t, 3> G = weights_in(mesh_, grid_point_, f);
     const auto exact_weight = [&](const ExactWeights& exact, std::size_t i) {
       return exact_weight_after(left, G[i], exact.corner[i], exact.all);
     };
@@ -189,7 +195,7 @@ class Slips : protected Rests<Stages> {
     }
     const double longest = 3 * (facing.numbers.s1 + facing.numbers.s2) * (facing.numbers.s1 + facing.numbers.s2);
     const bool is_nearer = friction.surely_brings_nearer(left, weights.all.value + weights.all.error, longest);
-    return slipped(rounded_in_triangle(f, cells, spot_.side), is_nearer, way, friction);
+    return slipped(rounded_in_triangle(f, cells, grid_point_.side), is_nearer, way, friction);
   }
   template <class Friction>
   FORCESHADE_INLINE std::optional<Step> slip_by(const Friction& friction, const Slide& way, const Foot& foot,
@@ -198,7 +204,7 @@ class Slips : protected Rests<Stages> {
     if (friction.holds(at_.is_slipping)) return held(way, friction);
     if (at_.moves == most_moves()) return exhausted(way);
     const std::uint32_t left = friction.share_left();
-    const std::uint32_t G = spot_.place == mesh::Place::edge ? spot_.weight[0] : is_towards_start ? kGrid : 0;
+    const std::uint32_t G = grid_point_.place == mesh::Place::edge ? grid_point_.weight[0] : is_towards_start ? kGrid : 0;
     const DoubleWithError along = weight_after(left, G, foot.along, foot.length);
     const auto exact_along = [&](const ExactFoot& exact) { return exact_weight_after(left, G, exact.along, exact.length); };
     if (!is_foot_inside) {
@@ -214,15 +220,15 @@ class Slips : protected Rests<Stages> {
       return exact_cell(exact_along(exact), exact.length.template shifted<48>());
     });
     const double length = foot.length.value + foot.length.error;
-    return slipped(spot_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), spot_.side),
+    return slipped(grid_point_on_edge(mesh_, h, rounded_on_edge(h, cell, foot), grid_point_.side),
                    friction.surely_brings_nearer(left, length, length), way, friction);
   }
   [[gnu::noinline]] std::array<std::uint32_t, 2> weights_of_last_two(std::uint32_t f) const noexcept {
-    const std::array<std::uint32_t, 3> weights = weights_in(mesh_, spot_, f);
+    const std::array<std::uint32_t, 3> weights = weights_in(mesh_, grid_point_, f);
     return {weights[1], weights[2]};
   }
-  FORCESHADE_INLINE Step rest_at_spot(const Slide& pull, bool is_slipping) noexcept {
-    at_.rest = Rest::at_spot;
+  FORCESHADE_INLINE Step rest_at_grid_point(const Slide& pull, bool is_slipping) noexcept {
+    at_.rest = RestKind::at_grid_point;
     at_.pull = pull;
     at_.is_slipping = is_slipping;
     return Step::rest;
@@ -233,17 +239,17 @@ class Slips : protected Rests<Stages> {
                               : way.along == Slide::Along::edge && mesh_.friction_on_edge(way.half).is_rough();
     return is_rough ? way : Slide{};
   }
-  [[gnu::noinline]] Step held_at_spot(const Slide& way) noexcept {
+  [[gnu::noinline]] Step held_at_grid_point(const Slide& way) noexcept {
     const auto hold = [&](const auto& friction) { return held(way, friction); };
     if (way.along == Slide::Along::edge) return by_friction_along(way.half, mesh_.friction_on_edge(way.half), hold);
     const std::uint32_t f = face_of(way.half);
     return by_friction_in(f, FaceNumbers(mesh_.face(f)), mesh_.friction_in_triangle(f), hold);
   }
-  // then(): gets what friction decides from the spot, in the triangle or along the edge.
+  // then(): gets what friction decides from the grid_point, in the triangle or along the edge.
   template <class Then>
   FORCESHADE_INLINE auto by_friction_in(std::uint32_t f, const FaceNumbers& numbers, const Coefficients& of,
                                         const Then& then) noexcept {
-    const Point g = point_of(mesh_, spot_);
+    const Point g = point_of(mesh_, grid_point_);
     at_.to_hand = offset_from(g, p_.data(), largest());
     at_.error_to_hand = 0;
     const Load load = load_in_triangle(numbers, at_.to_hand);
@@ -253,7 +259,7 @@ class Slips : protected Rests<Stages> {
   template <class Then>
   FORCESHADE_INLINE auto by_friction_along(HalfEdge h, const Coefficients& of, const Then& then) noexcept {
     const float *const start = mesh_.start_point(h), *const end = mesh_.start_point(next(h));
-    const Point g = point_of(mesh_, spot_);
+    const Point g = point_of(mesh_, grid_point_);
     at_.to_hand = offset_from(g, p_.data(), largest());
     at_.error_to_hand = 0;
     const Load load = load_on_edge(difference(end, start), at_.to_hand);
@@ -261,7 +267,8 @@ class Slips : protected Rests<Stages> {
     return then(Friction(load, of, stages_, exact));
   }
   template <class Friction>
-  FORCESHADE_INLINE Step slipped(const Spot& to, bool is_surely_nearer, const Slide& way, const Friction& friction) noexcept {
+  FORCESHADE_INLINE Step slipped(const GridPoint& to, bool is_surely_nearer, const Slide& way,
+                                 const Friction& friction) noexcept {
     if (!is_surely_nearer && !is_nearer(to)) return held(way, friction);
     ++at_.moves;
     at_.is_slipping = true;
@@ -271,11 +278,11 @@ class Slips : protected Rests<Stages> {
   template <class Friction>
   FORCESHADE_INLINE Step held(const Slide& way, const Friction& friction) noexcept {
     const bool slips_on = at_.is_slipping && friction.slips_on();
-    return rest_at_spot(way, slips_on);
+    return rest_at_grid_point(way, slips_on);
   }
 
  protected:
-  using Rests<Stages>::mesh_, Rests<Stages>::spot_, Rests<Stages>::p_, Rests<Stages>::stages_;
+  using Rests<Stages>::mesh_, Rests<Stages>::grid_point_, Rests<Stages>::p_, Rests<Stages>::stages_;
   using Rests<Stages>::put, Rests<Stages>::is_nearer, Rests<Stages>::rounded_in_triangle, Rests<Stages>::rounded_on_edge,
       Rests<Stages>::exact_foot, Rests<Stages>::largest;
 

@@ -16,15 +16,15 @@ class Walk : Slips<Stages> {
  public:
   static constexpr int kMostTries = 256;  // with these, no further detour or landing of the tick begins
 
-  // Moves `at`, from where its spot is, towards p: the hand's position, or what a contact rule puts in its place. p: mm, in
-  // the domain and quantised. Both have to outlive the walk.
+  // Moves `at`, from where its grid_point is, towards p: the hand's position, or what a contact rule puts in its place. p: mm,
+  // in the domain and quantised. Both have to outlive the walk.
   FORCESHADE_INLINE Walk(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
       : Slips<Stages>(mesh, at, p, stages) {}
 
   FORCESHADE_INLINE void run() noexcept {
     // A god-object that went through triangles in the last tick goes on through their neighbours, two or more of them.
-    if (at_.moves > 1 && spot_.place == mesh::Place::triangle)
-      for (const HalfEdge other : mesh_.face(face_of(spot_.half)).twin)
+    if (at_.moves > 1 && grid_point_.place == mesh::Place::triangle)
+      for (const HalfEdge other : mesh_.face(face_of(grid_point_.half)).twin)
         if (other != kRim) mesh_.fetch_neighbours(face_of(other));
     at_.moves = 0;
     at_.looks = 0;
@@ -34,33 +34,33 @@ class Walk : Slips<Stages> {
       at_.pull = {};
       at_.to_hand = {};
     }
-    if (spot_.place == mesh::Place::nowhere && start() == Step::rest) return;
+    if (grid_point_.place == mesh::Place::nowhere && start() == Step::rest) return;
     Step step = move();
     if (step == Step::onward) step = go_on();
     if (step == Step::exhausted && at_.looks >= kMostLooks && fly_again() != Step::exhausted) return;
     if (step == Step::rest) return;
-    at_.rest = spot_.place == mesh::Place::free ? Rest::none : Rest::at_spot;
+    at_.rest = grid_point_.place == mesh::Place::free ? RestKind::none : RestKind::at_grid_point;
     at_.is_finished = false;
   }
 
  private:
   using typename Slips<Stages>::Facing, typename Slips<Stages>::Beginning;
   using Slips<Stages>::at_, Slips<Stages>::kMostLooks, Slips<Stages>::most_moves, Slips<Stages>::inward, Slips<Stages>::times,
-      Slips<Stages>::integer, Slips<Stages>::landed_, Slips<Stages>::landed_at_, Slips<Stages>::spot_if_touching;
+      Slips<Stages>::integer, Slips<Stages>::landed_, Slips<Stages>::landed_at_, Slips<Stages>::grid_point_if_touching;
   using Slips<Stages>::beginning, Slips<Stages>::begin_again, Slips<Stages>::count_looks, Slips<Stages>::note_landing,
       Slips<Stages>::first_flight_, Slips<Stages>::has_doubt_, Slips<Stages>::counts_exactly_;
   using Slips<Stages>::slip_in, Slips<Stages>::slip_quickly_in, Slips<Stages>::slip_along, Slips<Stages>::stay,
       Slips<Stages>::exhausted, Slips<Stages>::steepest;
   using Slips<Stages>::is_second_nearer, Slips<Stages>::first_beside, Slips<Stages>::is_own;
-  using Rests<Stages>::mesh_, Rests<Stages>::spot_, Rests<Stages>::p_, Rests<Stages>::stages_;
-  using Rests<Stages>::put, Rests<Stages>::spot_at_position, Rests<Stages>::rest_on_edge, Rests<Stages>::rest_in_triangle;
+  using Rests<Stages>::mesh_, Rests<Stages>::grid_point_, Rests<Stages>::p_, Rests<Stages>::stages_;
+  using Rests<Stages>::put, Rests<Stages>::grid_point_at_position, Rests<Stages>::rest_on_edge, Rests<Stages>::rest_in_triangle;
   using Rests<Stages>::is_nearest_already, Rests<Stages>::rounded_on_edge, Rests<Stages>::is_nearer,
       Rests<Stages>::rounded_landing;
   using Rests<Stages>::is_at_position, Rests<Stages>::exact_foot, Rests<Stages>::is_position;
   using Rests<Stages>::rounded_in_triangle, Rests<Stages>::rounded_position;
 
   // Friction does not hold it there, so that it slips no more.
-  FORCESHADE_INLINE Step rest(Rest how) noexcept {
+  FORCESHADE_INLINE Step rest(RestKind how) noexcept {
     if constexpr (kHasFriction) {
       at_.is_slipping = false;
       at_.to_hand = {};
@@ -68,52 +68,52 @@ class Walk : Slips<Stages> {
     at_.rest = how;
     return Step::rest;
   }
-  FORCESHADE_INLINE Step rest(Rest how, const Spot& at) noexcept {
+  FORCESHADE_INLINE Step rest(RestKind how, const GridPoint& at) noexcept {
     put(at);
     return rest(how);
   }
-  FORCESHADE_INLINE Step onward(const Spot& to) noexcept {
+  FORCESHADE_INLINE Step onward(const GridPoint& to) noexcept {
     put(to);
     return Step::onward;
   }
   // The same after a slide in the triangle f, or along an edge of it.
-  FORCESHADE_INLINE Step slid(Rest how, const Spot& at, std::uint32_t f) noexcept {
+  FORCESHADE_INLINE Step slid(RestKind how, const GridPoint& at, std::uint32_t f) noexcept {
     if constexpr (kHasSheets)
       if (const auto other = diverted(at, f)) return *other;
     return rest(how, at);
   }
-  FORCESHADE_INLINE Step slid_onward(const Spot& to, std::uint32_t f) noexcept {
+  FORCESHADE_INLINE Step slid_onward(const GridPoint& to, std::uint32_t f) noexcept {
     if constexpr (kHasSheets)
       if (const auto other = diverted(to, f)) return *other;
     if constexpr (kHasFriction) at_.is_slipping = true;
     return onward(to);
   }
   // The step around a sheet that is in the way; nothing where it is clear. The move is counted already.
-  [[gnu::noinline]] std::optional<Step> diverted(const Spot& to, std::uint32_t f) noexcept {
+  [[gnu::noinline]] std::optional<Step> diverted(const GridPoint& to, std::uint32_t f) noexcept {
     const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
-    const auto block = sheets.block(spot_, to, f);
+    const auto block = sheets.block(grid_point_, to, f);
     if (!block) return std::nullopt;
-    return arrive_instead([&](Tries& tries) { return sheets.detour(spot_, to, f, *block, tries); });
+    return arrive_instead([&](Tries& tries) { return sheets.detour(grid_point_, to, f, *block, tries); });
   }
   // find(tries): a point to go to instead.
   template <class Find>
   Step arrive_instead(const Find& find) noexcept {
     if (at_.tries < kMostTries) {
       Tries tries;
-      const std::optional<Spot> other = find(tries);
+      const std::optional<GridPoint> other = find(tries);
       at_.tries += tries.taken();
       if (other) return onward(*other);
       --at_.moves;
-      return spot_.place == mesh::Place::free ? Step::exhausted : rest(Rest::at_spot);
+      return grid_point_.place == mesh::Place::free ? Step::exhausted : rest(RestKind::at_grid_point);
     }
     --at_.moves;
     return Step::exhausted;
   }
   FORCESHADE_INLINE Step be_free() noexcept {
-    spot_.place = mesh::Place::free;
-    spot_.side = mesh::Side::front;
-    spot_.position = p_;
-    return rest(Rest::none);
+    grid_point_.place = mesh::Place::free;
+    grid_point_.side = mesh::Side::front;
+    grid_point_.position = p_;
+    return rest(RestKind::none);
   }
 
   [[gnu::noinline]] Step start() noexcept {
@@ -127,23 +127,23 @@ class Walk : Slips<Stages> {
     });
     if (hit.part == Hit::Part::none) return be_free();
     if (is_rough(hit)) return onward(rounded_position(hit));
-    return rest(Rest::at_goal, spot_at_position(hit));
+    return rest(RestKind::at_goal, grid_point_at_position(hit));
   }
 
   // ---- Moves.
 
   FORCESHADE_INLINE Step move_in_triangle() noexcept {
-    const std::uint32_t f = face_of(spot_.half);
+    const std::uint32_t f = face_of(grid_point_.half);
     const Facing facing(mesh_.face(f), p_.data(), stages_);
     const int side = facing.side;
-    if (side == 0 && is_at_position()) return rest(Rest::at_spot);
-    if (is_own(side > 0 ? Aim::front : side < 0 ? Aim::back : Aim::on)) return fly();
+    if (side == 0 && is_at_position()) return rest(RestKind::at_grid_point);
+    if (is_own(side > 0 ? DirectionKind::front : side < 0 ? DirectionKind::back : DirectionKind::on)) return fly();
     return slide_in(f, facing);
   }
 
   // All that is decided beside an edge is the same from each of its points.
   FORCESHADE_INLINE Step move_on_edge() noexcept {
-    const HalfEdge h = spot_.half, other = mesh_.twin(h);
+    const HalfEdge h = grid_point_.half, other = mesh_.twin(h);
     // The triangle that a slide has just left does not lead back.
     const bool is_left = left_.half == h && left_.beside.inward < 0;
     if (is_left && other != kRim) {
@@ -161,14 +161,14 @@ class Walk : Slips<Stages> {
   // facing_first, facing_second: of the triangles on either side of h; any, where that triangle is not led into.
   FORCESHADE_INLINE Step move_beside(HalfEdge h, const Beside& first, const Beside& second, const Facing& facing_first,
                                      const Facing& facing_second) noexcept {
-    const Aim aim = aim_beside(mesh_, h, first, second);
+    const DirectionKind kind = kind_beside(mesh_, h, first, second);
     const bool into_first = first.inward > 0, into_second = second.inward > 0;
     if (!into_first && !into_second) {
-      if (aim == Aim::on && is_at_position()) return rest(Rest::at_spot);
-      if (is_own(aim)) return fly();
+      if (kind == DirectionKind::on && is_at_position()) return rest(RestKind::at_grid_point);
+      if (is_own(kind)) return fly();
       return slide_along({Slide::Along::edge, h, false});
     }
-    if (is_own(aim)) return fly();
+    if (is_own(kind)) return fly();
     const bool is_second = into_second && (!into_first || is_second_nearer(h));
     return is_second ? slide_in(face_of(mesh_.twin(h)), facing_second) : slide_in(face_of(h), facing_first);
   }
@@ -181,25 +181,25 @@ class Walk : Slips<Stages> {
     return step;
   }
   FORCESHADE_INLINE Step move() noexcept {
-    switch (spot_.place) {
+    switch (grid_point_.place) {
       case mesh::Place::triangle: return move_in_triangle();
       case mesh::Place::edge: return move_on_edge();
       case mesh::Place::vertex: return move_at_vertex();
       default:
-        if (spot_.position == p_) return rest(Rest::none);
+        if (grid_point_.position == p_) return rest(RestKind::none);
         return fly();
     }
   }
   [[gnu::noinline]] Step move_at_vertex() noexcept {
-    const Point corner = Point::at(mesh_.start_point(spot_.half));
+    const Point corner = Point::at(mesh_.start_point(grid_point_.half));
     const Vector3<double> w = difference(p_.data(), corner.corner[0]);
     const Direction direction{w, size_of(w), &corner, p_.data(), false};
-    if (direction.size == 0) return rest(Rest::at_spot);
-    const std::uint32_t vertex = mesh_.start(spot_.half);
+    if (direction.size == 0) return rest(RestKind::at_grid_point);
+    const std::uint32_t vertex = mesh_.start(grid_point_.half);
     const Heading heading = landed_at_ == vertex ? landed_ : Headings<Stages>(mesh_, direction, stages_).at_vertex(vertex);
     at_.looks += heading.triangles;
-    if (is_own(heading.aim)) return fly();
-    if (heading.way.along == Slide::Along::nothing) return rest(Rest::at_spot);
+    if (is_own(heading.kind)) return fly();
+    if (heading.way.along == Slide::Along::nothing) return rest(RestKind::at_grid_point);
     if (heading.way.along == Slide::Along::edge) return slide_along(heading.way);
     const std::uint32_t f = face_of(heading.way.half);
     return slide_in(f, Facing(mesh_.face(f), p_.data(), stages_));
@@ -218,7 +218,7 @@ class Walk : Slips<Stages> {
     return false;
   }
 
-  // From the spot towards p's nearest point q of the edge's line.
+  // From the grid_point towards p's nearest point q of the edge's line.
   Step slide_along(const Slide& way) noexcept {
     const HalfEdge h = way.half;
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
@@ -229,9 +229,9 @@ class Walk : Slips<Stages> {
       });
     };
     bool is_towards_start = way.is_reversed;
-    if (spot_.place == mesh::Place::edge) {
-      const int onward = beyond(spot_.weight[0]);
-      if (onward == 0) return rest(Rest::at_spot);
+    if (grid_point_.place == mesh::Place::edge) {
+      const int onward = beyond(grid_point_.weight[0]);
+      if (onward == 0) return rest(RestKind::at_grid_point);
       is_towards_start = onward < 0;
     }
     const bool is_foot_inside = is_towards_start ? beyond(0) > 0 : beyond(kGrid) < 0;
@@ -240,16 +240,16 @@ class Walk : Slips<Stages> {
         if (const auto step = slip_along(way, foot, is_towards_start, is_foot_inside, of)) return *step;
     if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
-    if (is_foot_inside) return slid(Rest::on_edge, rest_on_edge(h, spot_.side), first_beside(h));
+    if (is_foot_inside) return slid(RestKind::on_edge, rest_on_edge(h, grid_point_.side), first_beside(h));
     const HalfEdge end = is_towards_start ? h : next(h);
-    const Spot vertex = spot_at_vertex(mesh_, end, spot_.side);
-    if (is_position(mesh_.start_point(end))) return slid(Rest::at_goal, vertex, first_beside(h));
+    const GridPoint vertex = grid_point_at_vertex(mesh_, end, grid_point_.side);
+    if (is_position(mesh_.start_point(end))) return slid(RestKind::at_goal, vertex, first_beside(h));
     return slid_onward(vertex, first_beside(h));
   }
-  // From the spot, through the triangle, towards p's nearest point q of its plane.
+  // From the grid_point, through the triangle, towards p's nearest point q of its plane.
   FORCESHADE_INLINE Step slide_in(std::uint32_t f, const Facing& facing) noexcept {
     const Weights& weights = facing.weights;
-    if (spot_.place != mesh::Place::triangle) mesh_.fetch_neighbours(f);
+    if (grid_point_.place != mesh::Place::triangle) mesh_.fetch_neighbours(f);
     if constexpr (kHasFriction)
       if (const Coefficients of = mesh_.friction_in_triangle(f); of.is_rough()) {
         using Outcome = typename QuickSlips<Stages>::Outcome;
@@ -260,22 +260,22 @@ class Walk : Slips<Stages> {
       }
     const std::array<int, 3> inside = this->inside(f, facing);
     if (inside[0] <= 0 || inside[1] <= 0 || inside[2] <= 0) return slide_out(f, facing, inside);
-    const Spot to = rest_in_triangle(f, weights, spot_.side);
-    if (spot_.place == mesh::Place::triangle && to.weight[0] == spot_.weight[0] && to.weight[1] == spot_.weight[1] &&
-        is_nearest_already(f, weights))
-      return rest(Rest::at_spot);
+    const GridPoint to = rest_in_triangle(f, weights, grid_point_.side);
+    if (grid_point_.place == mesh::Place::triangle && to.weight[0] == grid_point_.weight[0] &&
+        to.weight[1] == grid_point_.weight[1] && is_nearest_already(f, weights))
+      return rest(RestKind::at_grid_point);
     if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
     at_.plane = {facing.numbers.n, dot(facing.numbers.n, facing.w), weights.all.value, facing.numbers.area, size_of(facing.w)};
-    return slid(facing.side == 0 ? Rest::at_goal : Rest::in_triangle, to, f);
+    return slid(facing.side == 0 ? RestKind::at_goal : RestKind::in_triangle, to, f);
   }
   // The same where q is not strictly inside.
   FORCESHADE_INLINE Step slide_out(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside) noexcept {
     const Weights& weights = facing.weights;
     if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
-    // It leaves through the edge opposite to a corner whose weight falls to 0 on the way from G, the spot's, to q.
-    const std::array<std::uint32_t, 3> G = weights_in(mesh_, spot_, f);
+    // It leaves through the edge opposite to a corner whose weight falls to 0 on the way from G, the grid_point's, to q.
+    const std::array<std::uint32_t, 3> G = weights_in(mesh_, grid_point_, f);
     const auto falls = [&](std::uint32_t i) { return inside[i] <= 0 && G[i] > 0; };
     std::uint32_t i = falls(0) ? 0 : falls(1) ? 1 : 2;
     // The weight of corner j where corner i's is 0, as num/den.
@@ -289,18 +289,19 @@ class Walk : Slips<Stages> {
       const int first = sign_of(num(j), stages_, [&] { return exact_num(ExactWeights(mesh_.face(f), p_.data()), j).sign(); });
       if (first == 0) {
         const HalfEdge corner = 3 * f + (3 - i - j);
-        const Spot vertex = spot_at_vertex(mesh_, corner, spot_.side);
-        if (is_position(mesh_.start_point(corner))) return slid(Rest::at_goal, vertex, f);
+        const GridPoint vertex = grid_point_at_vertex(mesh_, corner, grid_point_.side);
+        if (is_position(mesh_.start_point(corner))) return slid(RestKind::at_goal, vertex, f);
         return slid_onward(vertex, f);
       }
       if (first < 0) i = j;
     }
     const HalfEdge edge = 3 * f + after(i);
-    if (facing.side == 0 && inside[i] == 0 && !is_rough(edge)) return slid(Rest::at_goal, rest_on_edge(edge, spot_.side), f);
+    if (facing.side == 0 && inside[i] == 0 && !is_rough(edge))
+      return slid(RestKind::at_goal, rest_on_edge(edge, grid_point_.side), f);
     const std::uint32_t j = before(i);  // the edge's end
     const DoubleWithError along = num(j), whole = times(G[i], weights.all) - shifted<24>(weights.corner[i]);
     if constexpr (!kHasSheets && !kHasFriction)  // whose slides have to be tested one by one
-      if (inside[i] < 0 && facing.side == (spot_.side == mesh::Side::front ? -1 : 1) && at_.moves >= glide_from_ &&
+      if (inside[i] < 0 && facing.side == (grid_point_.side == mesh::Side::front ? -1 : 1) && at_.moves >= glide_from_ &&
           glide<Stages>(*this, at_, edge, along, whole, static_cast<double>(G[i]), weights.all, most_moves(), glide_from_))
         return Step::rest;
     const Cell cell = GridParameters(whole).cell(along, stages_, [&] {
@@ -309,64 +310,65 @@ class Walk : Slips<Stages> {
     });
     const Foot foot(mesh_.start_point(edge), mesh_.start_point(next(edge)), p_.data());
     left_ = {edge, {facing.side, inside[i]}};
-    const Spot to = spot_on_edge(mesh_, edge, rounded_on_edge(edge, cell, foot), spot_.side);
+    const GridPoint to = grid_point_on_edge(mesh_, edge, rounded_on_edge(edge, cell, foot), grid_point_.side);
     if (stages_.sure(is_surely_nearer(static_cast<double>(G[i]), weights.all.value - weights.all.error,
                                       foot.length.value + foot.length.error)) ||
         is_nearer(to))
       return slid_onward(to, f);
     return refuse({Slide::Along::triangle, 3 * f, false});
   }
-  // A rest at the spot instead of a move, which is counted already. way: the steepest.
+  // A rest at the grid_point instead of a move, which is counted already. way: the steepest.
   Step refuse(const Slide& way) noexcept {
     --at_.moves;
     if constexpr (kHasFriction) return stay(way);
-    return rest(Rest::at_spot);
+    return rest(RestKind::at_grid_point);
   }
   Step refuse_flight() noexcept { return refuse(kHasFriction ? steepest() : Slide{}); }
   [[gnu::noinline]] Step fly() noexcept {
     if (at_.moves == most_moves()) {
       if constexpr (kHasFriction)
-        if (is_touching(spot_)) return exhausted(steepest());
+        if (is_touching(grid_point_)) return exhausted(steepest());
       return Step::exhausted;
     }
     const Beginning before = beginning();
     ++at_.moves;
-    const Point g = point_of(mesh_, spot_);
+    const Point g = point_of(mesh_, grid_point_);
     double largest = this->largest();
-    if (spot_.place == mesh::Place::free)
-      for (const float coordinate : spot_.position)
+    if (grid_point_.place == mesh::Place::free)
+      for (const float coordinate : grid_point_.position)
         if (std::fabs(coordinate) > largest) largest = static_cast<double>(std::fabs(coordinate));
     const Offset U = offset_from(g, p_.data(), largest);
-    Flight<Stages> flight(mesh_, spot_, g, U, p_.data(), stages_);
+    Flight<Stages> flight(mesh_, grid_point_, g, U, p_.data(), stages_);
     flight.run();
     const Hit& landing = flight.landing();
     count_looks(flight, g, before);
     if (landing.part == Hit::Part::none) {
       if (flight.end().part == Hit::Part::none) return be_free();
       if (is_rough(flight.end())) return arrive(rounded_position(flight.end()));
-      const Spot to = spot_at_position(flight.end());
+      const GridPoint to = grid_point_at_position(flight.end());
       if constexpr (kHasSheets) {
         const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
         if (!sheets.is_apart(g, flight.end(), {}, FixedInteger<304>(1), to))
           return arrive_instead([&](Tries& tries) {
-            return sheets.landing(g, spot_if_touching(), sheets.bases(flight.end(), flight.cells_at_end()), tries);
+            return sheets.landing(g, grid_point_if_touching(), sheets.bases(flight.end(), flight.cells_at_end()), tries);
           });
       }
-      return rest(Rest::at_goal, to);
+      return rest(RestKind::at_goal, to);
     }
     const HalfEdge h = 3 * landing.face + landing.corner;
     if (landing.part == Hit::Part::corner) note_landing(mesh_.start(h), flight.onward());
-    const Spot to = landing.part == Hit::Part::corner ? spot_at_vertex(mesh_, h, landing.side)
-                    : landing.part == Hit::Part::edge ? rounded_landing(h, flight.cell_on_edge(), landing.side)
-                                                      : rounded_in_triangle(landing.face, flight.cells(), landing.side);
+    const GridPoint to = landing.part == Hit::Part::corner ? grid_point_at_vertex(mesh_, h, landing.side)
+                         : landing.part == Hit::Part::edge ? rounded_landing(h, flight.cell_on_edge(), landing.side)
+                                                           : rounded_in_triangle(landing.face, flight.cells(), landing.side);
     if constexpr (!kHasSheets) return arrive(to);
-    if (spot_.place != mesh::Place::free && !is_nearer(to)) return refuse_flight();
+    if (grid_point_.place != mesh::Place::free && !is_nearer(to)) return refuse_flight();
     if constexpr (kHasSheets) {
       const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
       const auto left = flight.left_at_landing();
       if (!sheets.is_apart(g, landing, left.num, left.den, to))
-        return arrive_instead(
-            [&](Tries& tries) { return sheets.landing(g, spot_if_touching(), sheets.bases(landing, flight.cells()), tries); });
+        return arrive_instead([&](Tries& tries) {
+          return sheets.landing(g, grid_point_if_touching(), sheets.bases(landing, flight.cells()), tries);
+        });
     }
     return onward(to);
   }
@@ -379,8 +381,8 @@ class Walk : Slips<Stages> {
     const Step step = fly();
     return step == Step::onward ? go_on() : step;
   }
-  FORCESHADE_INLINE Step arrive(const Spot& to) noexcept {
-    if (spot_.place != mesh::Place::free && !is_nearer(to)) return refuse_flight();
+  FORCESHADE_INLINE Step arrive(const GridPoint& to) noexcept {
+    if (grid_point_.place != mesh::Place::free && !is_nearer(to)) return refuse_flight();
     return onward(to);
   }
   // The edge that the last slide went out through, and how p lies to the triangle that it left: that depends on p alone.

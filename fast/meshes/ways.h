@@ -18,7 +18,7 @@ class Ways {
   // The place where a way is blocked, from 0 to 1 along it; 1 where its end lies on another feature, too.
   struct Block {
     typename GridSegment::Fraction s;
-    HalfEdge half = 0;  // as Spot::half
+    HalfEdge half = 0;  // as GridPoint::half
     FeatureKey key{};
   };
 
@@ -30,7 +30,7 @@ class Ways {
   Ways(const Mesh& mesh, const Stages& stages) noexcept : mesh_(mesh), stages_(stages) {}
 
   // The first place at which the way in a triangle from one point of it to another is blocked.
-  std::optional<Block> block(const Spot& from, const Spot& to, std::uint32_t triangle) const noexcept {
+  std::optional<Block> block(const GridPoint& from, const GridPoint& to, std::uint32_t triangle) const noexcept {
     return first_block(place_at(from), place_at(to), key_of(mesh_, to), &mesh_.face(triangle));
   }
 
@@ -45,8 +45,8 @@ class Ways {
     };
     return {coordinate(0), coordinate(1), coordinate(2)};
   }
-  Place place_at(const Spot& spot) const noexcept {
-    const Point point = point_of(mesh_, spot);
+  Place place_at(const GridPoint& grid_point) const noexcept {
+    const Point point = point_of(mesh_, grid_point);
     return {point, place_of(point), about(point)};
   }
 
@@ -84,16 +84,16 @@ class Ways {
     return false;
   }
 
-  Aim aim_at(const FeatureKey& key, HalfEdge half, const ExactOffset& d) const noexcept {
+  DirectionKind kind_at(const FeatureKey& key, HalfEdge half, const ExactOffset& d) const noexcept {
     if (key.place == mesh::Place::triangle) {
       const int sign = dot(ExactFace(mesh_.face(face_of(half))).n, d).sign();
-      return sign > 0 ? Aim::front : sign < 0 ? Aim::back : Aim::on;
+      return sign > 0 ? DirectionKind::front : sign < 0 ? DirectionKind::back : DirectionKind::on;
     }
     const auto near = [](const FixedInteger<95>& component) { return 0x1p-53 * component.approximately(); };
     const Vector3<double> rounded{near(d.x), near(d.y), near(d.z)};
     const Direction direction{rounded, size_of(rounded), nullptr, nullptr, false, &d};
     const Headings<Stages> headings(mesh_, direction, stages_);
-    return key.place == mesh::Place::edge ? headings.aim_at_edge(half) : headings.at_vertex(mesh_.start(half)).aim;
+    return key.place == mesh::Place::edge ? headings.kind_at_edge(half) : headings.at_vertex(mesh_.start(half)).kind;
   }
   static ExactOffset opposite(const ExactOffset& d) noexcept { return {-d.x, -d.y, -d.z}; }
   static ExactOffset offset(const GridPlace& from, const GridPlace& to) noexcept {
@@ -102,9 +102,9 @@ class Ways {
 
   // True if a move in direction u may not go on at a point of the feature.
   bool is_blocked(const FeatureKey& key, HalfEdge half, const ExactOffset& u) const noexcept {
-    const Aim from = aim_at(key, half, opposite(u)), onward = aim_at(key, half, u);
-    const bool leaves = mesh_.sides() == mesh::Sides::front && from == Aim::back && onward == Aim::front;
-    return onward != Aim::open && onward != from && !leaves;
+    const DirectionKind from = kind_at(key, half, opposite(u)), onward = kind_at(key, half, u);
+    const bool leaves = mesh_.sides() == mesh::Sides::front && from == DirectionKind::back && onward == DirectionKind::front;
+    return onward != DirectionKind::open && onward != from && !leaves;
   }
 
   // The meeting of a way between two points, which are good to kAbout, and a triangle, as far as binary64 decides it. Inwards
@@ -141,7 +141,7 @@ class Ways {
   bool is_blocked(Meeting meeting) const noexcept { return meeting == Meeting::inwards || mesh_.sides() == mesh::Sides::both; }
 
   // True if nothing blocks the way to c, whose place is `to`.
-  bool is_clear(const Place& from, const Place& to, const Spot& c, const Face* inside) const noexcept {
+  bool is_clear(const Place& from, const Place& to, const GridPoint& c, const Face* inside) const noexcept {
     const ExactOffset u = offset(from.exact, to.exact);
     if (is_zero(u)) return true;
     const GridSegment way(from.exact, to.exact, FixedInteger<25>(kGrid));

@@ -48,7 +48,7 @@ Soup::Soup(const mesh::TriangleMesh& mesh, const std::vector<mesh::Sides>& sides
       face.corner[i] = vertices_[face.vertex[i]];
     }
     face.twin.fill(kRim);
-    face.index_and_edge_angles = t << Face::kBendBits;
+    face.index_and_folds = t << Face::kBendBits;
     if (!has_area(face)) continue;
     for (const std::uint32_t name : face.vertex) is_name_[name] = true;
     face_of_file_[t] = static_cast<std::uint32_t>(faces_.size());

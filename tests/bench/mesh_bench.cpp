@@ -174,7 +174,7 @@ void run_exact(const MeshWorkload& workload, const Rendering& rendering, const S
   constexpr std::ptrdiff_t kFirst = 100;
   const auto worst = static_cast<std::size_t>(std::max_element(shortest.begin() + kFirst, shortest.end()) - shortest.begin());
   int in_binary64 = 0, in_integers = 0;
-  fast::Arrival arrival{spot_of(*rendering.mesh, states[worst]), fast::Rest::none, 0, true};
+  fast::Arrival arrival{grid_point_of(*rendering.mesh, states[worst]), fast::RestKind::none, 0, true};
   mesh::Tick tick;
   fast::advance(*rendering.mesh, arrival, fast::quantised(workload.contact[worst]), kStiffness, rendering.shading,
                 CountedStages{&in_binary64, &in_integers}, tick);
@@ -183,7 +183,7 @@ void run_exact(const MeshWorkload& workload, const Rendering& rendering, const S
       "from %s to %s\n",
       worst, shortest[worst], int{tick.moves}, in_binary64, in_integers,
       mesh::kPlaceNames[static_cast<std::size_t>(states[worst].place)].data(),
-      mesh::kPlaceNames[static_cast<std::size_t>(arrival.spot.place)].data());
+      mesh::kPlaceNames[static_cast<std::size_t>(arrival.grid_point.place)].data());
 }
 
 void run_naive(const MeshWorkload& workload, const Scale& scale, const mesh::CornerNormals& normals = {}) {

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "fast/meshes/decide.h"
+#include "fast/meshes/grid_point.h"
 #include "fast/meshes/mesh.h"
-#include "fast/meshes/spot.h"
 #include "properties/mesh_path.h"
 #include "properties/mesh_source.h"
 #include "tests/meshes/rendering.h"
@@ -45,11 +45,11 @@ TEST(fast_mesh, joins_the_triangles_as_their_vertices_say) {
       ++joined;
       ASSERT_EQ(mesh.twin(other), h);
       ASSERT_EQ(mesh.start(other), b);
-      const EdgeAngle angle = mesh.face(face_of(h)).edge_angle(corner_of(h));
-      ASSERT_EQ(angle, mesh.face(face_of(other)).edge_angle(corner_of(other)));
+      const Fold angle = mesh.face(face_of(h)).fold(corner_of(h));
+      ASSERT_EQ(angle, mesh.face(face_of(other)).fold(corner_of(other)));
       const int sign = exact_side_of(mesh.face(face_of(h)), mesh.start_point(previous(other)));
-      ASSERT_EQ(angle, sign > 0 ? EdgeAngle::narrow : sign == 0 ? EdgeAngle::flat : EdgeAngle::wide);
-      (angle == EdgeAngle::narrow ? narrow : angle == EdgeAngle::flat ? flat : wide) += 1;
+      ASSERT_EQ(angle, sign > 0 ? Fold::narrow : sign == 0 ? Fold::flat : Fold::wide);
+      (angle == Fold::narrow ? narrow : angle == Fold::flat ? flat : wide) += 1;
     }
     for (std::uint32_t t = 0; t < mesh.faces(); ++t) {
       ASSERT_EQ(mesh.face(mesh.face_of_file(t)).index(), t);
@@ -70,13 +70,13 @@ TEST(fast_mesh, turns_states_into_its_own_numbers_and_back) {
     for (std::uint32_t t = 0; t < made.mesh.triangles.size(); ++t) {
       const mesh::Triangle& corners = made.mesh.triangles[t];
       mesh::GodObject object{mesh::Place::triangle, mesh::Side::back, false, {}, {t, 0}, {5, 7}};
-      ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
+      ASSERT_EQ(object_of(mesh, grid_point_of(mesh, object)), object);
       object = {mesh::Place::vertex, mesh::Side::front, false, {}, {corners[0], 0}, {}};
-      ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
+      ASSERT_EQ(object_of(mesh, grid_point_of(mesh, object)), object);
       for (std::size_t c = 0; c < 3; ++c) {
         const auto [a, b] = std::minmax(corners[c], corners[(c + 1) % 3]);
         object = {mesh::Place::edge, mesh::Side::front, false, {}, {a, b}, {3, 0}};
-        ASSERT_EQ(object_of(mesh, spot_of(mesh, object)), object);
+        ASSERT_EQ(object_of(mesh, grid_point_of(mesh, object)), object);
         ++edges;
       }
     }
@@ -88,7 +88,7 @@ TEST(fast_mesh, turns_states_into_its_own_numbers_and_back) {
           mesh::GodObject{mesh::Place::triangle, mesh::Side::front, false, {}, {0, 0}, {0, 1}},
           mesh::GodObject{mesh::Place::edge, mesh::Side::front, false, {}, {0, count}, {1, 0}},
           mesh::GodObject{mesh::Place::edge, mesh::Side::front, false, {}, {0, 1}, {kGrid, 0}}})
-      ASSERT_EQ(spot_of(mesh, wrong).place, mesh::Place::nowhere);
+      ASSERT_EQ(grid_point_of(mesh, wrong).place, mesh::Place::nowhere);
   }
   EXPECT_GT(edges, 1000U);
 }

@@ -27,7 +27,7 @@ TEST(mesh_friction, is_the_reference_in_every_bit_on_random_meshes_with_random_m
       },
       [&](const tests::ComparedTick& tick) {
         const fast::Mesh& mesh = tick.both.mesh();
-        const bool was_touching = fast::is_touching(fast::spot_of(mesh, tick.before));
+        const bool was_touching = fast::is_touching(fast::grid_point_of(mesh, tick.before));
         const mesh::Tick direct = fast::step(mesh, tick.before, tick.position, kStiffness, tick.rendering.shading);
         occasions["friction keeps it back"] += was_touching && !(direct.after == tick.expected.after);
         occasions["held"] += was_touching && tick.expected.moves == 0 && direct.moves > 0;

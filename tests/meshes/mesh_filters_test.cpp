@@ -252,11 +252,12 @@ TEST(mesh_filters, the_force_at_a_slip_is_that_of_every_way_within_its_error) {
   const Mesh mesh = tests::fast_mesh(rendering);
   for (int i = 0; i < 20000; ++i) {
     Arrival arrival;
-    arrival.spot = spot_in_triangle(mesh, 0, 1 + static_cast<std::uint32_t>(draw.uniform(1, 0x1p23)), 5, mesh::Side::front);
-    arrival.rest = Rest::at_spot;
+    arrival.grid_point =
+        grid_point_in_triangle(mesh, 0, 1 + static_cast<std::uint32_t>(draw.uniform(1, 0x1p23)), 5, mesh::Side::front);
+    arrival.rest = RestKind::at_grid_point;
     arrival.pull = {Slide::Along::triangle, 0, false};
     const std::array<float, 3> p = draw.point(4);
-    const Offset exact = offset_from(point_of(mesh, arrival.spot), p.data(), 0);
+    const Offset exact = offset_from(point_of(mesh, arrival.grid_point), p.data(), 0);
     arrival.to_hand = exact;
     arrival.error_to_hand = exact.size * draw.power(-45, -24);
     for (double* component : {&arrival.to_hand.U.x, &arrival.to_hand.U.y, &arrival.to_hand.U.z})

@@ -4,13 +4,13 @@
 namespace forceshade::fast {
 
 mesh::Tick walk_through_sheets(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position) noexcept {
-  Arrival at{spot_of(mesh, before), Rest::none, 0, true};
+  Arrival at{grid_point_of(mesh, before), RestKind::none, 0, true};
   mesh::Tick tick;
   if (in_domain(position)) {
     Walk<FilteredStages>(mesh, at, quantised(position), {}).run();
     tick.moves = static_cast<std::uint16_t>(at.moves);
   }
-  tick.after = object_of(mesh, at.spot);
+  tick.after = object_of(mesh, at.grid_point);
   return tick;
 }
 

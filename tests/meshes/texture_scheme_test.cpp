@@ -124,7 +124,7 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
       const mesh::Tick expected = both.step(p, "mesh " + std::to_string(seed) + ", tick " + std::to_string(i));
       if (testing::Test::HasFailure()) return;
 
-      fast::Arrival arrival{spot_of(mesh, state), fast::Rest::none, 0, true};
+      fast::Arrival arrival{grid_point_of(mesh, state), fast::RestKind::none, 0, true};
       if (fast::in_domain(p)) {
         const Position read = fast::quantised(p);
         mesh::Tick tick;

@@ -66,8 +66,9 @@ TEST(tick_budget, both_sides_count_the_same_boxes_on_a_way) {
       const std::uint32_t k = 1 + static_cast<std::uint32_t>(random() % (1U << 23)),
                           l = 1 + static_cast<std::uint32_t>(random() % (1U << 22));
       const bool is_free = way % 3 == 0;
-      const fast::Spot spot = is_free ? fast::Spot{} : fast::spot_in_triangle(mesh, mesh.face_of_file(index), k, l, {});
-      const fast::Point g = is_free ? fast::Point::at(ends[0].data()) : fast::point_of(mesh, spot);
+      const fast::GridPoint grid_point =
+          is_free ? fast::GridPoint{} : fast::grid_point_in_triangle(mesh, mesh.face_of_file(index), k, l, {});
+      const fast::Point g = is_free ? fast::Point::at(ends[0].data()) : fast::point_of(mesh, grid_point);
       const reference::meshes::Vector from =
           is_free ? reference::meshes::exact_point(ends[0]) : surface.position(surface.in_triangle(index, k, l));
       const std::int64_t all = 1 + static_cast<std::int64_t>(random() % 8), left = static_cast<std::int64_t>(random()) % all;

@@ -13,11 +13,11 @@ struct EdgeScheme {
 
   template <class Numbers, class N = typename Numbers::N>
   static ShadingDirection<N> outward(const Numbers& numbers, const Way3<N>&, Stage&) noexcept {
-    const Spot& spot = numbers.spot();
-    if (spot.place != mesh::Place::triangle) return {ShadingOutcome::none, {}};
+    const GridPoint& grid_point = numbers.grid_point();
+    if (grid_point.place != mesh::Place::triangle) return {ShadingOutcome::none, {}};
     const Mesh& mesh = numbers.mesh();
     // Corner i is opposite to side i.
-    const std::uint32_t f = face_of(spot.half);
+    const std::uint32_t f = face_of(grid_point.half);
     const auto unit_normal = [&](std::uint32_t of) -> std::optional<Vector3<N>> {
       const Vector3<N> x_axis{N::exactly(1), N::exactly(0), N::exactly(0)};
       const auto rounded = along(Way3<N>{x_axis, N::exactly(1)}, numbers.normal(mesh.face(of)), 1);
@@ -45,9 +45,9 @@ struct EdgeScheme {
     for (const N& component : {direction.x, direction.y, direction.z}) {
       const Sign sign = proved_sign(component);
       is_zero = is_zero && sign == Sign::zero;
-      if (sign == Sign::positive || sign == Sign::negative) return from_its_side(spot.side, direction);
+      if (sign == Sign::positive || sign == Sign::negative) return from_its_side(grid_point.side, direction);
     }
-    return is_zero ? from_its_side(spot.side, *own) : ShadingDirection<N>{ShadingOutcome::unknown, {}};
+    return is_zero ? from_its_side(grid_point.side, *own) : ShadingDirection<N>{ShadingOutcome::unknown, {}};
   }
 };
 

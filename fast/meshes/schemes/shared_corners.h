@@ -34,28 +34,28 @@ struct SharedCorners {
   template <class Numbers, class N = typename Numbers::N>
   static ShadingDirection<N> outward(const Numbers& numbers, const Way3<N>& way, Stage& last) noexcept {
     const Mesh& mesh = numbers.mesh();
-    const Spot& spot = numbers.spot();
+    const GridPoint& grid_point = numbers.grid_point();
     const auto shaded_by = [&](const std::optional<Vector3<N>>& direction) -> ShadingDirection<N> {
-      return direction ? from_its_side(spot.side, *direction) : ShadingDirection<N>{ShadingOutcome::unknown, {}};
+      return direction ? from_its_side(grid_point.side, *direction) : ShadingDirection<N>{ShadingOutcome::unknown, {}};
     };
-    if (spot.place == mesh::Place::vertex) {
-      const HalfEdge first = mesh.first_around(mesh.start(spot.half));
+    if (grid_point.place == mesh::Place::vertex) {
+      const HalfEdge first = mesh.first_around(mesh.start(grid_point.half));
       for (HalfEdge h = mesh.around(first); h != kRim && h != first; h = mesh.around(h))
         if (!Scheme::are_same(mesh, h, first)) return {ShadingOutcome::none, {}};
       return shaded_by(Scheme::template interpolated<1>(numbers, {first}, {N::exactly(1)}, last));
     }
-    if (spot.place == mesh::Place::triangle) {
-      const HalfEdge h = spot.half;
+    if (grid_point.place == mesh::Place::triangle) {
+      const HalfEdge h = grid_point.half;
       return shaded_by(Scheme::template interpolated<3>(numbers, {h, h + 1, h + 2}, numbers.weights_in_triangle(), last));
     }
-    const HalfEdge other = mesh.twin(spot.half);
+    const HalfEdge other = mesh.twin(grid_point.half);
     const std::array<N, 2> weight = numbers.weights_on_edge();
-    const std::array<HalfEdge, 2> ends{spot.half, next(spot.half)}, beyond{next(other), other};
+    const std::array<HalfEdge, 2> ends{grid_point.half, next(grid_point.half)}, beyond{next(other), other};
     if (other == kRim || (Scheme::are_same(mesh, ends[0], beyond[0]) && Scheme::are_same(mesh, ends[1], beyond[1])))
       return shaded_by(Scheme::template interpolated<2>(numbers, ends, weight, last));
     // D = α n1 + β n2, α and β of the side's sign; they carry it to the direction.
-    const Face &first = mesh.face(face_of(spot.half)), &second = mesh.face(face_of(other));
-    if (first.edge_angle(corner_of(spot.half)) == EdgeAngle::flat) return {ShadingOutcome::none, {}};
+    const Face &first = mesh.face(face_of(grid_point.half)), &second = mesh.face(face_of(other));
+    if (first.fold(corner_of(grid_point.half)) == Fold::flat) return {ShadingOutcome::none, {}};
     if (!numbers.is_at_foot()) {
       const Sign along = proved_sign(dot(way.vector, numbers.edge()));
       if (along == Sign::unknown) return {ShadingOutcome::unknown, {}};
@@ -63,7 +63,7 @@ struct SharedCorners {
     }
     const Vector3<N> n1 = numbers.normal(first), n2 = numbers.normal(second), axis = cross(n1, n2);
     const N alpha = dot(cross(way.vector, n2), axis), beta = dot(cross(n1, way.vector), axis);
-    const Sign against = spot.side == mesh::Side::front ? Sign::negative : Sign::positive;
+    const Sign against = grid_point.side == mesh::Side::front ? Sign::negative : Sign::positive;
     for (const Sign sign : {proved_sign(alpha), proved_sign(beta)}) {
       if (sign == Sign::unknown) return {ShadingOutcome::unknown, {}};
       if (sign == against) return {ShadingOutcome::none, {}};
