@@ -12,7 +12,8 @@ trap 'rm -rf "$scratch"' EXIT
 
 evaluating="damping/damping law height_map_field heights/exact heights/grid heights/spline_force_avx2 heights/spline_force_avx512
   meshes/force meshes/mesh meshes/session numbers/root_field scenes/scene simd/batch_avx2 simd/batch_avx512"
-every="$evaluating god_object heights/domain instruction_set meshes/box_tree meshes/grid_point"
+soups="soups/force soups/god_object soups/places soups/rounding soups/segment soups/session soups/soup soups/star soups/star_cells soups/way"
+every="$evaluating god_object heights/domain instruction_set meshes/box_tree meshes/grid_point $soups"
 checks="box_tree check lines numbers predicates readers"  # of rendering/meshes/, because only a checked mesh is rendered
 # A new file has to be put into one of the two lists.
 diff <(printf '%s\n' $every | sort) <(cd "$source/fast" && find . -name '*.cpp' | sed 's|^\./||; s/\.cpp$//' | sort) ||
@@ -26,7 +27,7 @@ vector_flags() {  # file
 }
 compile() {  # directory, file, flags...
   $cache "$compiler" -std=c++20 -w -I"$source" -I"$source/include" -isystem "$eigen" "${@:3}" $(vector_flags "$2") -c "$source/$2.cpp" \
-    -o "$1/$(basename "$2").o"
+    -o "$1/${2//\//_}.o"
 }
 link() { "$compiler" "${@:2}" "$1"/*.o "$1"/meshes/*.o -o "$1/same_bits"; }  # directory, flags...
 
