@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes that others have made and that are not regular are rendered by the exact side, and what docs/soups.md says follows is
-// judged by other means: nothing passes a wall, and rests are idempotent. FORCESHADE_REAL_SOUPS names a folder of mesh files,
-// of which docs/tables/real-meshes.csv lists some with their sources; without it, made meshes stand in for them.
+// Meshes that others have made and that are not regular are rendered by both sides alike, and what docs/soups.md says follows
+// is judged by other means: nothing passes a wall, and rests are idempotent. FORCESHADE_REAL_SOUPS names a folder of mesh
+// files, of which docs/tables/real-meshes.csv lists some with their sources; without it, made meshes stand in for them.
 
 #include <gtest/gtest.h>
 
@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "forceshade/fast.h"
 #include "forceshade/meshes.h"
 #include "forceshade/reference.h"
 #include "rendering/meshes/make.h"
@@ -195,9 +196,9 @@ class Hand {
   std::array<double, 3> at_{}, along_{};
 };
 
-void expect_same(const mesh::Tick& again, const mesh::Tick& tick, const std::string& name) {
-  EXPECT_EQ(again.after, tick.after) << name << ": a rest that is repeated";
-  EXPECT_EQ(again.force, tick.force) << name << ": a rest that is repeated";
+void expect_same(const mesh::Tick& other, const mesh::Tick& tick, const std::string& what) {
+  EXPECT_EQ(other.after, tick.after) << what;
+  EXPECT_EQ(other.force, tick.force) << what;
 }
 
 Counts judged(const mesh::CheckedMesh& checked, const std::string& name) {
@@ -206,6 +207,7 @@ Counts judged(const mesh::CheckedMesh& checked, const std::string& name) {
   const MeshRendering rendering{checked, mesh::corner_normals(checked, 60).normals, sides, mesh::Shading::vertex_scheme, 0.5F,
                                 {}};
   const auto god_object = tests::built(reference::GodObject::build(rendering));
+  const auto session = tests::built(fast::GodObject::build(rendering)).open();
   Judge judge(checked.mesh(), sides, 1);
   Hand hand(judge);
   mesh::GodObject state;
@@ -213,7 +215,10 @@ Counts judged(const mesh::CheckedMesh& checked, const std::string& name) {
   Counts counts;
   for (int i = 0; i < kTicks; ++i) {
     const Vertex position = hand.next();
-    const mesh::Tick tick = god_object.step(state, position);
+    const mesh::Tick tick = god_object.step(state, position), in_real_time = session->tick(position);
+    expect_same(in_real_time, tick, name + ": both sides");
+    EXPECT_EQ(in_real_time.status, tick.status) << name;
+    EXPECT_EQ(in_real_time.moves, tick.moves) << name;
     counts.most_moves = std::max<int>(counts.most_moves, tick.moves);
     ++(tick.status == Status::free ? counts.free : tick.status == Status::contact ? counts.touching : counts.unfinished);
     if (tick.status == Status::free && is_closed) {
@@ -229,7 +234,7 @@ Counts judged(const mesh::CheckedMesh& checked, const std::string& name) {
       ++counts.flights;
     }
     if (tick.status == Status::contact) {
-      expect_same(god_object.step(tick.after, position), tick, name);
+      expect_same(god_object.step(tick.after, position), tick, name + ": a rest that is repeated");
       ++counts.rests;
     }
     state = tick.after;
