@@ -118,11 +118,10 @@ inline std::optional<ParameterError> first_error_of_any(const MeshRendering& ren
   return std::nullopt;
 }
 
-// The same, for a side that renders regular meshes alone.
+// The same, for what is of regular meshes alone.
 inline std::optional<ParameterError> first_error(const MeshRendering& rendering) {
   if (!rendering.checked.is_regular())
-    return ParameterError{"kind of the mesh (0: regular, 1: any set of triangles, which the exact side alone renders)", "", 1,
-                          0, 0};
+    return ParameterError{"kind of the mesh (0: regular, 1: any set of triangles)", "", 1, 0, 0};
   return first_error_of_any(rendering);
 }
 
