@@ -58,7 +58,7 @@ inline bool is_touching(const GridPoint& grid_point) noexcept {
   return grid_point.place != mesh::Place::nowhere && grid_point.place != mesh::Place::free;
 }
 
-// The weights of the corners of `face`, which the grid_point belongs to.
+// The weights of the corners of `face`, which the grid point belongs to.
 inline std::array<std::uint32_t, 3> weights_in(const Mesh& mesh, const GridPoint& grid_point, std::uint32_t face) noexcept {
   std::array<std::uint32_t, 3> weights{};
   if (grid_point.place == mesh::Place::triangle)
@@ -106,7 +106,7 @@ inline float stiffness_at(const Mesh& mesh, const GridPoint& grid_point, float u
   return largest;
 }
 
-// True if the triangle holds the grid_point.
+// True if the triangle holds the grid point.
 inline bool touches(const Mesh& mesh, const GridPoint& grid_point, std::uint32_t face) noexcept {
   switch (grid_point.place) {
     case mesh::Place::vertex: {

@@ -175,7 +175,7 @@ class RestNumbers {
     }
   }
 
-  // r less the goal; at the grid_point, r less p.
+  // r less the goal; at the grid point, r less p.
   FORCESHADE_INLINE Way3<N> way_from_goal() const noexcept {
     switch (rest_) {
       case RestKind::in_triangle: return to_triangle(mesh_.face(face_of(grid_point_.half)));

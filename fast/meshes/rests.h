@@ -27,7 +27,7 @@ struct Arrival {
   bool is_finished = true;
   Plane plane{};  // of the rest's triangle: in_triangle alone
   // By the contact rule friction alone: mesh::GodObject's; and the rough way along which the hand pulls at a rest at the
-  // grid_point.
+  // grid point.
   bool is_slipping = false;
   Slide pull{};
   Offset to_hand{};          // 2^24(p - g) there, where it is at hand
@@ -105,7 +105,7 @@ class Rests {
     return {mesh::Place::triangle, side, 3 * f, {k, l}, {}};
   }
 
-  // True if the grid_point, whose parameters are those of q rounded, is q.
+  // True if the grid point, whose parameters are those of q rounded, is q.
   FORCESHADE_INLINE bool is_nearest_already(std::uint32_t f, const Weights& weights) const noexcept {
     for (std::size_t i = 0; i < 2; ++i) {
       const int sign = compare_with_halves(weights.corner[i + 1], weights.all, 2 * grid_point_.weight[i], stages_, [&] {

@@ -103,7 +103,7 @@ class Sheets : Ways<Stages> {
     return result;
   }
 
-  // A point of the grid around these to which there is a clear way from g. from: g's grid_point where it is on the surface;
+  // A point of the grid around these to which there is a clear way from g. from: g's grid point where it is on the surface;
   // then the point is nearer to p.
   std::optional<GridPoint> landing(const Point& g, const GridPoint* from, const Bases& bases, Tries& tries) const noexcept {
     struct Step {

@@ -118,7 +118,7 @@ class Slips : protected Rests<Stages> {
         way.half, of, [&](const auto& friction) { return slip_by(friction, way, foot, is_towards_start, is_foot_inside); });
   }
 
-  // A rest at the grid_point that is not for friction's sake. way: the steepest, along which the hand pulls.
+  // A rest at the grid point that is not for friction's sake. way: the steepest, along which the hand pulls.
   Step stay(const Slide& way) noexcept {
     const Slide pull = rough(way);
     if (pull.along != Slide::Along::nothing) return held_at_grid_point(pull);
@@ -156,7 +156,7 @@ class Slips : protected Rests<Stages> {
     return kind == DirectionKind::open ||
            kind == (grid_point_.side == mesh::Side::front ? DirectionKind::front : DirectionKind::back);
   }
-  // The steepest way from a touching grid_point; nothing where the surface does not lead nearer.
+  // The steepest way from a touching grid point; nothing where the surface does not lead nearer.
   [[gnu::noinline]] Slide steepest() const noexcept {
     const HalfEdge h = grid_point_.half;
     if (grid_point_.place == mesh::Place::triangle) return {Slide::Along::triangle, h, false};
@@ -245,7 +245,7 @@ class Slips : protected Rests<Stages> {
     const std::uint32_t f = face_of(way.half);
     return by_friction_in(f, FaceNumbers(mesh_.face(f)), mesh_.friction_in_triangle(f), hold);
   }
-  // then(): gets what friction decides from the grid_point, in the triangle or along the edge.
+  // then(): gets what friction decides from the grid point, in the triangle or along the edge.
   template <class Then>
   FORCESHADE_INLINE auto by_friction_in(std::uint32_t f, const FaceNumbers& numbers, const Coefficients& of,
                                         const Then& then) noexcept {

@@ -16,7 +16,7 @@ class Walk : Slips<Stages> {
  public:
   static constexpr int kMostTries = 256;  // with these, no further detour or landing of the tick begins
 
-  // Moves `at`, from where its grid_point is, towards p: the hand's position, or what a contact rule puts in its place. p: mm,
+  // Moves `at`, from where its grid point is, towards p: the hand's position, or what a contact rule puts in its place. p: mm,
   // in the domain and quantised. Both have to outlive the walk.
   FORCESHADE_INLINE Walk(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
       : Slips<Stages>(mesh, at, p, stages) {}
@@ -218,7 +218,7 @@ class Walk : Slips<Stages> {
     return false;
   }
 
-  // From the grid_point towards p's nearest point q of the edge's line.
+  // From the grid point towards p's nearest point q of the edge's line.
   Step slide_along(const Slide& way) noexcept {
     const HalfEdge h = way.half;
     const Foot foot(mesh_.start_point(h), mesh_.start_point(next(h)), p_.data());
@@ -246,7 +246,7 @@ class Walk : Slips<Stages> {
     if (is_position(mesh_.start_point(end))) return slid(RestKind::at_goal, vertex, first_beside(h));
     return slid_onward(vertex, first_beside(h));
   }
-  // From the grid_point, through the triangle, towards p's nearest point q of its plane.
+  // From the grid point, through the triangle, towards p's nearest point q of its plane.
   FORCESHADE_INLINE Step slide_in(std::uint32_t f, const Facing& facing) noexcept {
     const Weights& weights = facing.weights;
     if (grid_point_.place != mesh::Place::triangle) mesh_.fetch_neighbours(f);
@@ -274,7 +274,7 @@ class Walk : Slips<Stages> {
     const Weights& weights = facing.weights;
     if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
-    // It leaves through the edge opposite to a corner whose weight falls to 0 on the way from G, the grid_point's, to q.
+    // It leaves through the edge opposite to a corner whose weight falls to 0 on the way from G, the grid point's, to q.
     const std::array<std::uint32_t, 3> G = weights_in(mesh_, grid_point_, f);
     const auto falls = [&](std::uint32_t i) { return inside[i] <= 0 && G[i] > 0; };
     std::uint32_t i = falls(0) ? 0 : falls(1) ? 1 : 2;
@@ -317,7 +317,7 @@ class Walk : Slips<Stages> {
       return slid_onward(to, f);
     return refuse({Slide::Along::triangle, 3 * f, false});
   }
-  // A rest at the grid_point instead of a move, which is counted already. way: the steepest.
+  // A rest at the grid point instead of a move, which is counted already. way: the steepest.
   Step refuse(const Slide& way) noexcept {
     --at_.moves;
     if constexpr (kHasFriction) return stay(way);

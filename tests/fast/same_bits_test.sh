@@ -12,7 +12,8 @@ trap 'rm -rf "$scratch"' EXIT
 
 evaluating="damping/damping law height_map_field heights/exact heights/grid heights/spline_force_avx2 heights/spline_force_avx512
   meshes/force meshes/mesh meshes/session numbers/root_field scenes/scene simd/batch_avx2 simd/batch_avx512"
-soups="soups/force soups/god_object soups/places soups/rounding soups/segment soups/session soups/soup soups/star soups/star_cells soups/way"
+soups="soups/force soups/god_object soups/places soups/rounding soups/segment soups/session soups/soup soups/star
+  soups/star_cells soups/way"
 every="$evaluating god_object heights/domain instruction_set meshes/box_tree meshes/grid_point $soups"
 checks="box_tree check lines numbers predicates readers"  # of rendering/meshes/, because only a checked mesh is rendered
 # A new file has to be put into one of the two lists.

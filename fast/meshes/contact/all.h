@@ -24,7 +24,7 @@ inline mesh::Contact contact_in(const Mesh& mesh, mesh::Contact contact) noexcep
   return contact == mesh::Contact::friction && !mesh.has_friction() ? mesh::kUsualContact : contact;
 }
 
-// Moves `at` by a rule of the list, from where its grid_point is. p: the hand's position, mm, in the domain and quantised. The
+// Moves `at` by a rule of the list, from where its grid point is. p: the hand's position, mm, in the domain and quantised. The
 // mesh has what the rule uses.
 template <class Stages, class First, class... Others>
 FORCESHADE_INLINE Goal move_by(mesh::Contact contact, const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
