@@ -44,7 +44,7 @@ struct Number {
 // The ends, along a direction, of what the inside of s has in a plane, where corners have these heights over it; nothing where
 // the corners are not on both sides of it.
 std::optional<std::array<Number, 2>> cut(const Corners& s, const std::array<Whole, 3>& heights, const WholeVector& along) {
-  const auto [low, high] = std::ranges::minmax(heights);
+  const auto [low, high] = std::minmax({heights[0], heights[1], heights[2]});
   if (low >= 0 || high <= 0) return {};
   std::array<Number, 2> ends;
   std::size_t count = 0;

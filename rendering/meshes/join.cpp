@@ -22,7 +22,9 @@ class Near {
   template <class Vertex>
   void between(float low, float high, const Vertex& vertex) const {
     const auto x = [&](std::uint32_t v) { return mesh_.vertices[v][0]; };
-    for (auto at = std::ranges::lower_bound(sorted_, low, {}, x); at != sorted_.end() && x(*at) <= high; ++at) vertex(*at);
+    const auto is_below = [&](std::uint32_t v, float least) { return x(v) < least; };
+    for (auto at = std::lower_bound(sorted_.begin(), sorted_.end(), low, is_below); at != sorted_.end() && x(*at) <= high; ++at)
+      vertex(*at);
   }
 
  private:
@@ -62,7 +64,7 @@ Join join_borders(const TriangleMesh& mesh, float length, const std::vector<std:
   std::vector<std::uint32_t> ends;
   for (const BorderEdge& edge : edges) ends.insert(ends.end(), edge.ends.begin(), edge.ends.end());
   std::ranges::sort(ends);
-  ends.erase(std::ranges::unique(ends).begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   Join join;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) join.onto.push_back(v);
   const Near near(mesh, ends);
@@ -89,7 +91,7 @@ Join join_borders(const TriangleMesh& mesh, float length, const std::vector<std:
     });
   }
   std::ranges::sort(join.beside);
-  join.beside.erase(std::ranges::unique(join.beside).begin(), join.beside.end());
+  join.beside.erase(std::unique(join.beside.begin(), join.beside.end()), join.beside.end());
   return join;
 }
 
