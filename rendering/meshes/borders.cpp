@@ -65,7 +65,7 @@ Borders borders_of(TriangleMesh mesh, float nearer_than) {
   std::vector<Box> boxes;
   for (const auto& [ends, triangle] : edges) {
     const std::array<Vertex, 2> points{mesh.vertices[ends[0]], mesh.vertices[ends[1]]};
-    borders.length += squared(side(points[0], points[1])).root();
+    borders.length += root(squared(side(points[0], points[1])));
     boxes.push_back(around(points, nearer_than));
   }
   if (nearer_than == 0) return borders;
@@ -81,7 +81,7 @@ Borders borders_of(TriangleMesh mesh, float nearer_than) {
       const SquaredDistance distance = gap(kept.mesh, edges[i], edges[j]);
       if (distance.over == 0 || !(distance < most)) continue;
       borders.cracks.push_back(
-          {{kept.number[edges[i].triangle], kept.number[edges[j].triangle]}, mesh.vertices[edges[i].ends[0]], distance.root()});
+          {{kept.number[edges[i].triangle], kept.number[edges[j].triangle]}, mesh.vertices[edges[i].ends[0]], root(distance)});
     }
   std::ranges::sort(borders.cracks, {}, [](const Crack& crack) { return std::pair(crack.triangles, crack.near); });
   return borders;

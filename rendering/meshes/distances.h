@@ -8,15 +8,13 @@
 
 namespace forceshade::mesh {
 
-// The square of a distance in units of 2^-106 mm²; under > 0.
-struct SquaredDistance {
-  Whole over, under = 1;
+// The square of a distance in units of 2^-106 mm².
+using SquaredDistance = WholeFraction;
 
-  bool operator<(const SquaredDistance& other) const { return over * other.under < other.over * under; }
-  double root() const {
-    return std::sqrt(static_cast<double>(over) / static_cast<double>(under)) * std::ldexp(1.0, -kCoordinateBits);
-  }
-};
+// mm
+inline double root(const SquaredDistance& square) {
+  return std::sqrt(static_cast<double>(square.over) / static_cast<double>(square.under)) * std::ldexp(1.0, -kCoordinateBits);
+}
 
 inline SquaredDistance squared(const WholeVector& v) {
   return {dot(v, v), 1};

@@ -35,25 +35,20 @@ bool is_beside(const Corners& s, const Corners& t) {
   return false;
 }
 
-struct Number {
-  Whole over, under;  // under > 0
-
-  bool operator<(const Number& other) const { return over * other.under < other.over * under; }
-};
-
 // The ends, along a direction, of what the inside of s has in a plane, where corners have these heights over it; nothing where
 // the corners are not on both sides of it.
-std::optional<std::array<Number, 2>> cut(const Corners& s, const std::array<Whole, 3>& heights, const WholeVector& along) {
+std::optional<std::array<WholeFraction, 2>> cut(const Corners& s, const std::array<Whole, 3>& heights,
+                                                const WholeVector& along) {
   const auto [low, high] = std::minmax({heights[0], heights[1], heights[2]});
   if (low >= 0 || high <= 0) return {};
-  std::array<Number, 2> ends;
+  std::array<WholeFraction, 2> ends;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t next = (i + 1) % 3;
     if (heights[i] == 0) ends[count++] = {dot(s[i], along), 1};
     if (heights[i] * heights[next] >= 0) continue;
     const Whole drop = heights[i] - heights[next], over = dot(s[next], along) * heights[i] - dot(s[i], along) * heights[next];
-    ends[count++] = drop > 0 ? Number{over, drop} : Number{-over, -drop};
+    ends[count++] = drop > 0 ? WholeFraction{over, drop} : WholeFraction{-over, -drop};
   }
   if (ends[1] < ends[0]) std::swap(ends[0], ends[1]);
   return ends;

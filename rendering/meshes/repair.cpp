@@ -79,7 +79,7 @@ class Repair {
     const Join join = join_borders(mesh_, length, number_);
     for (std::uint32_t v = 0; v < join.onto.size(); ++v)
       if (const std::uint32_t onto = join.onto[v]; onto != v)
-        moved_.push_back({first_[v], first_[onto], squared(side(mesh_.vertices[v], mesh_.vertices[onto])).root()});
+        moved_.push_back({first_[v], first_[onto], root(squared(side(mesh_.vertices[v], mesh_.vertices[onto])))});
     for (Triangle& t : mesh_.triangles)
       for (std::uint32_t& v : t) v = join.onto[v];
     const std::string within = " within " + shortest(length) + " mm";

@@ -20,6 +20,13 @@ inline Whole dot(const WholeVector& a, const WholeVector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+// over/under, under > 0.
+struct WholeFraction {
+  Whole over, under = 1;
+
+  bool operator<(const WholeFraction& other) const { return over * other.under < other.over * under; }
+};
+
 // From a to b, in units of 2^-53 mm.
 inline WholeVector side(const Vertex& a, const Vertex& b) {
   const auto step = [&](std::size_t i) -> Whole { return whole_coordinate<Whole>(b[i]) - whole_coordinate<Whole>(a[i]); };

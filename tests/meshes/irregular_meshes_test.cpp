@@ -147,7 +147,7 @@ TEST(irregular_meshes, distances_of_edges_are_the_least) {
     std::array<Vertex, 4> p{};
     for (Vertex& point : p) point = {coordinate(), coordinate(), coordinate()};
     if (p[0] == p[1] || p[2] == p[3]) continue;
-    const double distance = squared_distance({p[0], p[1]}, {p[2], p[3]}).root();
+    const double distance = root(squared_distance({p[0], p[1]}, {p[2], p[3]}));
     double least = 1e9;
     constexpr int kSteps = 64;
     for (int a = 0; a <= kSteps; ++a)
