@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# readme_test.sh FORCESHADE SOURCE: a reader can type the commands of the README, and the first of docs/using.md, twice, as they are
-# printed. So that this takes seconds, the nine laws become one where a certificate is made, and the height map a plane; properties have
-# fewer cases, and loops do not wait for the clock. The second time, certificates have less evidence, and are made after the runs that need them.
+# readme_test.sh FORCESHADE SOURCE: a reader can type the commands of the README, of the samples (whose recorded forces are computed
+# again), and the first of docs/using.md, twice, as they are printed. So that this takes seconds, the nine laws become one where a
+# certificate is made, and the height map a plane; properties have fewer cases, and loops do not wait for the clock. The second time,
+# certificates have less evidence, and are made after the runs that need them.
 set -u
 . "$(dirname "$0")/page.sh"
 forceshade=$(realpath "$1") source=$(realpath "$2")
@@ -14,7 +15,7 @@ for folder in examples recordings; do ln -s "$source/$folder" $folder; done
 printf 'render = "height-map"\n[[part]]\nshape = "plane"\nslope_x = 0.25\n' > ramp.toml
 
 # The blocks of shell commands, without those of the scripts, which build and test everything.
-{ cat "$source/README.md"; cd "$source/docs" && sed -n '/^## First commands/,/^## Options/p' using.md; } | page_blocks sh |
+{ cat "$source/README.md" "$source/examples/samples/README.md"; cd "$source/docs" && sed -n '/^## First commands/,/^## Options/p' using.md; } | page_blocks sh |
   grep -v '^scripts/\|^export ' |
   sed -e '/ certify --law /s/ --law all / --law bump-1p-shaded /' -e '/ drive /s/$/ --pace none/' \
     -e '/ certify \| drive /s/examples\/leather\.toml/ramp.toml/' -e 's/ --cases 10000 / --cases 100 /' \
