@@ -105,7 +105,9 @@ class Forces {
   }
 
   Shade shade() const {
-    Shade its = r_.star.kind() == Star::Kind::point ? at_vertex() : r_.star.kind() == Star::Kind::line ? on_line() : in_plane();
+    Shade its = r_.star->kind() == Star::Kind::point  ? at_vertex()
+                : r_.star->kind() == Star::Kind::line ? on_line()
+                                                      : in_plane();
     if (its.kind != Shade::Kind::none && sign_of([&]<class N>() { return dot(direction<N>(its), lengths<N>().pressing); }) <= 0)
       its.kind = Shade::Kind::none;
     return its;
@@ -135,8 +137,8 @@ class Forces {
   // The first two of the cell; it returns how many there are.
   std::size_t walls(std::array<Side, 2>& first) const {
     std::size_t count = 0;
-    r_.star.for_sides(r_.cell, [&](const Side& side) {
-      if (!r_.star.is_wall(side)) return;
+    r_.star->for_sides(r_.cell, [&](const Side& side) {
+      if (!r_.star->is_wall(side)) return;
       if (count < 2) first[count] = side;
       ++count;
     });
@@ -147,13 +149,13 @@ class Forces {
   Shade in_plane() const {
     std::array<Side, 2> sides{};
     if (walls(sides) == 0) return {};
-    const Star::Held& held = r_.star.blocking(sides[0]);
+    const Star::Held& held = r_.star->blocking(sides[0]);
     return {Shade::Kind::triangle, seen(held, sides[0]), 1, held.face, nullptr, soup_.normals(*held.face), nullptr};
   }
 
   // Two triangles alone, whose common edge runs in opposite directions.
   bool is_regular(const Face& f, const Face& h, bool& have_same_normals) const {
-    if (r_.star.triangles().size() != 2) return false;
+    if (r_.star->triangles().size() != 2) return false;
     std::size_t count = 0;
     std::array<std::size_t, 3> in_f{}, in_h{};
     for (std::size_t i = 0; i < 3; ++i)
@@ -170,7 +172,7 @@ class Forces {
   Shade on_line() const {
     std::array<Side, 2> sides{};
     if (walls(sides) != 2) return {};
-    const Star::Held &one = r_.star.blocking(sides[0]), &other = r_.star.blocking(sides[1]);
+    const Star::Held &one = r_.star->blocking(sides[0]), &other = r_.star->blocking(sides[1]);
     const Face &f = *one.face, &h = *other.face;
     Shade its{Shade::Kind::triangle, seen(one, sides[0]), seen(other, sides[1]), &f, &h, soup_.normals(f), soup_.normals(h)};
     bool have_same_normals = false;
@@ -198,7 +200,7 @@ class Forces {
   // Only if all triangles have one normal at this vertex, and nothing else passes.
   Shade at_vertex() const {
     Shade its;
-    for (const Star::Held& held : r_.star.triangles()) {
+    for (const Star::Held& held : r_.star->triangles()) {
       std::size_t corner = 0;
       while (corner < 3 && !(held.has_side(corner) && held.has_side(corner == 0 ? 2 : corner - 1))) ++corner;
       if (corner == 3) return {};
@@ -208,9 +210,9 @@ class Forces {
       its.corner = corner;
     }
     std::array<Side, 2> sides{};
-    if (!r_.star.is_one_part() || walls(sides) == 0) return {};
+    if (!r_.star->is_one_part() || walls(sides) == 0) return {};
     its.kind = Shade::Kind::corner;
-    its.sign = seen(r_.star.triangles()[r_.star.triangles_of(r_.star.pieces()[sides[0].piece]).front()], sides[0]);
+    its.sign = seen(r_.star->triangles()[r_.star->triangles_of(r_.star->pieces()[sides[0].piece]).front()], sides[0]);
     return its;
   }
 
@@ -239,7 +241,7 @@ float rounded_quotient(const Whole& over, const Whole& under, double K) {
 
 std::array<float, 3> force_at(const Soup& soup, const At& r, const Point& p, const Point* q, float stiffness, bool is_shaded) {
   float largest = 0;
-  for (const Star::Held& held : r.star.triangles()) largest = std::max(largest, soup.stiffness(*held.face, stiffness));
+  for (const Star::Held& held : r.star->triangles()) largest = std::max(largest, soup.stiffness(*held.face, stiffness));
   const auto K = static_cast<double>(largest);
   const Forces forces(soup, r, p, q);
   const Shade shade = is_shaded ? forces.shade() : Shade{};

@@ -14,16 +14,16 @@ using Side = Star::Side;
 // The wall of a cell's side in a plane, or any side on a line.
 Side side_in(const At& at) {
   std::optional<Side> first, wall;
-  at.star.for_sides(at.cell, [&](const Side& side) {
+  at.star->for_sides(at.cell, [&](const Side& side) {
     if (!first) first = side;
-    if (!wall && at.star.is_wall(side)) wall = side;
+    if (!wall && at.star->is_wall(side)) wall = side;
   });
   return wall ? *wall : *first;
 }
 
 // A direction into the cell of a point on a line, across it.
 Direction into_cell(const At& at) {
-  return at.star.wedge(0, side_in(at)).inner;
+  return at.star->wedge(0, side_in(at)).inner;
 }
 
 // The weights of the corners b and c at a point of the plane, in units of 1/kGrid; with `sum` that of both.
@@ -69,9 +69,9 @@ Point line_point(const Soup& soup, const GridLine& line, std::int64_t m) {
 
 At* Session::rounded(At* at) {
   rounded_place_.reset();
-  switch (at->star.kind()) {
+  switch (at->star->kind()) {
     case Star::Kind::point:
-      if (at->x.vertex == kNone) at->x = *point_of(*soup_, point_place(at->star));
+      if (at->x.vertex == kNone) at->x = *point_of(*soup_, point_place(*at->star));
       return at;
     case Star::Kind::line: return rounded_on_line(at);
     case Star::Kind::plane: return rounded_in_plane(at);
@@ -84,14 +84,14 @@ Point Session::next_point(const At& at, const GridLine& line, const Floor& m, bo
   const Point grid = line_point(*soup_, line, is_up ? m.floor + 1 : m.floor);
   const Direction along = Direction::along(line.line);
   const bool turns = is_up != line.is_upwards(along);
-  Segment segment(at.x, &at.star, turns ? -along : along);
+  Segment segment(at.x, at.star, turns ? -along : along);
   if (line.is_edge()) segment.within(line.edge);
   segment.find_changes(near, segment.at_foot(grid), false, times_);
   return times_.empty() ? grid : line.meeting(times_.front());
 }
 
 At* Session::rounded_on_line(At* at) {
-  const GridLine line = line_of(at->star);
+  const GridLine line = line_of(*at->star);
   const Floor m = line.parameter(at->x);
   if (m.is_whole) {
     at->x = line_point(*soup_, line, m.floor);
@@ -131,8 +131,8 @@ Place Session::corner_of_cell(const Face& f, const Point& x, bool& is_same) cons
 
 At* Session::rounded_in_plane(At* at) {
   const Side side = side_in(*at);
-  const Face& f = *at->star.blocking(side).face;
-  const Direction w = at->star.up(side);
+  const Face& f = *at->star->blocking(side).face;
+  const Direction w = at->star->up(side);
   bool is_same = false;
   const Place place = corner_of_cell(f, at->x, is_same);
   const Point c = triangle_point(*soup_, f, place.numbers[1], place.numbers[2]);
@@ -148,28 +148,28 @@ At* Session::rounded_in_plane(At* at) {
   const Vector3<Whole> way = way_between(at->x, c);
   Direction along = Direction::of(way, about_way(way, at->x, c));
   along.in_plane = &f;
-  Segment segment(at->x, &at->star, along);
+  Segment segment(at->x, at->star, along);
   segment.within(&f);
   find_near(at->x, c, near_end_);
-  if (is_stopped(segment, segment.at_target(c), w, near_end_)) return rounded(stop_);
+  if (is_stopped(segment, segment.at_target(c), w, near_end_)) return is_exhausted() ? stop_ : rounded(stop_);
   make_end(*next_, c, near_end_, -along, w);
-  keep_place();
+  if (!is_exhausted()) keep_place();
   return next_;
 }
 
 // The place of a point that rounding gives.
 Place Session::grid_place(const At& at) const {
-  if (at.star.kind() == Star::Kind::point) return point_place(at.star);
-  if (at.star.kind() == Star::Kind::line) {
-    const GridLine line = line_of(at.star);
+  if (at.star->kind() == Star::Kind::point) return point_place(*at.star);
+  if (at.star->kind() == Star::Kind::line) {
+    const GridLine line = line_of(*at.star);
     return line.place(line.nearest(at.x));
   }
-  const Face& f = *at.star.blocking(side_in(at)).face;
+  const Face& f = *at.star->blocking(side_in(at)).face;
   return triangle_place(f, nearest_weight(f, Weight::of_b, at.x), nearest_weight(f, Weight::of_c, at.x));
 }
 
 Place Session::rest_on_line(At*& r) {
-  const GridLine line = line_of(r->star);
+  const GridLine line = line_of(*r->star);
   std::int64_t m = line.nearest(r->x);
   if (line.is_edge()) m = std::clamp(m, std::int64_t{1}, kGrid - 1);
   const Point c = line_point(*soup_, line, m);
@@ -186,7 +186,7 @@ Place Session::rest_on_line(At*& r) {
           return dot(along.get<N>(), way);
       }) < 0)
     along = -along;
-  Segment segment(r->x, &r->star, along);
+  Segment segment(r->x, r->star, along);
   if (line.is_edge()) segment.within(line.edge);
   find_near(r->x, c, near_end_);
   segment.find_changes(near_end_, segment.at_foot(c), true, times_);
@@ -197,7 +197,7 @@ Place Session::rest_on_line(At*& r) {
 
 Place Session::rest_in_plane(At*& r) {
   const Side side = side_in(*r);
-  const Face& f = *r->star.blocking(side).face;
+  const Face& f = *r->star->blocking(side).face;
   std::int64_t k = std::max(nearest_weight(f, Weight::of_b, r->x), std::int64_t{1}),
                l = std::max(nearest_weight(f, Weight::of_c, r->x), std::int64_t{1});
   if (const std::int64_t excess = k + l - (kGrid - 1); excess > 0) (k >= l ? k : l) -= excess;
@@ -207,16 +207,17 @@ Place Session::rest_in_plane(At*& r) {
     r->x = c;
     return place;
   }
-  const Direction w = r->star.up(side);
+  const Direction w = r->star->up(side);
   const Vector3<Whole> way = way_between(r->x, c);
   Direction along = Direction::of(way, about_way(way, r->x, c));
   along.in_plane = &f;
-  Segment segment(r->x, &r->star, along);
+  Segment segment(r->x, r->star, along);
   segment.within(&f);
   find_near(r->x, c, near_end_);
   const Time most = segment.at_target(c);
   segment.find_changes(near_end_, most, true, times_);
   if (times_.empty()) {  // the same triangles hold it
+    look_at(*r->star);
     r->x = c;
     return place;
   }
@@ -226,7 +227,8 @@ Place Session::rest_in_plane(At*& r) {
   Direction back = Direction::of(way_back, about_way(way_back, c, r->x));
   back.in_plane = &f;
   make_end(*next_, c, near_end_, back, w);
-  Segment returning(c, &next_->star, back);
+  if (is_exhausted()) return foot;
+  Segment returning(c, next_->star, back);
   returning.within(&f);
   if (is_stopped(returning, returning.at_target(r->x), w, near_end_)) return foot;
   r = next_;

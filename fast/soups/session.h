@@ -31,8 +31,8 @@ struct Tick {
   State after;
 };
 
-// One thread at a time; the soup may be shared. A tick allocates only where more than some 16 planes or 64
-// triangles meet at a point, or 1000 boxes of triangles meet a way; and keeps the memory.
+// One thread at a time; the soup may be shared. A tick allocates only where it looks at more than kUsual triangles at a point,
+// or on a way; and keeps the memory.
 class Session {
  public:
   // stiffness: N/mm, of triangles without one of their own. is_shaded: by the soup's corner normals.
@@ -41,12 +41,14 @@ class Session {
   Tick tick(const std::array<float, 3>& position);
 
   const State& state() const noexcept { return state_; }
+  std::size_t looks() const noexcept { return looks_; }  // of the last tick
   // A state that the soup does not have counts as none.
   void resume(const State& state);
 
  private:
   using Near = std::vector<const Face*>;
   static constexpr unsigned kMostMoves = 256;
+  static constexpr std::size_t kMostLooks = Star::kMostLooks, kUsual = 1000;
 
   struct End {  // of a move
     At* at = nullptr;
@@ -54,6 +56,7 @@ class Session {
   };
 
   Tick run();
+  Tick unfinished(unsigned moves, bool is_slipping);
   End flight(const Point& g);
   End along_piece(const Way& way);
   End along_ray(const Way& way);
@@ -63,7 +66,15 @@ class Session {
   Tick ended(const At& r, unsigned moves, bool is_slipping, bool is_at_goal, Status status);
 
   void find_near(const Point& a, const Point& b, Near& near) const;
-  void make_end(At& at, const Point& x, const Near& near, const Direction& back, const Direction& w) const;
+  void look_along(const Point& a, const Point& b, Near& near);
+  void look_at(const Star& star) noexcept {
+    points_ += star.looks();
+    looks_ += star.looks();
+  }
+  // Then the move is not made, and stars of its points may not be either.
+  bool is_exhausted() const noexcept { return points_ > kMostLooks; }
+  const Star& star_at(const Point& x, const Near& near);
+  void make_end(At& at, const Point& x, const Near& near, const Direction& back, const Direction& w);
   bool make_on_surface(At& at, const Point& x);
   // Into *stop_.
   bool is_stopped(const Segment& segment, const Time& most, const Direction& w, const Near& near);
@@ -84,12 +95,21 @@ class Session {
   bool is_on_ = false;  // *on_ is where the state is
   std::array<float, 3> hand_{};
   Point p_;
+  // Ticks that follow each other are mostly among the same triangles. There are more than can be of one tick.
+  struct KeptStar {
+    Star star;
+    std::uint64_t last_use = 0;
+  };
+  std::array<KeptStar, 8> stars_;
+  std::uint64_t uses_ = 0;
+  std::vector<Star::Held> held_;
   std::array<At, 5> ats_;
   At *on_ = &ats_[0], *end_ = &ats_[1], *next_ = &ats_[2], *stop_ = &ats_[3], *spare_ = &ats_[4];
   std::optional<Place> kept_;           // of *on_, where it is known
   std::optional<Place> rounded_place_;  // of a triangle's grid that gave what was rounded, where it is strictly inside
   Near near_, near_end_;
   std::vector<Time> times_;
+  std::size_t looks_ = 0, points_ = 0;  // of the tick; at the points of a move or a rest
 };
 
 }  // namespace forceshade::fast::soups

@@ -17,106 +17,50 @@ int grows(const Face& f, std::size_t i, const Direction& d) noexcept {
   return sign_of([&]<class N>() { return dot(cross(side_of_face<N>(f, i), d.get<N>()), normal<N>(f)); });
 }
 
-// True if the triangle holds x; then `sides` has a bit for each that does.
-bool holds(const Face& f, const Point& x, unsigned& sides) noexcept {
-  sides = 0;
-  if (x.vertex != kNone)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (f.vertex[i] == x.vertex) {
-        sides = 1U << i | 1U << (i == 0 ? 2 : i - 1);
-        return true;
-      }
-  const Vector3<Ball>& at = x.get<Ball>().x;
-  const auto is_beyond = [](const Ball& c, float one, float two, float three) {
-    const double low = static_cast<double>(std::min({one, two, three})),
-                 high = static_cast<double>(std::max({one, two, three}));
-    return c.value + c.error < low || c.value - c.error > high;
-  };
-  if (is_beyond(at.x, f.corner[0][0], f.corner[1][0], f.corner[2][0]) ||
-      is_beyond(at.y, f.corner[0][1], f.corner[1][1], f.corner[2][1]) ||
-      is_beyond(at.z, f.corner[0][2], f.corner[1][2], f.corner[2][2]))
-    return false;
-  bool is_known = std::ranges::find(x.faces, &f) != x.faces.end();
-  std::size_t known_side = 3;
-  if (x.edge[0] != kNone)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = f.vertex[i], b = f.vertex[i == 2 ? 0 : i + 1];
-      if ((a == x.edge[0] && b == x.edge[1]) || (a == x.edge[1] && b == x.edge[0])) known_side = i;
-    }
-  is_known = is_known || known_side < 3;
-  const Corners<Ball> c = corners<Ball>(f);
-  const Vector3<Ball> n = c.normal();
-  if (!is_known && dot(n, at - c[0]).is_sure()) return false;
-  std::array<Ball, 3> about;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (i == known_side) continue;
-    about[i] = dot(cross(c.side(i), at - c[i]), n);
-    if (about[i].is_sure() && about[i].value < 0) return false;
-  }
-  if (!is_known && side_of_plane(f, x) != 0) return false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const int sign = i == known_side ? 0 : about[i].is_sure() ? 1 : sign_inside(f, i, x);
-    if (sign < 0) return false;
-    if (sign == 0) sides |= 1U << i;
-  }
-  return true;
-}
-
-std::uint32_t root(const std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i];
+std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
 }
 
 }  // namespace
 
-void Star::reserve(std::size_t planes) {
-  const std::size_t rays = planes * planes;
-  triangles_.reserve(4 * planes);
-  planes_.reserve(planes);
+void Star::reserve(std::size_t looks) {
+  const std::size_t rays = 2 * looks, sides = 2 * looks, nodes = rays + 3 * looks;
+  triangles_.reserve(looks);
+  planes_.reserve(looks);
+  by_plane_.reserve(looks);
+  normals_.reserve(looks);
   rays_.reserve(rays);
-  in_plane_.reserve(rays * planes);
-  pieces_.reserve(2 * rays);
-  piece_triangles_.reserve(4 * rays);
-  entries_.reserve(4 * rays);
-  for (auto* const each : {&region_of_side_, &cell_of_side_, &order_, &parent_, &key_}) each->reserve(8 * rays);
-  keys_.reserve(8 * rays);
-  is_wall_.reserve(4 * rays);
-  reached_.reserve(16 * rays);
+  directions_.reserve(rays);
+  in_planes_.reserve(rays);
+  plane_of_ray_.reserve(rays);
+  pieces_.reserve(looks);
+  piece_triangles_.reserve(looks);
+  entries_.reserve(rays);
+  part_.reserve(looks);
+  for (auto* const each : {&order_, &parent_}) each->reserve(nodes);
+  for (auto* const each : {&place_in_order_, &count_, &rays_by_part_}) each->reserve(rays);
+  for (auto* const each : {&pieces_by_part_, &key_}) each->reserve(looks);
+  for (auto* const each : {&region_of_side_, &cell_of_side_, &sides_by_cell_, &first_of_cell_, &keys_, &waiting_})
+    each->reserve(sides + 2);
+  is_wall_.reserve(sides);
+  reached_.reserve(sides);
 }
 
-void Star::make(const Soup& soup, const Point& x, std::span<const Face* const> near) {
+void Star::make(const Soup& soup, std::span<const Held> held) {
   soup_ = &soup;
-  find_triangles(x, near);
+  triangles_.assign(held.begin(), held.end());
+  looks_ = held.size();
+  if (is_too_large()) return;
+  looks_ = 0;
+  find_planes();
   find_rays();
-  make_pieces();
+  if (!is_too_large()) make_pieces();
+  if (is_too_large()) return;
   order_around_rays();
   join();
+  find_parts();
   make_cells();
-  find_reached();
-}
-
-void Star::find_triangles(const Point& x, std::span<const Face* const> near) {
-  triangles_.clear();
-  planes_.clear();
-  is_rough_ = false;
-  for (const Face* const face : near)
-    if (unsigned sides = 0; holds(*face, x, sides)) triangles_.push_back({face, sides, 0, false});
-  std::ranges::sort(triangles_, {}, [](const Held& held) { return held.face->index(); });
-  const auto is_same = [](const Held& a, const Held& b) { return a.face == b.face; };
-  triangles_.erase(std::unique(triangles_.begin(), triangles_.end(), is_same), triangles_.end());
-  for (Held& held : triangles_) {
-    is_rough_ = is_rough_ || soup_->static_friction(*held.face) > 0;
-    held.plane = 0;
-    const NormalOf n(*held.face);
-    while (held.plane < planes_.size() && !are_parallel(planes_[held.plane], n)) ++held.plane;
-    if (held.plane == planes_.size()) planes_.push_back(n);
-    held.is_flipped = held.face != planes_[held.plane].face && sign_of_dot(planes_[held.plane], n) < 0;
-  }
-}
-
-const Star::Held* Star::held(const Face& f) const noexcept {
-  const auto found = std::ranges::find(triangles_, &f, &Held::face);
-  return found == triangles_.end() ? nullptr : &*found;
 }
 
 // d: in the triangle's plane.
@@ -127,103 +71,107 @@ bool Star::covers(const Held& held, const Direction& d) const {
   return true;
 }
 bool Star::covers(std::uint32_t plane, const Direction& d) const {
-  return std::ranges::any_of(triangles_, [&](const Held& held) { return held.plane == plane && covers(held, d); });
+  return std::ranges::any_of(triangles_in(plane), [&](std::uint32_t i) { return covers(triangles_[i], d); });
 }
 
 bool Star::are_opposite(std::uint32_t i, std::uint32_t j) const noexcept {
   return rays_[i].along.line.is_known_as(rays_[j].along.line.reversed());
 }
 
-// A ray along the line, if there is none, in this plane and its cones.
-std::uint32_t Star::add_ray(const Line& line, std::uint32_t plane) {
-  std::uint32_t i = 0;
-  for (; i < rays_.size(); ++i)
-    if (rays_[i].along.line.is_known_as(line)) break;
-  if (i == rays_.size()) {
-    const Direction along = Direction::along(line);
-    for (i = 0; i < rays_.size(); ++i) {
-      const Direction& other = rays_[i].along;
-      if (other.line.is_known_as(line.reversed())) continue;
-      if (sign_of_dot(other, along) > 0 && are_parallel(other, along)) break;
-    }
-    if (i == rays_.size()) {
-      rays_.push_back({along});
-      in_plane_.resize(in_plane_.size() + planes_.size(), 0);
-    }
-  }
-  in_plane_[i * planes_.size() + plane] = 1;
-  return i;
+bool Star::is_in(std::uint32_t ray, std::uint32_t plane) const noexcept {
+  for (std::uint32_t i = planes_[plane].last_ray; i != kNone; i = in_planes_[i].before)
+    if (in_planes_[i].ray == ray) return true;
+  return false;
 }
 
-void Star::add_border(const Face& f, std::size_t i, int sign, std::uint32_t plane) {
-  const Line line = Line::of_side(f, i, sign);
-  Ray& ray = rays_[add_ray(line, plane)];
+// The ray along the line; a new one if there is none.
+std::uint32_t Star::add_ray(const Line& line) {
+  const Direction along = Direction::along(line);
+  const auto next = static_cast<std::uint32_t>(rays_.size());
+  const std::uint32_t ray = directions_.find(along.about, next, [&](std::uint32_t i) {
+    const Direction& other = rays_[i].along;
+    if (other.line.is_known_as(line)) return true;
+    if (other.line.is_known_as(line.reversed())) return false;
+    return sign_of_dot(other, along) > 0 && are_parallel(other, along);
+  });
+  if (ray != next) return ray;
+  directions_.add(along.about, next);
+  rays_.push_back({along});
+  plane_of_ray_.push_back(kNone);
+  return next;
+}
+
+std::uint32_t Star::add_border(const Held& held, std::size_t i, int sign) {
+  const Line line = Line::of_side(*held.face, i, sign);
+  const std::uint32_t number = add_ray(line);
+  if (std::exchange(plane_of_ray_[number], held.plane) != held.plane) put(number, held.plane);
+  Ray& ray = rays_[number];
   const std::array<std::uint32_t, 2> names{std::min(line.names[0], line.names[1]), std::max(line.names[0], line.names[1])};
   if (!ray.is_edge() || names < ray.edge) ray.edge = names;
+  return number;
 }
 
-void Star::add_borders(const Held& held) {
-  const Face& f = *held.face;
-  switch (held.sides) {
-    case 0: return;
-    case 1:
-    case 2:
-    case 4: {
-      const std::size_t i = held.sides == 1 ? 0 : held.sides == 2 ? 1 : 2;
-      add_border(f, i, 1, held.plane);
-      add_border(f, i, -1, held.plane);
-      return;
-    }
-    // In a corner one side begins and the other ends.
-    case 3:
-      add_border(f, 0, -1, held.plane);
-      add_border(f, 1, 1, held.plane);
-      return;
-    case 6:
-      add_border(f, 1, -1, held.plane);
-      add_border(f, 2, 1, held.plane);
-      return;
-    default: add_border(f, 0, 1, held.plane); add_border(f, 2, -1, held.plane);
-  }
+// A side leads counter-clockwise around its triangle. In a corner one ends and the next begins.
+void Star::add_borders(Held& held) {
+  if (held.sides == 0) return;
+  const std::size_t ends = held.sides == 1 || held.sides == 3 ? 0 : held.sides == 2 || held.sides == 6 ? 1 : 2;
+  const bool is_corner = held.sides == 3 || held.sides == 5 || held.sides == 6;
+  held.from = add_border(held, is_corner && ends == 2 ? 0 : ends + (is_corner ? 1 : 0), 1);
+  held.to = add_border(held, ends, -1);
+  if (held.is_flipped) std::swap(held.from, held.to);
 }
 
 void Star::find_rays() {
   rays_.clear();
-  in_plane_.clear();
-  for (std::uint32_t plane = 0; plane < planes_.size(); ++plane)
-    for (const Held& held : triangles_)
-      if (held.plane == plane) add_borders(held);
-  for (std::uint32_t i = 0; i < planes_.size(); ++i)
-    for (std::uint32_t j = i + 1; j < planes_.size(); ++j) {
-      std::uint32_t shared = 0;
-      while (shared < rays_.size() && !(is_in(shared, i) && is_in(shared, j))) ++shared;
-      const auto offer = [&](const Line& line) {
-        const Direction along = Direction::along(line);
-        if (!covers(i, along) || !covers(j, along)) return;
-        const std::uint32_t ray = add_ray(line, i);
-        in_plane_[ray * planes_.size() + j] = 1;
-      };
-      if (shared == rays_.size()) {
-        offer(Line::of_planes(*planes_[i].face, *planes_[j].face, 1));
-        offer(Line::of_planes(*planes_[i].face, *planes_[j].face, -1));
-        continue;
-      }
-      bool is_other_known = false;
-      for (std::uint32_t other = shared + 1; other < rays_.size(); ++other)
-        is_other_known = is_other_known || (is_in(other, i) && is_in(other, j));
-      if (!is_other_known) offer(rays_[shared].along.line.reversed());
+  directions_.clear();
+  in_planes_.clear();
+  plane_of_ray_.clear();
+  const auto planes = static_cast<std::uint32_t>(planes_.size());
+  for (std::uint32_t plane = 0; plane < planes; ++plane)
+    for (const std::uint32_t i : triangles_in(plane)) add_borders(triangles_[i]);
+  for (std::uint32_t i = 0; i < planes; ++i) {
+    for_rays_in(i, [&](std::uint32_t ray) { plane_of_ray_[ray] = i; });
+    ray_of_first_ = kNone;
+    for (std::uint32_t j = i + 1; j < planes; ++j)
+      if (planes_[i].may_meet(planes_[j])) find_rays_of(i, j);
+    // A piece has two ends at most.
+    if (in_planes_.size() > 2 * kMostLooks) {
+      looks_ = kMostLooks + 1;
+      return;
     }
-  for (std::uint32_t i = 0; i < rays_.size(); ++i)
-    for (std::uint32_t plane = 0; plane < planes_.size(); ++plane)
-      if (!is_in(i, plane) && across(plane, rays_[i].along) == 0 && covers(plane, rays_[i].along))
-        in_plane_[i * planes_.size() + plane] = 1;
+  }
   kind_ = rays_.empty()                                                                               ? Kind::plane
           : rays_.size() == 2 && (are_opposite(0, 1) || are_parallel(rays_[0].along, rays_[1].along)) ? Kind::line
                                                                                                       : Kind::point;
 }
 
+// Puts the rays of two planes in both. Those of plane i have it as their last one.
+void Star::find_rays_of(std::uint32_t i, std::uint32_t j) {
+  std::uint32_t shared = kNone;
+  bool is_other_known = false;
+  for_rays_in(j, [&](std::uint32_t ray) {
+    if (plane_of_ray_[ray] == i) is_other_known = std::exchange(shared, ray) != kNone;
+  });
+  const auto offer = [&](const Line& line) {
+    const Direction along = Direction::along(line);
+    if (!covers(i, along) || !covers(j, along)) return;
+    const std::uint32_t ray = add_ray(line);
+    if (std::exchange(plane_of_ray_[ray], i) != i) put(ray, i);
+    if (!is_in(ray, j)) put(ray, j);
+  };
+  if (shared == kNone) {
+    offer(Line::of_planes(*planes_[i].normal.face, *planes_[j].normal.face, 1));
+    offer(Line::of_planes(*planes_[i].normal.face, *planes_[j].normal.face, -1));
+    return;
+  }
+  if (is_other_known) return;
+  const Line other = rays_[shared].along.line.reversed();
+  if (std::exchange(ray_of_first_, shared) != shared) is_opposite_in_first_ = covers(i, Direction::along(other));
+  if (is_opposite_in_first_) offer(other);
+}
+
 int Star::across(std::uint32_t plane, const Direction& d) const {
-  const NormalOf& n = planes_[plane];
+  const NormalOf& n = planes_[plane].normal;
   const Face& f = *n.face;
   if (d.in_plane != nullptr)
     if (const Held* its = held(*d.in_plane); its != nullptr && its->plane == plane) return 0;
@@ -235,7 +183,7 @@ int Star::across(std::uint32_t plane, const Direction& d) const {
 // The sign of the turn around the plane's normal from ray i to ray j.
 int Star::turn(std::uint32_t plane, std::uint32_t i, std::uint32_t j) const {
   if (i == j || are_opposite(i, j)) return 0;
-  return sign_of_determinant(rays_[i].along, rays_[j].along, planes_[plane]);
+  return sign_of_determinant(rays_[i].along, rays_[j].along, planes_[plane].normal);
 }
 int Star::half_turn(std::uint32_t plane, std::uint32_t i, std::uint32_t j) const {
   if (i == j) return 0;
@@ -243,42 +191,76 @@ int Star::half_turn(std::uint32_t plane, std::uint32_t i, std::uint32_t j) const
   return its > 0 ? 1 : its < 0 ? 3 : 2;  // rays differ
 }
 
+// Its triangles follow.
 void Star::add_piece(std::uint32_t plane, std::uint32_t from, std::uint32_t to) {
   Piece piece{.plane = plane, .from = from, .to = to, .half = 0, .middle = {}};
   if (from == kNone) {
-    piece.middle = Direction::along(Line::of_side(*planes_[plane].face, 0, 1));
+    piece.middle = Direction::along(Line::of_side(*planes_[plane].normal.face, 0, 1));
   } else {
     const Line &a = rays_[from].along.line, &b = rays_[to].along.line;
     piece.half = half_turn(plane, from, to);
     piece.middle = piece.half == 0   ? -rays_[from].along
-                   : piece.half == 2 ? Direction::across(*planes_[plane].face, a)
+                   : piece.half == 2 ? Direction::across(*planes_[plane].normal.face, a)
                                      : Direction::sum_of(a, b, piece.half == 1 ? 1 : -1);
   }
-  piece.middle.in_plane = planes_[plane].face;
-  piece.first = static_cast<std::uint32_t>(piece_triangles_.size());
-  for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-    if (triangles_[i].plane == plane && covers(triangles_[i], piece.middle)) piece_triangles_.push_back(i);
-  piece.count = static_cast<std::uint32_t>(piece_triangles_.size()) - piece.first;
-  if (piece.count > 0) pieces_.push_back(piece);
+  piece.middle.in_plane = planes_[plane].normal.face;
+  pieces_.push_back(piece);
+}
+
+// The rays of the plane are order_, counter-clockwise. A triangle is in the pieces from one ray of its cone to the other.
+void Star::add_pieces(std::uint32_t plane) {
+  const auto gaps = static_cast<std::uint32_t>(std::max(order_.size(), std::size_t{1}));
+  const auto place_of = [&](std::uint32_t ray) { return ray == kNone ? 0 : place_in_order_[ray]; };
+  const auto for_gaps = [&](const Held& held, const auto& visit) {
+    std::uint32_t gap = place_of(held.from);
+    do {
+      visit(gap);
+      gap = gap + 1 == gaps ? 0 : gap + 1;
+    } while (gap != place_of(held.to));
+  };
+  for (std::uint32_t i = 0; i < order_.size(); ++i) place_in_order_[order_[i]] = i;
+  count_.assign(gaps, 0);
+  for (const std::uint32_t i : triangles_in(plane)) {
+    if (is_too_large()) return;
+    for_gaps(triangles_[i], [&](std::uint32_t gap) {
+      ++count_[gap];
+      ++looks_;
+    });
+  }
+  auto first = static_cast<std::uint32_t>(piece_triangles_.size());
+  piece_triangles_.resize(looks_);
+  for (std::uint32_t gap = 0; gap < gaps; ++gap) {
+    if (count_[gap] == 0) continue;
+    if (order_.empty())
+      add_piece(plane, kNone, kNone);
+    else
+      add_piece(plane, order_[gap], order_[gap + 1 == gaps ? 0 : gap + 1]);
+    pieces_.back().first = first;
+    pieces_.back().count = count_[gap];
+    first += std::exchange(count_[gap], first);
+  }
+  for (const std::uint32_t i : triangles_in(plane))
+    for_gaps(triangles_[i], [&](std::uint32_t gap) { piece_triangles_[count_[gap]++] = i; });
 }
 
 void Star::make_pieces() {
   pieces_.clear();
   piece_triangles_.clear();
-  for (std::uint32_t plane = 0; plane < planes_.size(); ++plane) {
+  place_in_order_.resize(rays_.size());
+  for (std::uint32_t plane = 0; plane < planes_.size() && !is_too_large(); ++plane) {
+    planes_[plane].first_piece = static_cast<std::uint32_t>(pieces_.size());
     order_.clear();
-    for (std::uint32_t i = 0; i < rays_.size(); ++i)
-      if (is_in(i, plane)) order_.push_back(i);
-    if (order_.empty()) {
-      add_piece(plane, kNone, kNone);
-      continue;
+    for_rays_in(plane, [&](std::uint32_t ray) { order_.push_back(ray); });
+    if (!order_.empty()) {
+      std::ranges::sort(order_);
+      const std::uint32_t base = order_.front();
+      std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
+        const int of_i = half_turn(plane, base, i), of_j = half_turn(plane, base, j);
+        return of_i != of_j ? of_i < of_j : turn(plane, i, j) > 0;
+      });
     }
-    const std::uint32_t base = order_.front();
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
-      const int of_i = half_turn(plane, base, i), of_j = half_turn(plane, base, j);
-      return of_i != of_j ? of_i < of_j : turn(plane, i, j) > 0;
-    });
-    for (std::size_t i = 0; i < order_.size(); ++i) add_piece(plane, order_[i], order_[i + 1 == order_.size() ? 0 : i + 1]);
+    add_pieces(plane);
+    planes_[plane].pieces = static_cast<std::uint32_t>(pieces_.size()) - planes_[plane].first_piece;
   }
 }
 
@@ -305,7 +287,7 @@ void Star::order_around_rays() {
     // The sign of the turn around the ray from one entry to another: (a x r) x (b x r) is along r as a x b is.
     const auto turn_from = [&](const Entry& a, const Entry& b) {
       if (a.plane == b.plane) return 0;
-      return a.sign() * b.sign() * sign_of_determinant(planes_[a.plane], planes_[b.plane], ray.along);
+      return a.sign() * b.sign() * sign_of_determinant(planes_[a.plane].normal, planes_[b.plane].normal, ray.along);
     };
     const Entry base = around.front();
     for (Entry& entry : around) {
@@ -317,7 +299,7 @@ void Star::order_around_rays() {
   }
 }
 
-// Finds the parts, and the regions of a part's sides.
+// Finds which rays and pieces hang together, and the regions of a part's sides.
 void Star::join() {
   const auto rays = static_cast<std::uint32_t>(rays_.size()), pieces = static_cast<std::uint32_t>(pieces_.size());
   parent_.resize(rays + 3 * pieces);  // rays and pieces; then sides
@@ -335,19 +317,43 @@ void Star::join() {
       connect(first_side + index({one.piece, one.is_from}), first_side + index({next.piece, !next.is_from}));
     }
   }
-  order_.clear();
-  const auto part = [&](std::uint32_t node) {
-    const std::uint32_t its = root(parent_, node);
-    const auto found = std::ranges::find(order_, its);
-    if (found != order_.end()) return static_cast<std::uint32_t>(found - order_.begin());
-    order_.push_back(its);
-    return static_cast<std::uint32_t>(order_.size() - 1);
-  };
-  for (std::uint32_t i = 0; i < rays; ++i) rays_[i].part = part(i);
-  for (std::uint32_t i = 0; i < pieces; ++i) pieces_[i].part = part(rays + i);
-  parts_ = static_cast<std::uint32_t>(order_.size());
   region_of_side_.resize(2 * pieces_.size());
-  for (std::uint32_t i = 0; i < 2 * pieces; ++i) region_of_side_[i] = root(parent_, static_cast<std::uint32_t>(first_side) + i);
+  for (std::uint32_t i = 0; i < 2 * pieces; ++i)
+    region_of_side_[i] = root(parent_, static_cast<std::uint32_t>(first_side) + i) - static_cast<std::uint32_t>(first_side);
+}
+
+void Star::find_parts() {
+  const auto rays = static_cast<std::uint32_t>(rays_.size()), pieces = static_cast<std::uint32_t>(pieces_.size());
+  order_.assign(rays + pieces, kNone);  // the parts of roots
+  part_.clear();
+  const auto part = [&](std::uint32_t node) {
+    std::uint32_t& its = order_[root(parent_, node)];
+    if (its == kNone) {
+      its = static_cast<std::uint32_t>(part_.size());
+      part_.push_back({});
+    }
+    return its;
+  };
+  for (std::uint32_t i = 0; i < rays; ++i) ++part_[rays_[i].part = part(i)].rays;
+  for (std::uint32_t i = 0; i < pieces; ++i) ++part_[pieces_[i].part = part(rays + i)].pieces;
+  parts_ = static_cast<std::uint32_t>(part_.size());
+  std::uint32_t first_ray = 0, first_piece = 0;
+  for (Part& each : part_) {
+    each.first_ray = first_ray;
+    each.first_piece = first_piece;
+    first_ray += std::exchange(each.rays, 0);
+    first_piece += std::exchange(each.pieces, 0);
+  }
+  rays_by_part_.resize(rays);
+  pieces_by_part_.resize(pieces);
+  for (std::uint32_t i = 0; i < rays; ++i) {
+    Part& its = part_[rays_[i].part];
+    rays_by_part_[its.first_ray + its.rays++] = i;
+  }
+  for (std::uint32_t i = 0; i < pieces; ++i) {
+    Part& its = part_[pieces_[i].part];
+    pieces_by_part_[its.first_piece + its.pieces++] = i;
+  }
 }
 
 }  // namespace forceshade::fast::soups

@@ -2,6 +2,7 @@
 // The cells of a star by directions and by names.
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "fast/soups/star.h"
@@ -24,47 +25,59 @@ int sign_along(const Direction& a, const Direction& b) noexcept {
 }  // namespace
 
 void Star::make_cells() {
+  const auto sides = static_cast<std::uint32_t>(2 * pieces_.size());
   keys_.clear();
   cell_of_side_.clear();
   is_wall_.clear();
   cells_ = 0;
-  for (std::uint32_t i = 0; i < 2 * pieces_.size(); ++i) {
-    key_.clear();
-    for (std::uint32_t part = 0; part < parts_; ++part)
-      key_.push_back(part == pieces_[i / 2].part ? region_of_side_[i] : region(part, pieces_[i / 2].middle, nullptr));
+  reached_from_ = kNone;
+  order_.assign(sides, kNone);  // the cells of regions, if there is one part
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const Piece& piece = pieces_[i / 2];
+    if (i % 2 == 0) {
+      key_.clear();
+      for (std::uint32_t part = 0; part < parts_; ++part)
+        key_.push_back(part == piece.part ? kNone : region(part, piece.middle, nullptr));
+    }
+    key_[piece.part] = region_of_side_[i];
     Cell cell = 0;
-    while (cell < cells_ && !std::equal(key_.begin(), key_.end(), keys_.begin() + static_cast<std::ptrdiff_t>(cell * parts_)))
-      ++cell;
+    if (parts_ == 1) {
+      cell = std::min(order_[region_of_side_[i]], cells_);
+      order_[region_of_side_[i]] = cell;
+    } else {
+      while (cell < cells_ && !is_key(cell)) ++cell;
+    }
     if (cell == cells_) {
       keys_.insert(keys_.end(), key_.begin(), key_.end());
       ++cells_;
     }
     cell_of_side_.push_back(cell);
     const Side side = side_at(i);
-    is_wall_.push_back(
-        std::ranges::any_of(triangles_of(pieces_[side.piece]), [&](std::uint32_t t) { return blocks(triangles_[t], side); }));
+    is_wall_.push_back(std::ranges::any_of(triangles_of(piece), [&](std::uint32_t t) { return blocks(triangles_[t], side); }));
   }
+  first_of_cell_.assign(cells_ + 1, 0);
+  for (const Cell cell : cell_of_side_) ++first_of_cell_[cell + 1];
+  std::partial_sum(first_of_cell_.begin(), first_of_cell_.end(), first_of_cell_.begin());
+  sides_by_cell_.resize(sides);
+  for (std::uint32_t i = sides; i-- > 0;) sides_by_cell_[--first_of_cell_[cell_of_side_[i] + 1]] = i;
+  first_of_cell_.erase(first_of_cell_.begin());
+  first_of_cell_.push_back(sides);
 }
 
-void Star::find_reached() {
-  reached_.assign(std::size_t{cells_} * cells_, 0);
-  for (Cell from = 0; from < cells_; ++from) {
-    order_.assign(1, from);
-    reached_[from * cells_ + from] = 1;
-    while (!order_.empty()) {
-      const Cell cell = order_.back();
-      order_.pop_back();
-      for_sides(cell, [&](const Side& side) {
-        if (is_wall(side)) return;
-        const Cell other = this->cell(Side{side.piece, !side.is_above});
-        if (std::exchange(reached_[from * cells_ + other], 1) == 0) order_.push_back(other);
-      });
-    }
+void Star::find_reached(Cell from) const {
+  reached_from_ = from;
+  reached_.assign(cells_, 0);
+  reached_[from] = 1;
+  waiting_.assign(1, from);
+  while (!waiting_.empty()) {
+    const Cell cell = waiting_.back();
+    waiting_.pop_back();
+    for_sides(cell, [&](const Side& side) {
+      if (is_wall(side)) return;
+      const Cell other = this->cell(Side{side.piece, !side.is_above});
+      if (std::exchange(reached_[other], 1) == 0) waiting_.push_back(other);
+    });
   }
-}
-
-bool Star::is_reached(Cell from, Cell to) const {
-  return reached_[from * cells_ + to] != 0;
 }
 
 bool Star::blocks(const Held& held, const Side& side) const noexcept {
@@ -85,11 +98,10 @@ std::uint32_t Star::known_ray(const Direction& d) const noexcept {
   return kNone;
 }
 
-bool Star::is_inside(const Piece& piece, const Direction& d) const {
-  const NormalOf& n = planes_[piece.plane];
+bool Star::is_inside(const Piece& piece, const Direction& d, std::uint32_t known) const {
+  const NormalOf& n = planes_[piece.plane].normal;
   if (piece.is_whole()) return true;
   const Direction &a = rays_[piece.from].along, &b = rays_[piece.to].along;
-  const std::uint32_t known = known_ray(d);
   if (known == piece.from || known == piece.to) return false;
   const int turn = sign_of_turn(a, d, n);
   int half = turn > 0 ? 1 : 3;
@@ -111,8 +123,9 @@ std::uint32_t Star::region_at_ray(std::uint32_t ray, const Direction* across) co
   const auto turn = [&](const Entry& entry) { return entry.sign() * this->across(entry.plane, *across); };
   // The same within the plane of an entry.
   const auto is_along = [&](const Entry& entry) {
-    return entry.sign() *
-           sign_of([&]<class N>() { return determinant(planes_[entry.plane].get<N>(), along.get<N>(), across->get<N>()); });
+    return entry.sign() * sign_of([&]<class N>() {
+             return determinant(planes_[entry.plane].normal.get<N>(), along.get<N>(), across->get<N>());
+           });
   };
   int half = 0;
   std::size_t before = 0;
@@ -142,8 +155,8 @@ std::uint32_t Star::region(std::uint32_t part, const Direction& d, const Directi
   if (known != kNone && rays_[known].part == part) return region_at_ray(known, w);
   if (d.in_plane != nullptr)
     if (const Held* const its = held(*d.in_plane); its != nullptr)
-      for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-        if (pieces_[i].part == part && pieces_[i].plane == its->plane && is_inside(pieces_[i], d)) return beside_piece(i);
+      for (std::uint32_t i = planes_[its->plane].first_piece, n = 0; n < planes_[its->plane].pieces; ++i, ++n)
+        if (pieces_[i].part == part && is_inside(pieces_[i], d, known)) return beside_piece(i);
   // The largest cosine to d, by its signed square times d²: of a ray r, s|s|/r² with s = d·r; of a piece, |d x n|²/n².
   bool is_ray = false, has_any = false;
   std::uint32_t nearest = 0;
@@ -153,7 +166,7 @@ std::uint32_t Star::region(std::uint32_t part, const Direction& d, const Directi
       const N s = dot(d.get<N>(), r);
       return {s * size_of(s), squared(r)};
     }
-    const Vector3<N> n = planes_[pieces_[i].plane].get<N>();
+    const Vector3<N> n = planes_[pieces_[i].plane].normal.get<N>();
     return {squared_sine(d.get<N>(), n), squared(n)};
   };
   Ball most;
@@ -176,18 +189,23 @@ std::uint32_t Star::region(std::uint32_t part, const Direction& d, const Directi
     is_ray = of_ray;
     nearest = i;
   };
-  for (std::uint32_t i = 0; i < rays_.size(); ++i)
-    if (rays_[i].part == part) offer(true, i);
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-    if (pieces_[i].part == part && is_inside(pieces_[i], d)) offer(false, i);
+  const Part& its = part_[part];
+  for (const std::uint32_t i : std::span(rays_by_part_).subspan(its.first_ray, its.rays)) offer(true, i);
+  for (const std::uint32_t i : std::span(pieces_by_part_).subspan(its.first_piece, its.pieces))
+    if (is_inside(pieces_[i], d, known)) offer(false, i);
   if (!is_ray) return beside_piece(nearest);
   // Only w is across a ray along d.
   const std::span<const Entry> around = std::span(entries_).subspan(rays_[nearest].first, rays_[nearest].count);
-  const bool is_along = std::ranges::all_of(around, [&](const Entry& entry) { return across(entry.plane, d) == 0; }) &&
-                        sign_of([&]<class N>() {
-                          return determinant(planes_[around.front().plane].get<N>(), rays_[nearest].along.get<N>(), d.get<N>());
-                        }) == 0;
+  const bool is_along =
+      std::ranges::all_of(around, [&](const Entry& entry) { return across(entry.plane, d) == 0; }) &&
+      sign_of([&]<class N>() {
+        return determinant(planes_[around.front().plane].normal.get<N>(), rays_[nearest].along.get<N>(), d.get<N>());
+      }) == 0;
   return region_at_ray(nearest, is_along ? w : &d);
+}
+
+bool Star::is_key(Cell cell) const {
+  return std::equal(key_.begin(), key_.end(), keys_.begin() + static_cast<std::ptrdiff_t>(std::size_t{cell} * parts_));
 }
 
 std::optional<Star::Cell> Star::cell(const Direction& d, const Direction* w) const {
@@ -198,7 +216,7 @@ std::optional<Star::Cell> Star::cell(const Direction& d, const Direction* w) con
     key_.push_back(its);
   }
   for (Cell cell = 0; cell < cells_; ++cell)
-    if (std::equal(key_.begin(), key_.end(), keys_.begin() + static_cast<std::ptrdiff_t>(cell * parts_))) return cell;
+    if (is_key(cell)) return cell;
   return {};
 }
 
@@ -217,8 +235,9 @@ bool Star::is_before_in(const Held& held, std::uint32_t a, std::uint32_t b) cons
 
 std::uint32_t Star::number_in(std::uint32_t triangle, std::uint32_t piece) const {
   std::uint32_t number = 0;
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-    if (i != piece && std::ranges::count(triangles_of(pieces_[i]), triangle) > 0 &&
+  const Plane& plane = planes_[pieces_[piece].plane];
+  for (std::uint32_t i = plane.first_piece; i < plane.first_piece + plane.pieces; ++i)
+    if (i != piece && std::ranges::binary_search(triangles_of(pieces_[i]), triangle) &&
         is_before_in(triangles_[triangle], i, piece))
       ++number;
   return number;
@@ -271,7 +290,7 @@ Star::Wedge Star::wedge(std::uint32_t ray, const Side& side) const {
   const bool turns_left = at->is_from == side.is_above;
   const Entry& next = around[(i + (turns_left ? 1 : around.size() - 1)) % around.size()];
   const Side beyond{next.piece, next.is_from != turns_left};
-  const NormalOf &f = planes_[at->plane], &h = planes_[next.plane];
+  const NormalOf &f = planes_[at->plane].normal, &h = planes_[next.plane].normal;
   // The wedge is wide where the side's own direction comes first: up is at a right angle to the piece.
   bool is_wide = at->plane == next.plane;
   if (!is_wide) {

@@ -57,7 +57,7 @@ std::tuple<int, std::uint32_t, std::uint32_t> order_of(const Star& star, const C
 }
 
 bool is_before(const At& g, const Candidate& a, const Candidate& b, const Direction& u) {
-  const Star& star = g.star;
+  const Star& star = *g.star;
   if (const int sign = compare_gains(star, a, b, u); sign != 0) return sign > 0;
   const auto of_a = order_of(star, a), of_b = order_of(star, b);
   if (of_a != of_b) return of_a < of_b;
@@ -100,7 +100,7 @@ int sign_of_pressure(const Way& way, const At& g, const Point& p) {
 }  // namespace
 
 std::optional<Way> steepest(const Soup& soup, const At& g, const Point& p, const Direction& u) {
-  const Star& star = g.star;
+  const Star& star = *g.star;
   std::optional<Candidate> best;
   const auto offer = [&](Candidate one) {
     const Quotient<Ball> its = gain_of<Ball>(star, one, u);

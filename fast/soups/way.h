@@ -12,7 +12,7 @@ namespace forceshade::fast::soups {
 // A point of the surface and a cell there.
 struct At {
   Point x;
-  Star star;
+  const Star* star = nullptr;
   Star::Cell cell = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "reference/soups/soup.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <map>
@@ -114,6 +115,38 @@ std::vector<const Triangle*> Soup::holding(const Vector& x) const {
   for (std::size_t i = 0; i < triangles_.size(); ++i)
     if (!are_apart(around, boxes_[i]) && triangles_[i].holds(x)) all.push_back(&triangles_[i]);
   return all;
+}
+
+// A way and a box are apart only if one of these shows it: an axis, or what is seen along it.
+std::size_t Soup::looks(const Vector& a, const Vector& b) const {
+  const Vector along = b - a;
+  const auto list = [](const Vector& v) { return std::array<const Rational*, 3>{&v.x, &v.y, &v.z}; };
+  const auto from = list(a), to = list(b), by = list(along);
+  const Box around = box_of({&a, &b});
+  const auto meets = [&](std::size_t i) {
+    if (are_apart(around, boxes_[i])) return false;
+    std::array<std::array<Rational, 2>, 3> ends;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = [&](std::size_t corner) { return *list(triangles_[i].corner[corner])[axis]; };
+      const auto [low, high] = std::minmax({at(0), at(1), at(2)});
+      if ((*from[axis] < low && *to[axis] < low) || (*from[axis] > high && *to[axis] > high)) return false;
+      ends[axis] = {low, high};
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t j = (axis + 1) % 3, k = (axis + 2) % 3;
+      std::array<int, 2> corners{};  // on either side of the line
+      for (const Rational& at_j : ends[j])
+        for (const Rational& at_k : ends[k]) {
+          const Rational off = *by[j] * (at_k - *from[k]) - *by[k] * (at_j - *from[j]);
+          if (!off.is_zero()) ++corners[off < 0 ? 0 : 1];
+        }
+      if (corners[0] == 4 || corners[1] == 4) return false;
+    }
+    return true;
+  };
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < triangles_.size(); ++i) count += meets(i) ? 1 : 0;
+  return count;
 }
 
 std::vector<Rational> Soup::changes(const Vector& from, const Vector& along, const Rational& most) const {

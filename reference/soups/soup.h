@@ -53,6 +53,9 @@ class Soup {
   std::vector<const Triangle*> holding(const Vector& x) const;  // in order
   const Vector& vertex(std::uint32_t name) const { return vertices_[name]; }
 
+  // The number of triangles whose boxes, along the axes, have a point in common with the straight way from a to b.
+  std::size_t looks(const Vector& a, const Vector& b) const;
+
   // The numbers t > 0, up to `most`, at which the set of triangles that hold from + t along changes; in order, each once.
   std::vector<Rational> changes(const Vector& from, const Vector& along, const Rational& most) const;
 

@@ -270,6 +270,12 @@ std::size_t Star::number_in(const Triangle& triangle, std::size_t piece) const {
   }));
 }
 
+std::size_t Star::looks() const {
+  std::size_t count = 0;
+  for (const Piece& piece : pieces_) count += piece.triangles.size();
+  return count;
+}
+
 Star::Name Star::name(const Side& side) const {
   std::optional<Name> least;
   for (const Triangle* triangle : pieces_[side.piece].triangles) {

@@ -60,6 +60,8 @@ class Star {
   std::vector<Side> walls(Cell from) const;  // beside cells that are reached
   std::vector<Side> sides(Cell cell) const;  // beside it
 
+  std::size_t looks() const;  // the triangles of all pieces
+
   bool is_one_part() const { return parts_ == 1; }  // its directions are connected
 
   Name name(const Side& side) const;

@@ -10,12 +10,17 @@ namespace {
 using Cell = Star::Cell;
 using Side = Star::Side;
 
+constexpr std::size_t kMostLooks = 1U << 14;
+
+struct TooManyLooks {};
+
 class Descent {
  public:
   Descent(const Soup& soup, const std::array<float, 3>& position)
       : soup_(soup), position_(quantised(position)), p_(exact_point(position)) {}
 
   Tick run(const State& before, unsigned most_moves);
+  std::size_t looks() const { return looks_; }
 
  private:
   struct End {  // of a move
@@ -23,21 +28,22 @@ class Descent {
     bool is_rest;
   };
 
-  std::optional<End> flight(const Vector& g) const;
-  End along_piece(const At& g, const Way& way) const;
-  End along_ray(const At& g, const Way& way) const;
+  std::optional<End> flight(const Vector& g);
+  End along_piece(const At& g, const Way& way);
+  End along_ray(const At& g, const Way& way);
+  const At& looked_at(const At& at);
   At on_surface(const Vector& x, const std::optional<Star::Name>& name = {}) const;
   Tick ended(const At& r, unsigned moves, State after, bool is_at_goal, Status status = Status::contact) const;
-  std::optional<At> obstacle(const Vector& from, const Vector& along, const Rational& most, const Vector& w) const;
+  std::optional<At> obstacle(const Vector& from, const Vector& along, const Rational& most, const Vector& w);
 
   struct Rounded {
     At at;
     std::optional<Place> place = {};  // of a triangle's grid that gave it, where it is strictly inside
   };
 
-  Rounded rounded(const At& at) const;
-  At rounded_on_line(const At& at) const;
-  Rounded rounded_in_plane(const At& at) const;
+  Rounded rounded(const At& at);
+  At rounded_on_line(const At& at);
+  Rounded rounded_in_plane(const At& at);
   struct Corner {
     Vector x;
     Place place;
@@ -45,9 +51,9 @@ class Descent {
   Corner corner_of_cell(const Triangle& f, const Vector& x) const;
   Rational next_point(const At& at, const Line& line, bool is_up) const;
 
-  State at_rest(const At& r) const;
+  State at_rest(const At& r);
   State on_line(const At& r) const;
-  State in_plane(const At& r) const;
+  State in_plane(const At& r);
   State named(const Place& place, const At& at) const { return {place, at.star->name(at.cell)}; }
   Place grid_place(const At& at) const;
   bool is_nearer(const Vector& a, const Vector& b) const { return squared(p_ - a) < squared(p_ - b); }
@@ -55,6 +61,7 @@ class Descent {
   const Soup& soup_;
   std::array<float, 3> position_;
   Vector p_;
+  std::size_t looks_ = 0, points_ = 0;  // of the tick; at the points of a move or a rest
 };
 
 // The wall of a cell's side in a plane, or any side on a line.
@@ -101,10 +108,19 @@ Cell cell_after_flight(const Star& star, Cell A, const Vector& u, bool is_at_p) 
   return has_wall || walls.empty() ? A : least(false);
 }
 
-std::optional<Descent::End> Descent::flight(const Vector& g) const {
+// At a point of a move or of a rest.
+const At& Descent::looked_at(const At& at) {
+  looks_ += at.star->looks();
+  points_ += at.star->looks();
+  if (points_ > kMostLooks) throw TooManyLooks();
+  return at;
+}
+
+std::optional<Descent::End> Descent::flight(const Vector& g) {
   const Vector u = p_ - g;
+  looks_ += soup_.looks(g, p_);
   for (const Rational& t : soup_.changes(g, u, 1)) {
-    At at = at_point(soup_, g + t * u);
+    At at = looked_at(at_point(soup_, g + t * u));
     const Cell A = at.star->cell(-u).value();
     const std::optional<Cell> ahead = at.star->cell(u);
     const bool is_at_p = t == 1;
@@ -116,17 +132,18 @@ std::optional<Descent::End> Descent::flight(const Vector& g) const {
 }
 
 // The first point of the way where it may not go on, with the cell that it comes from.
-std::optional<At> Descent::obstacle(const Vector& from, const Vector& along, const Rational& most, const Vector& w) const {
+std::optional<At> Descent::obstacle(const Vector& from, const Vector& along, const Rational& most, const Vector& w) {
   for (const Rational& t : soup_.changes(from, along, most)) {
     if (t == most) break;
-    const At at = at_end(soup_, from + t * along, -along, w);
+    const At at = looked_at(at_end(soup_, from + t * along, -along, w));
     const std::optional<Cell> ahead = at.star->cell(along, w);
     if (!ahead || !at.star->reached(at.cell).contains(*ahead)) return at;
   }
   return {};
 }
 
-Descent::End Descent::along_piece(const At& g, const Way& way) const {
+Descent::End Descent::along_piece(const At& g, const Way& way) {
+  looks_ += soup_.looks(g.x, way.q);
   const Triangle& f = g.star->blocking(way.wall);
   const Vector w = g.star->up(way.wall), e = way.q - g.x;
   const Rational share = way.share();
@@ -136,16 +153,17 @@ Descent::End Descent::along_piece(const At& g, const Way& way) const {
     if (grows < 0) end = std::min<Rational>(end, -f.inside(i, g.x) / grows);
   }
   if (const std::optional<At> at = obstacle(g.x, e, end, w)) return {*at, at->x == p_};
-  const At at = at_end(soup_, g.x + end * e, -e, w);
+  const At at = looked_at(at_end(soup_, g.x + end * e, -e, w));
   return {at, (share == 1 && f.holds_strictly(way.q)) || at.x == p_};
 }
 
-Descent::End Descent::along_ray(const At& g, const Way& way) const {
+Descent::End Descent::along_ray(const At& g, const Way& way) {
+  looks_ += soup_.looks(g.x, way.q);
   const Vector e = way.q - g.x;
   const Rational share = way.share();
   const std::vector<Rational> changes = soup_.changes(g.x, e, share);
   const Vector end = g.x + (changes.empty() ? share : changes.front()) * e;
-  const At at = at_end(soup_, end, -e, g.star->wedge(*way.ray, way.wall).inner);
+  const At at = looked_at(at_end(soup_, end, -e, g.star->wedge(*way.ray, way.wall).inner));
   return {at, (share == 1 && changes.empty()) || at.x == p_};
 }
 
@@ -157,13 +175,13 @@ Rational Descent::next_point(const At& at, const Line& line, bool is_up) const {
   return changes.empty() ? grid : m + changes.front() * (grid - m);
 }
 
-At Descent::rounded_on_line(const At& at) const {
+At Descent::rounded_on_line(const At& at) {
   const Line line = line_of(soup_, *at.star, at.x);
   const Rational m = line.parameter(at.x);
   if (is_whole(m)) return at;
   const Vector below = line.at(next_point(at, line, false)), above = line.at(next_point(at, line, true));
   const Vector& nearer = is_nearer(above, below) ? above : below;
-  return at_end(soup_, nearer, at.x - nearer, into_cell(at));
+  return looked_at(at_end(soup_, nearer, at.x - nearer, into_cell(at)));
 }
 
 // The corner nearest to p of the grid triangle or grid segment of f that x lies in.
@@ -185,7 +203,7 @@ Descent::Corner Descent::corner_of_cell(const Triangle& f, const Vector& x) cons
   return *best;
 }
 
-Descent::Rounded Descent::rounded_in_plane(const At& at) const {
+Descent::Rounded Descent::rounded_in_plane(const At& at) {
   const Side side = side_in(at);
   const Vector w = at.star->up(side);
   const Triangle& f = at.star->blocking(side);
@@ -194,10 +212,10 @@ Descent::Rounded Descent::rounded_in_plane(const At& at) const {
   if (c == at.x) return {at, place};
   const Vector along = c - at.x;
   if (const std::optional<At> stopped = obstacle(at.x, along, 1, w)) return rounded(*stopped);
-  return {at_end(soup_, c, -along, w), place};
+  return {looked_at(at_end(soup_, c, -along, w)), place};
 }
 
-Descent::Rounded Descent::rounded(const At& at) const {
+Descent::Rounded Descent::rounded(const At& at) {
   switch (at.star->kind()) {
     case Star::Kind::point: return {at};
     case Star::Kind::line: return {rounded_on_line(at)};
@@ -228,7 +246,7 @@ State Descent::on_line(const At& r) const {
   return named(line_place(line, m), at_end(soup_, c, r.x - c, into_cell(r)));
 }
 
-State Descent::in_plane(const At& r) const {
+State Descent::in_plane(const At& r) {
   const Side side = side_in(r);
   const Triangle& f = r.star->blocking(side);
   const auto [beta, gamma] = f.weights(r.x);
@@ -237,12 +255,18 @@ State Descent::in_plane(const At& r) const {
   const Vector c = f.at(Rational(k) / Rational(kGrid), Rational(l) / Rational(kGrid)), along = c - r.x, w = r.star->up(side);
   const Place place = place_in(f, k, l);
   if (c == r.x) return named(place, r);
-  if (obstacle(r.x, along, 1, w) || obstacle(c, -along, 1, w))
-    return named({PlaceKind::foot, PlaceKind::triangle, {f.number}, position_}, r);
-  return named(place, at_end(soup_, c, -along, w));
+  const State foot = named({PlaceKind::foot, PlaceKind::triangle, {f.number}, position_}, r);
+  try {
+    if (obstacle(r.x, along, 1, w)) return foot;
+    const At at = looked_at(at_end(soup_, c, -along, w));
+    return obstacle(c, -along, 1, w) ? foot : named(place, at);
+  } catch (const TooManyLooks&) {
+    return foot;
+  }
 }
 
-State Descent::at_rest(const At& r) const {
+State Descent::at_rest(const At& r) {
+  points_ = 0;
   switch (r.star->kind()) {
     case Star::Kind::point: return named(point_place(soup_, *r.star, r.x), r);
     case Star::Kind::line: return on_line(r);
@@ -281,13 +305,20 @@ Tick Descent::run(const State& before, unsigned most_moves) {
   const auto resting = [&](unsigned moves, Status status = Status::contact) {
     return ended(*on, moves, with_bit(named(kept ? *kept : grid_place(*on), *on)), on->x == p_, status);
   };
+  const auto unfinished = [&](unsigned moves) {
+    return on ? resting(moves, Status::unfinished) : Tick{Status::unfinished, moves, before};
+  };
   if (!before.place) {
     if (soup_.holding(p_).empty()) return free(0);
-    on = on_surface(p_);
-    if (!on->is_rough()) return ended(*on, 0, at_rest(*on), true);
-    Rounded first = rounded(*on);
-    on = std::move(first.at);
-    kept = std::move(first.place);
+    try {
+      const At first = looked_at(on_surface(p_));
+      if (!first.is_rough()) return ended(first, 0, at_rest(first), true);
+      Rounded next = rounded(first);
+      on = std::move(next.at);
+      kept = std::move(next.place);
+    } catch (const TooManyLooks&) {
+      return unfinished(0);
+    }
     g = on->x;
   } else {
     g = point_of(soup_, *kept);
@@ -303,14 +334,20 @@ Tick Descent::run(const State& before, unsigned most_moves) {
       way = steepest(*on, p_);
       if (!way || way->is_within(is_slipping ? way->dynamic_friction : way->static_friction)) return resting(moves);
     }
-    if (moves == most_moves) return resting(moves, Status::unfinished);  // a free one has no move more: it lands or ends
-    const std::optional<End> end = flies ? flight(g) : way->ray ? along_ray(*on, *way) : along_piece(*on, *way);
-    if (!end) return free(moves + 1);
-    if (end->is_rest && !end->at.is_rough()) {
-      is_slipping |= !flies;
-      return ended(end->at, moves + 1, with_bit(at_rest(end->at)), true);
+    if (moves == most_moves || looks_ >= kMostLooks) return unfinished(moves);
+    points_ = 0;
+    Rounded next;
+    try {
+      const std::optional<End> end = flies ? flight(g) : way->ray ? along_ray(*on, *way) : along_piece(*on, *way);
+      if (!end) return free(moves + 1);
+      if (end->is_rest && !end->at.is_rough()) {
+        is_slipping |= !flies;
+        return ended(end->at, moves + 1, with_bit(at_rest(end->at)), true);
+      }
+      next = rounded(end->at);
+    } catch (const TooManyLooks&) {
+      return unfinished(moves);
     }
-    Rounded next = rounded(end->at);
     if (on && !is_nearer(next.at.x, g)) return resting(moves);
     is_slipping |= !flies;
     on = std::move(next.at);
@@ -322,7 +359,10 @@ Tick Descent::run(const State& before, unsigned most_moves) {
 }  // namespace
 
 Tick tick(const Soup& soup, const State& before, const std::array<float, 3>& position, unsigned most_moves) {
-  return Descent(soup, position).run(before, most_moves);
+  Descent descent(soup, position);
+  Tick made = descent.run(before, most_moves);
+  made.looks = descent.looks();
+  return made;
 }
 
 }  // namespace forceshade::reference::soups

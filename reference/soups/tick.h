@@ -25,6 +25,7 @@ struct Tick {
   unsigned moves;
   State after;
   std::optional<Rest> rest = {};  // where it is touching
+  std::size_t looks = 0;
 };
 
 // position: in the domain. most_moves: at least one.

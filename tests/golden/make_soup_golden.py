@@ -147,7 +147,7 @@ def smooth_normals(vertices, triangles):
 # Rules that few paths reach.
 MUST_OCCUR = ['slides stopped', 'roundings in a triangle stopped', 'roundings on a line stopped', 'feet in a triangle', 'feet on a line',
               'lines that end at the foot', 'walls with two wedges', 'ties of directions', 'flights from behind',
-              'flights that end along the surface']
+              'flights that end along the surface', 'moves with too many looks']
 
 
 def report(name, given, computed):

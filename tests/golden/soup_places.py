@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from make_god_object_golden import cross, dot, minus, times
-from soup_cells import Near, primitive
+from soup_cells import Near, primitive, sign
 
 UNIT = 1 << 53
 
@@ -44,8 +44,16 @@ def in_units(position):
     return tuple(int(Fraction(c) * UNIT) if abs(c) >= 2**-30 else 0 for c in position)
 
 
+MOST_LOOKS = 1 << 14
+
+
+class TooManyLooks(Exception):
+    pass
+
+
 class Places:
     reached = Counter()
+    looks = points = 0  # of a tick; at the points of a move or a rest
 
     def __init__(self, vertices, triangles, sides, corner_normals=None):
         """sides: front or back for all, or a list with one for each triangle."""
@@ -101,6 +109,28 @@ class Places:
             self.nears[x] = Near(self, found) if found else None
         return self.nears[x]
 
+    def looked_at(self, x):
+        """The surface near a point of a move or of a rest: there are not too many triangles in pieces at all of them."""
+        near = self.near(x)
+        count = sum(len(piece.triangles) for piece in near.pieces)
+        self.looks += count
+        self.points += count
+        if self.points > MOST_LOOKS:
+            raise TooManyLooks
+        return near
+
+    def look_along(self, a, b):
+        """At the triangles whose boxes, along the axes, the straight way from a to b meets."""
+        d = way(a, b)
+        for i in self.used:
+            corners = [self.vertices[v] for v in self.triangles[i]]
+            box = [(min(c[k] for c in corners), max(c[k] for c in corners)) for k in range(3)]
+            is_beyond = any(max(a[k] * b[3], b[k] * a[3]) < low * a[3] * b[3] or min(a[k] * b[3], b[k] * a[3]) > high * a[3] * b[3]
+                            for k, (low, high) in enumerate(box))
+            sides = [{sign(d[j] * (at_k * a[3] - a[k]) - d[k] * (at_j * a[3] - a[j])) for at_j in box[j] for at_k in box[k]}
+                     for j, k in ((0, 1), (1, 2), (2, 0))]
+            self.looks += not is_beyond and {1} not in sides and {-1} not in sides
+
     def stretch(self, i, a, b):
         """The part of the segment from a to b that is in triangle i, as a pair of rationals in 0 … 1; None if there is none."""
         above, below = self.height(i, a), self.height(i, b)
@@ -140,7 +170,7 @@ class Places:
         e = way(a, b)
         for t in self.meetings(a, b):
             y = along(a, b, t)
-            near = self.near(y)
+            near = self.looked_at(y)
             ahead = near.cell_beside(e, w)
             if ahead is None or ahead not in near.reached(near.cell_beside(times(-1, e), w)):
                 return y

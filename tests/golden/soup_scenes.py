@@ -73,9 +73,28 @@ class Fin:
         yield from ((-3.0, 0.0, 1.0), (-2.0, 0.0, 0.0), (4.0, 0.0, 0.0), (4.0, 0.5, -0.5), (-3.0, 0.0, -0.25), (-3.0, 0.0, 0.25))
 
 
+class Sheets:
+    """A plate that is there 200 times, with ribs below it: at each of the points where a way along the plate meets a rib, it looks
+    at all plates twice, so a long one is not made."""
+    plates, ribs = 200, 45
+    vertices = [(-1.0, -40.0, 0.0), (80.0, 0.0, 0.0), (-1.0, 40.0, 0.0)]
+    triangles = [(0, 1, 2)] * plates
+    for rib in range(ribs):
+        x, first = 1.0 + 0.5 * rib, len(vertices)
+        vertices = vertices + [(x, -1.0, 0.0), (x, 1.0, 0.0), (x, 0.0, -1.0)]
+        triangles = triangles + [(first, first + 1, first + 2)]
+    sides = ['both'] * len(triangles)
+
+    @staticmethod
+    def positions():
+        yield from ((0.25, 0.0, 1.0), (0.25, 0.0, -0.5), (40.0, 0.125, -0.25), (40.0, 0.125, -0.25), (9.25, 0.125, -0.25))
+        yield from ((40.0, 0.125, -0.25), (40.0, 0.125, 0.5))
+
+
 def scenes():
     """(name, scene); the numbers are those of lattices in which rules matter that few paths reach."""
     yield 'fin', Fin()
+    yield 'sheets', Sheets()
     for number in (40, 50, 60, 62, 63, 65, 81, 101, 115, 118, 122, 123):
         yield f'lattice_{number}', Lattice(str(number), 90)
     for number in (4, 5, 27, 30):

@@ -5,7 +5,7 @@ from fractions import Fraction
 from math import floor
 
 from make_god_object_golden import GRID, times
-from soup_places import Places, along, apart, way
+from soup_places import MOST_LOOKS, Places, TooManyLooks, along, apart, way
 
 MOST_MOVES = 256
 
@@ -66,6 +66,7 @@ class Soup(Places):
                 return x, cell, None
             ends = [self.beside_on_line(x, line, Fraction(floor(scaled) + k, GRID)) for k in (0, 1)]
             y = min(ends, key=lambda end: (apart(end[0], p), end[1]))[0]
+            self.looked_at(y)
             return y, self.cell_back(x, y, self.across_line(near, cell)), None
         f, w = self.blocker(near, cell)
         c, place = self.corner(f, x, p)
@@ -73,6 +74,7 @@ class Soup(Places):
             return x, cell, place
         y = self.obstacle(x, c, w)
         if y is None:
+            self.looked_at(c)
             return c, self.cell_back(x, c, w), place
         self.reached['roundings in a triangle stopped'] += 1
         return self.rounded(y, self.cell_back(x, y, w), p)
@@ -108,6 +110,7 @@ class Soup(Places):
     def at_rest(self, r, cell):
         """Rule 4 for r ≠ g: (point, cell, place) that the state keeps."""
         near = self.near(r)
+        self.points = 0
         if near.kind == 0:
             return r, cell, self.name_of_point(r, near)
         if near.kind == 1:
@@ -127,7 +130,11 @@ class Soup(Places):
         c = self.mixed(f, Fraction(k, GRID), Fraction(l, GRID))
         if c == r:
             return r, cell, ('t', f, k, l)
-        if self.obstacle(r, c, w) or self.obstacle(c, r, w):
+        try:
+            is_stopped = self.obstacle(r, c, w) or self.looked_at(c) and self.obstacle(c, r, w)
+        except TooManyLooks:
+            is_stopped = True
+        if is_stopped:
             self.reached['feet in a triangle'] += 1
             return r, cell, ('q', 't', f)
         return c, self.cell_back(r, c, w), ('t', f, k, l)
@@ -145,12 +152,13 @@ class Soup(Places):
     def flight(self, g, p):
         """(end, cell, whether it rests there); the cell is None where p is off the surface."""
         u = way(g, p)
+        self.look_along(g, p)
         for t in self.meetings(g, p):
             x = along(g, p, t)
-            near = self.near(x)
+            near = self.looked_at(x)
             if near.cell(u) not in near.reached(near.cell(times(-1, u))):
                 return x, self.cell_after_flight(near, u, False), False
-        near = self.near(p)
+        near = self.near(p) and self.looked_at(p)
         return p, near and self.cell_after_flight(near, u, True), True
 
     def steepest(self, near, cell, u):
@@ -182,6 +190,7 @@ class Soup(Places):
         if is_in_piece:
             f = min(near.blocking(side))
             q = self.foot(f, p)
+            self.look_along(g, q)
             w = times(1 - 2 * (side % 2), near.pieces[side // 2].normal)
             rests = min(self.insides(f, q)) > 0
             x = q if rests else along(g, q, self.stretch(f, g, q)[1])
@@ -189,20 +198,29 @@ class Soup(Places):
             if y:
                 self.reached['slides stopped'] += 1
                 x, rests = y, False
+            else:
+                self.looked_at(x)
         else:
             q, w = self.foot_on_line(g, v, p), near.across(v, side)
+            self.look_along(g, q)
             meetings = self.meetings(g, q)
             x = along(g, q, meetings[0]) if meetings else q
+            self.looked_at(x)
             rests = not meetings and self.near(q).kind == 1
             self.reached['lines that end at the foot'] += not meetings and not rests
         return x, self.cell_back(g, x, w), rests or x == p
 
     def tick(self, state, p):
         """(state, status, moves, (r, cell) or None)"""
+        self.looks = self.points = 0
         if state is None:
             near = self.near(p)
             if near is None:
                 return (p, None, None), 'free', 0, None
+            try:
+                self.looked_at(p)
+            except TooManyLooks:
+                return None, 'unfinished', 0, None
             return self.resting(p, min(near.cells, key=near.name), 0)
         g, place, name = state
         cell = place and self.near(g).cell_named(name)
@@ -215,14 +233,19 @@ class Soup(Places):
             steepest = None if flies else self.steepest(near, cell, u)
             if not flies and steepest is None:
                 return self.staying(g, place, cell, 'touching', moves)
-            if moves == MOST_MOVES:
+            if moves == MOST_MOVES or self.looks >= MOST_LOOKS:
                 return self.staying(g, place, cell, 'unfinished', moves)
-            x, cell_there, rests = self.flight(g, p) if flies else self.slide(g, near, steepest, p)
-            if cell_there is None:
-                return (p, None, None), 'free', moves + 1, None
-            if rests:
-                return self.resting(x, cell_there, moves + 1)
-            x, cell_there, place_there = self.rounded(x, cell_there, p)
+            self.points = 0
+            try:
+                x, cell_there, rests = self.flight(g, p) if flies else self.slide(g, near, steepest, p)
+                if cell_there is None:
+                    return (p, None, None), 'free', moves + 1, None
+                if rests:
+                    return self.resting(x, cell_there, moves + 1)
+                x, cell_there, place_there = self.rounded(x, cell_there, p)
+            except TooManyLooks:
+                self.reached['moves with too many looks'] += 1
+                return self.staying(g, place, cell, 'unfinished', moves) if place else (state, 'unfinished', moves, None)
             if place and apart(x, p) >= apart(g, p):
                 self.reached['refused'] += 1
                 return self.staying(g, place, cell, 'touching', moves)

@@ -192,6 +192,7 @@ TEST(soups_on_both_sides, every_column_of_drawn_paths_is_the_same) {
       if (is_resumed) other.resume(plain.state());
       const fast::soups::Tick its = plain.tick(last);
       ASSERT_EQ(text_of(its, shaded.tick(last)), text_of(made, kStiffness, set.normals)) << "set " << number << ", tick " << i;
+      ASSERT_EQ(plain.looks(), made.looks) << "set " << number << ", tick " << i;
       if (is_resumed) {
         const fast::soups::Tick resumed = other.tick(last);
         ASSERT_TRUE(resumed.after == its.after && resumed.force == its.force) << "set " << number << ", tick " << i;

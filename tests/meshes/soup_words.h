@@ -33,9 +33,9 @@ inline std::uint32_t lowest_triangle(const fast::soups::Soup& soup, const fast::
   x.forget();
   std::vector<const fast::Face*> all;
   for (const fast::Face& face : soup.faces()) all.push_back(&face);
-  fast::soups::Star star;
-  star.make(soup, x, all);
-  return star.triangles().front().face->index();
+  std::vector<fast::soups::Star::Held> held;
+  find_held(x, all, held);
+  return held.front().face->index();
 }
 
 // The line of one tick of sessions without and with shading, which share a state.
