@@ -3,7 +3,9 @@
 // The triangles that a straight way leads past: those whose boxes, along the axes, have a point in common with it. They are
 // counted exactly, because their number decides where a tick ends unfinished (docs/soups.md, "A tick").
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "fast/soups/points.h"
 
@@ -13,11 +15,25 @@ class Looks {
  public:
   // The points outlive it.
   Looks(const Point& from, const Point& to) noexcept : from_(&from), to_(&to) {
-    for (std::size_t i = 0; i < 3; ++i) is_across_[i] = sign_of([&]<class N>() { return along<N>(i); }) == 0;
+    double largest = 0, error = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      is_across_[i] = sign_of([&]<class N>() { return along<N>(i); }) == 0;
+      const Ball &a = at(from.get<Ball>().x, i), &b = at(to.get<Ball>().x, i);
+      start_[i] = a.value;
+      way_[i] = b.value - a.value;
+      low_[i] = std::min(a.value, b.value);
+      high_[i] = std::max(a.value, b.value);
+      error_[i] = std::max(a.error, b.error);
+      error = std::max(error, error_[i]);
+      largest = std::max(largest, std::max(-low_[i], high_[i]));
+    }
+    // What is_at() multiplies is within 2 (error + 2^-36) of the true numbers, and below 2^18.
+    relative_error_ = largest < 0x1p17 && error < 0x1p-10 ? 64 * (error + 0x1p-36) : HUGE_VAL;
   }
 
   // They are apart if, along an axis, both ends are on one side of the box; or if, seen along an axis, all corners of the box
-  // are on one side of the line. If neither is so they meet: these are all the separating axes of a box and a segment.
+  // are on one side of the line. If neither is so they meet: these are all the separating axes of a box and a segment. What
+  // binary64 leaves in doubt is decided in integers.
   bool is_at(const Face& face) const noexcept {
     std::array<float, 3> low = face.corner[0], high = low;
     for (const auto& corner : face.corner)
@@ -25,18 +41,26 @@ class Looks {
         low[i] = corner[i] < low[i] ? corner[i] : low[i];
         high[i] = corner[i] > high[i] ? corner[i] : high[i];
       }
+    std::array<bool, 3> is_sure{};
+    std::array<double, 3> centre, extent;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double least = static_cast<double>(low[i]), most = static_cast<double>(high[i]);
+      if (high_[i] + error_[i] < least || low_[i] - error_[i] > most) return false;
+      is_sure[i] = !(error_[i] > 0) || (high_[i] - error_[i] > least && low_[i] + error_[i] < most);
+      centre[i] = 0.5 * (least + most) - start_[i];
+      extent[i] = 0.5 * (most - least);
+    }
     for (std::size_t i = 0; i < 3; ++i)
-      if (compare(*from_, i, low[i]) < 0 ? compare(*to_, i, low[i]) < 0
-                                         : compare(*from_, i, high[i]) > 0 && compare(*to_, i, high[i]) > 0)
-        return false;
+      if (!is_sure[i] && is_apart_along(i, low[i], high[i])) return false;
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t k = j == 2 ? 0 : j + 1;
       // Then the line is on one side of the corners only if the way is, along an axis.
       if (is_across_[j] || is_across_[k]) continue;
-      const int first = side(j, low[j], k, low[k]);
-      if (first != 0 && side(j, low[j], k, high[k]) == first && side(j, high[j], k, low[k]) == first &&
-          side(j, high[j], k, high[k]) == first)
-        return false;
+      const double u = std::fabs(way_[j]), v = std::fabs(way_[k]);
+      const double more = std::fabs(way_[j] * centre[k] - way_[k] * centre[j]) - (u * extent[k] + v * extent[j]);
+      const double error = relative_error_ * (u + v + std::fabs(centre[j]) + std::fabs(centre[k]) + extent[j] + extent[k] + 1);
+      if (more > error) return false;
+      if (!(more < -error) && is_apart_across(j, k, low, high)) return false;
     }
     return true;
   }
@@ -51,6 +75,15 @@ class Looks {
       const Scaled<N>& its = x.get<N>();
       return at(its.x, i) - its.w * coordinate<N>(bound);
     });
+  }
+  [[gnu::noinline]] bool is_apart_along(std::size_t i, float low, float high) const noexcept {
+    return compare(*from_, i, low) < 0 ? compare(*to_, i, low) < 0 : compare(*from_, i, high) > 0 && compare(*to_, i, high) > 0;
+  }
+  [[gnu::noinline]] bool is_apart_across(std::size_t j, std::size_t k, const std::array<float, 3>& low,
+                                         const std::array<float, 3>& high) const noexcept {
+    const int first = side(j, low[j], k, low[k]);
+    return first != 0 && side(j, low[j], k, high[k]) == first && side(j, high[j], k, low[k]) == first &&
+           side(j, high[j], k, high[k]) == first;
   }
   template <class N>
   N along(std::size_t i) const noexcept {
@@ -68,6 +101,8 @@ class Looks {
 
   const Point *from_, *to_;
   std::array<bool, 3> is_across_{};  // whether the way is at a right angle to the axis
+  std::array<double, 3> start_, way_, low_, high_, error_;
+  double relative_error_;
 };
 
 }  // namespace forceshade::fast::soups
