@@ -12,6 +12,7 @@
 #include "fast/meshes/session.h"
 #include "properties/built_or_throw.h"
 #include "properties/positions.h"
+#include "rendering/largest_fan.h"
 
 namespace forceshade::properties {
 namespace {
@@ -27,20 +28,13 @@ Vector3d point(const float* at) {
   return Eigen::Vector3f(at).cast<double>();
 }
 
-std::uint32_t vertex_of_most(const mesh::TriangleMesh& mesh) {
-  std::vector<std::uint32_t> triangles(mesh.vertices.size(), 0);
-  for (const mesh::Triangle& triangle : mesh.triangles)
-    for (const std::uint32_t vertex : triangle) ++triangles[vertex];
-  return static_cast<std::uint32_t>(std::ranges::max_element(triangles) - triangles.begin());
-}
-
 class Search : private Draws {
  public:
   explicit Search(const MeshRendering& rendering)
       : Draws(kSeed),
         mesh_(built_or_throw(fast::Mesh::build(rendering))),
         contact_(fast::contact_in(mesh_, rendering.contact)),
-        largest_fan_(mesh_.first_around(vertex_of_most(rendering.mesh()))) {
+        largest_fan_(mesh_.first_around(mesh::vertex_of_most(rendering.mesh()).first)) {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const fast::Face& face : mesh_.all_faces())
       for (const auto& corner : face.corner) {

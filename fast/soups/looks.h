@@ -27,7 +27,7 @@ class Looks {
       error = std::max(error, error_[i]);
       largest = std::max(largest, std::max(-low_[i], high_[i]));
     }
-    // What is_at() multiplies is within 2 (error + 2^-36) of the true numbers, and below 2^18.
+    // The numbers that is_at() multiplies are within 2 (error + 2^-36) of the true numbers, and below 2^18.
     relative_error_ = largest < 0x1p17 && error < 0x1p-10 ? 64 * (error + 0x1p-36) : HUGE_VAL;
   }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "fast/meshes/vector3.h"
+#include "fast/meshes/bounded_vector3.h"
 #include "fast/numbers/inline.h"
 #include "fast/soups/whole.h"
 
@@ -16,7 +16,7 @@ namespace forceshade::fast::soups {
 struct Ball {
   double value = 0, error = 0;
 
-  static constexpr double kUnit = 0x1p-53, kSlack = 1 + 0x1p-48, kLeast = 0x1p-1040;
+  static constexpr double kUnit = 0x1p-53, kSlack = kSlackOfSum, kLeast = 0x1p-1040;
 
   FORCESHADE_INLINE static Ball exactly(double value) noexcept { return {value, 0}; }
   FORCESHADE_INLINE static Ball of(std::int64_t value) noexcept { return {static_cast<double>(value), 0}; }
@@ -44,27 +44,6 @@ struct Ball {
   }
   FORCESHADE_INLINE Ball shifted(int count) const noexcept { return {std::ldexp(value, count), std::ldexp(error, count)}; }
 };
-
-// Sums of products with one bound for all of their roundings, as in fast/meshes/bounded_vector3.h.
-FORCESHADE_INLINE double handed_on(const Ball& a, const Ball& b) noexcept {
-  return __builtin_fabs(a.value) * b.error + (__builtin_fabs(b.value) + b.error) * a.error;
-}
-FORCESHADE_INLINE Ball difference_of_products(const Ball& a, const Ball& b, const Ball& c, const Ball& d) noexcept {
-  const double first = a.value * b.value, second = c.value * d.value;
-  const double sizes = __builtin_fabs(first) + __builtin_fabs(second);
-  return {first - second, Ball::kSlack * (2 * Ball::kUnit * sizes + (handed_on(a, b) + handed_on(c, d))) + Ball::kLeast};
-}
-FORCESHADE_INLINE Vector3<Ball> cross(const Vector3<Ball>& a, const Vector3<Ball>& b) noexcept {
-  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
-          difference_of_products(a.x, b.y, a.y, b.x)};
-}
-FORCESHADE_INLINE Ball dot(const Vector3<Ball>& a, const Vector3<Ball>& b) noexcept {
-  const double x = a.x.value * b.x.value, y = a.y.value * b.y.value, z = a.z.value * b.z.value;
-  const double sizes = __builtin_fabs(x) + __builtin_fabs(y) + __builtin_fabs(z);
-  return {x + y + z,
-          Ball::kSlack * (3 * Ball::kUnit * sizes + (handed_on(a.x, b.x) + handed_on(a.y, b.y) + handed_on(a.z, b.z))) +
-              Ball::kLeast};
-}
 
 template <class N>
 Vector3<N> operator+(const Vector3<N>& a, const Vector3<N>& b) noexcept {

@@ -6,6 +6,7 @@
 
 #include "forceshade/meshes.h"
 #include "rendering/half_edges.h"
+#include "rendering/largest_fan.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -100,12 +101,8 @@ std::uint64_t coinciding_rim_edges(const TriangleMesh& mesh) {
 }
 
 LargestFan largest_fan(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> triangles(mesh.vertices.size(), 0);
-  for (const Triangle& triangle : mesh.triangles)
-    for (const std::uint32_t vertex : triangle) ++triangles[vertex];
-  const auto most = std::ranges::max_element(triangles);
-  if (most == triangles.end()) return {};
-  return {static_cast<std::uint32_t>(most - triangles.begin()), *most};
+  const auto [vertex, triangles] = vertex_of_most(mesh);
+  return {vertex, triangles};
 }
 
 }  // namespace forceshade::mesh
