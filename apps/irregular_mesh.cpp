@@ -55,7 +55,7 @@ std::vector<Row> rows_of(const mesh::Borders& borders, float nearer_than) {
                                               shortest(static_cast<float>(borders.length)) +
                                               " mm in all, around which a hand can go where nothing else touches them"}};
   if (nearer_than == 0 || borders.edges == 0) return rows;
-  std::string words = std::to_string(borders.cracks.size()) + " pairs of these edges are nearer to each other than " +
+  std::string words = std::to_string(borders.cracks.size()) + " pairs of faces have such edges nearer to each other than " +
                       shortest(nearer_than) + " mm without touching" +
                       (borders.cracks.empty() ? "" : ", and a hand can pass: ");
   for (std::size_t i = 0; i < borders.cracks.size() && i < kPlaces; ++i) {

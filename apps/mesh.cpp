@@ -320,10 +320,14 @@ int repair(const MeshFileOptions& options) {
   Json moved = Json::array();
   for (const auto& [vertex, onto, distance] : repaired.moved)
     moved.push_back({{"from", vertex}, {"onto", onto}, {"distance_mm", distance}});
+  Json split = Json::array();
+  for (const auto& [face, vertex, distance] : repaired.split)
+    split.push_back({{"face", face}, {"at", vertex}, {"distance_mm", distance}});
   write_json(options.json, {{"file", options.file},
                             {"out", options.out},
                             {"done", done},
                             {"moved", moved},
+                            {"split", split},
                             {"held", findings == nullptr},
                             {"faults", faults}});
   if (options.json != "-" && options.out != "-") {
@@ -366,8 +370,10 @@ void add_mesh(CLI::App& app, int& result) {
   const auto [repair_verb, repair_options] = add(
       "repair", "Join equal vertices, drop faces without area or twice there, turn faces over; lists what was done", repair);
   allow_self_intersections(*repair_verb, *repair_options);
-  add_length(*repair_verb, "--join", repair_options->length,
-             "also move each vertex of a border onto the nearest one within this length that stays; nothing else moves");
+  add_length(
+      *repair_verb, "--join", repair_options->length,
+      "also move each vertex of a border onto the nearest one within this length that stays, and split faces whose edges have "
+      "one beside them; nothing else moves");
   add_output(*repair_verb, "--out", repair_options->out, "the repaired mesh, an OFF file in mm", {".off"})->required();
   add_json(*repair_verb, repair_options->json, "the repairs");
   add_mesh_make(*command, result);

@@ -180,7 +180,8 @@ struct Irregularities {
 // is that of a vertex, and every coordinate is within 10000 mm. Throws Interrupted.
 Irregularities irregularities_of(TriangleMesh mesh, const Monitor& monitor = {});
 
-// A place at which two edges of one triangle each, as irregularities_of() counts, come near each other without touching.
+// Two triangles, the lower first, with edges of one triangle each, as irregularities_of() counts, that come near each other
+// without touching: the nearest of these.
 struct Crack {
   std::array<std::uint32_t, 2> triangles{};
   Vertex near{};        // mm: an end of one of them
@@ -236,10 +237,16 @@ struct Repaired {
     std::uint32_t vertex = 0, onto = 0;
     double distance = 0;  // mm
   };
+  // A face that was split at a vertex beside one of its edges, by their numbers at first.
+  struct Split {
+    std::uint32_t triangle = 0, vertex = 0;
+    double distance = 0;  // mm
+  };
 
   TriangleMesh mesh;
   std::vector<std::string> done;  // one sentence each; empty if nothing was
   std::vector<Moved> moved;
+  std::vector<Split> split;
 };
 
 // Repairs the mesh in this order: coordinates below 2^-30 mm in size are 0; vertices with equal coordinates are one, in the
@@ -251,8 +258,9 @@ struct Repaired {
 //
 // join: mm, 2^-30 at least. Then, before faces with the same vertices go, each end of an edge with one face is moved onto the
 // nearest other that was not moved and has a lower number, the lowest of equally near ones, if that is within this length,
-// decided exactly. Nothing else moves. A vertex near the inside of such an edge stays where it is, and done says so. Throws
-// std::invalid_argument with the reason where a face would lose its area or turn by a right angle or more.
+// decided exactly. Nothing else moves. Where such an end is then beside the inside of such an edge of another face and within
+// the length of it, that face is split there; its parts follow each other. Throws std::invalid_argument with the reason where
+// a face or a part of it would lose its area or turn by a right angle or more.
 Repaired repair(TriangleMesh mesh, std::optional<float> join = {});
 
 }  // namespace forceshade::mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "forceshade/meshes.h"
 #include "rendering/meshes/border_edges.h"
@@ -80,10 +81,13 @@ Borders borders_of(TriangleMesh mesh, float nearer_than) {
       if (are_apart(boxes[i], boxes[j])) continue;
       const SquaredDistance distance = gap(kept.mesh, edges[i], edges[j]);
       if (distance.over == 0 || !(distance < most)) continue;
-      borders.cracks.push_back(
-          {{kept.number[edges[i].triangle], kept.number[edges[j].triangle]}, mesh.vertices[edges[i].ends[0]], root(distance)});
+      const auto [one, other] = std::minmax({kept.number[edges[i].triangle], kept.number[edges[j].triangle]});
+      borders.cracks.push_back({{one, other}, mesh.vertices[edges[i].ends[0]], root(distance)});
     }
-  std::ranges::sort(borders.cracks, {}, [](const Crack& crack) { return std::pair(crack.triangles, crack.near); });
+  std::ranges::sort(borders.cracks, {},
+                    [](const Crack& crack) { return std::tuple(crack.triangles, crack.distance, crack.near); });
+  const auto is_same_pair = [](const Crack& a, const Crack& b) { return a.triangles == b.triangles; };
+  borders.cracks.erase(std::unique(borders.cracks.begin(), borders.cracks.end(), is_same_pair), borders.cracks.end());
   return borders;
 }
 

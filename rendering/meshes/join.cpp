@@ -2,11 +2,14 @@
 #include "rendering/meshes/join.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "rendering/meshes/border_edges.h"
-#include "rendering/meshes/distances.h"
 #include "text/number_text.h"
 
 namespace forceshade::mesh {
@@ -39,60 +42,150 @@ float above(float x, float length) {
   return std::nextafter(x + length, HUGE_VALF);
 }
 
-void expect_faces_to_stay(const TriangleMesh& mesh, const std::vector<std::uint32_t>& onto, float length,
-                          const std::vector<std::uint32_t>& number) {
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    if (onto[a] == a && onto[b] == b && onto[c] == c) continue;
-    const auto point = [&](std::uint32_t v) -> const Vertex& { return mesh.vertices[v]; };
-    const auto normal = [&](std::uint32_t u, std::uint32_t v, std::uint32_t w) {
-      return cross(side(point(u), point(v)), side(point(u), point(w)));
-    };
-    const WholeVector before = normal(a, b, c), after = normal(onto[a], onto[b], onto[c]);
-    if (dot(before, after) > 0) continue;
-    const bool is_flat = std::ranges::all_of(after, [](const Whole& component) { return component == 0; });
-    throw std::invalid_argument(
-        "face " + std::to_string(number[i]) + (is_flat ? " would lose its area" : " would turn by a right angle or more") +
-        "; expected a length below the sides of the faces at the borders, got " + shortest(length) + " mm");
-  }
-}
-
-}  // namespace
-
-Join join_borders(const TriangleMesh& mesh, float length, const std::vector<std::uint32_t>& number) {
-  const std::vector<BorderEdge> edges = border_edges(mesh);
+std::vector<std::uint32_t> ends_of(const std::vector<BorderEdge>& edges) {
   std::vector<std::uint32_t> ends;
   for (const BorderEdge& edge : edges) ends.insert(ends.end(), edge.ends.begin(), edge.ends.end());
   std::ranges::sort(ends);
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  Join join;
-  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) join.onto.push_back(v);
-  const Near near(mesh, ends);
-  const SquaredDistance most = squared(length);
-  for (const std::uint32_t v : ends) {
-    std::optional<std::pair<SquaredDistance, std::uint32_t>> nearest;
-    near.between(below(mesh.vertices[v][0], length), above(mesh.vertices[v][0], length), [&](std::uint32_t other) {
-      if (other >= v || join.onto[other] != other) return;
-      const SquaredDistance distance = squared(side(mesh.vertices[v], mesh.vertices[other]));
-      if (most < distance) return;
-      if (!nearest || distance < nearest->first || (!(nearest->first < distance) && other < nearest->second))
-        nearest = {distance, other};
-    });
-    if (nearest) join.onto[v] = nearest->second;
+  return ends;
+}
+
+class Joining {
+ public:
+  Joining(const TriangleMesh& mesh, float length, const std::vector<std::uint32_t>& number)
+      : mesh_(mesh), length_(length), most_(squared(length)), number_(number), moved_(mesh) {}
+
+  Join run() {
+    move();
+    split();
+    return std::move(join_);
   }
-  expect_faces_to_stay(mesh, join.onto, length, number);
-  for (const auto& [between, triangle] : edges) {
-    const std::uint32_t from = join.onto[between[0]], to = join.onto[between[1]];
-    const Vertex &a = mesh.vertices[from], &b = mesh.vertices[to];
-    near.between(below(std::min(a[0], b[0]), length), above(std::max(a[0], b[0]), length), [&](std::uint32_t v) {
-      if (join.onto[v] != v || v == from || v == to) return;
-      const SquaredDistance distance = squared_distance(mesh.vertices[v], a, b);
-      if (distance.over > 0 && !(most < distance)) join.beside.push_back(v);
-    });
+
+ private:
+  struct Beside {
+    Whole share;  // along the edge, times the square of its length
+    std::uint32_t vertex;
+    SquaredDistance distance;
+  };
+
+  const Vertex& point(std::uint32_t v) const { return mesh_.vertices[v]; }
+
+  void move() {
+    const std::vector<std::uint32_t> ends = ends_of(border_edges(mesh_));
+    for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v) join_.onto.push_back(v);
+    const Near near(mesh_, ends);
+    for (const std::uint32_t v : ends) {
+      std::optional<std::pair<SquaredDistance, std::uint32_t>> nearest;
+      near.between(below(point(v)[0], length_), above(point(v)[0], length_), [&](std::uint32_t other) {
+        if (other >= v || join_.onto[other] != other) return;
+        const SquaredDistance distance = squared(side(point(v), point(other)));
+        if (most_ < distance) return;
+        if (!nearest || distance < nearest->first || (!(nearest->first < distance) && other < nearest->second))
+          nearest = {distance, other};
+      });
+      if (nearest) join_.onto[v] = nearest->second;
+    }
+    for (std::uint32_t i = 0; i < moved_.triangles.size(); ++i) {
+      Triangle& t = moved_.triangles[i];
+      for (std::uint32_t& v : t) v = join_.onto[v];
+      if (t != mesh_.triangles[i]) expect_part(t, i);
+    }
   }
-  std::ranges::sort(join.beside);
-  join.beside.erase(std::unique(join.beside.begin(), join.beside.end()), join.beside.end());
-  return join;
+
+  // Splits edges of borders as they are after the moves, at all vertices that are beside them. A vertex beside several edges of
+  // a triangle counts at the nearest, the first of several.
+  void split() {
+    const std::vector<BorderEdge> edges = border_edges(moved_);
+    const Near near(mesh_, ends_of(edges));
+    std::vector<std::vector<Beside>> beside;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, SquaredDistance> nearest;  // of a triangle and a vertex
+    for (const auto& [ends, triangle] : edges) {
+      beside.push_back(beside_edge(near, ends, moved_.triangles[triangle]));
+      for (const auto& [share, vertex, distance] : beside.back()) {
+        SquaredDistance& least = nearest.try_emplace({triangle, vertex}, distance).first->second;
+        least = std::min(least, distance);
+      }
+    }
+    std::map<std::uint32_t, std::vector<Triangle>> parts;
+    for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+      const std::uint32_t triangle = edges[edge].triangle;
+      auto [last, to] = edges[edge].ends;
+      for (const auto& [share, vertex, distance] : beside[edge]) {
+        const auto counts = nearest.find({triangle, vertex});
+        if (counts == nearest.end() || counts->second < distance) continue;
+        nearest.erase(counts);
+        split(parts.try_emplace(triangle, 1, moved_.triangles[triangle]).first->second, last, to, vertex);
+        last = vertex;
+        join_.splits.push_back({triangle, vertex, distance});
+      }
+    }
+    for (std::uint32_t i = 0; i < moved_.triangles.size(); ++i) {
+      const auto found = parts.find(i);
+      if (found == parts.end()) {
+        join_.triangles.push_back(moved_.triangles[i]);
+        join_.of.push_back(i);
+        continue;
+      }
+      for (const Triangle& part : found->second) {
+        expect_part(part, i);
+        join_.triangles.push_back(part);
+        join_.of.push_back(i);
+      }
+    }
+  }
+
+  // Splits the part that has the edge.
+  static void split(std::vector<Triangle>& parts, std::uint32_t from, std::uint32_t to, std::uint32_t at) {
+    for (std::size_t part = 0; part < parts.size(); ++part)
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (parts[part][i] != from || parts[part][(i + 1) % 3] != to) continue;
+        const std::uint32_t apex = parts[part][(i + 2) % 3];
+        parts[part] = {from, at, apex};
+        parts.push_back({at, to, apex});
+        return;
+      }
+  }
+
+  std::vector<Beside> beside_edge(const Near& near, const std::array<std::uint32_t, 2>& ends, const Triangle& own) const {
+    const Vertex &a = point(ends[0]), &b = point(ends[1]);
+    const WholeVector along = side(a, b);
+    std::vector<Beside> beside;
+    near.between(below(std::min(a[0], b[0]), length_), above(std::max(a[0], b[0]), length_), [&](std::uint32_t v) {
+      if (std::ranges::count(own, v) > 0) return;
+      const Whole share = dot(side(a, point(v)), along);
+      if (share <= 0 || share >= dot(along, along)) return;
+      const SquaredDistance distance = squared_distance(point(v), a, b);
+      if (!(most_ < distance)) beside.push_back({share, v, distance});
+    });
+    std::ranges::sort(
+        beside, [](const Beside& s, const Beside& t) { return s.share != t.share ? s.share < t.share : s.vertex < t.vertex; });
+    return beside;
+  }
+
+  void expect_part(const Triangle& part, std::uint32_t of) const {
+    const auto normal = [&](const Triangle& t) {
+      return cross(side(point(t[0]), point(t[1])), side(point(t[0]), point(t[2])));
+    };
+    const WholeVector before = normal(mesh_.triangles[of]), after = normal(part);
+    if (dot(before, after) > 0) return;
+    const bool is_flat = std::ranges::all_of(after, [](const Whole& component) { return component == 0; });
+    throw std::invalid_argument(
+        "face " + std::to_string(number_[of]) + (is_flat ? " would lose its area" : " would turn by a right angle or more") +
+        "; expected a length below the sides and heights of the faces at the borders, got " + shortest(length_) + " mm");
+  }
+
+  const TriangleMesh& mesh_;
+  float length_;
+  SquaredDistance most_;
+  const std::vector<std::uint32_t>& number_;
+  TriangleMesh moved_;
+  Join join_;
+};
+
+}  // namespace
+
+Join join_borders(const TriangleMesh& mesh, float length, const std::vector<std::uint32_t>& number) {
+  return Joining(mesh, length, number).run();
 }
 
 }  // namespace forceshade::mesh

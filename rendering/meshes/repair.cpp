@@ -42,7 +42,7 @@ class Repair {
     if (length) join(*length);
     drop_same();
     orient();
-    return {std::move(mesh_), std::move(done_), std::move(moved_)};
+    return {std::move(mesh_), std::move(done_), std::move(moved_), std::move(split_)};
   }
 
  private:
@@ -80,8 +80,12 @@ class Repair {
     for (std::uint32_t v = 0; v < join.onto.size(); ++v)
       if (const std::uint32_t onto = join.onto[v]; onto != v)
         moved_.push_back({first_[v], first_[onto], root(squared(side(mesh_.vertices[v], mesh_.vertices[onto])))});
-    for (Triangle& t : mesh_.triangles)
-      for (std::uint32_t& v : t) v = join.onto[v];
+    std::vector<std::uint32_t> number;
+    for (const std::uint32_t i : join.of) number.push_back(number_[i]);
+    for (const auto& [triangle, vertex, distance] : join.splits)
+      split_.push_back({number_[triangle], first_[vertex], root(distance)});
+    mesh_.triangles = join.triangles;
+    number_ = std::move(number);
     const std::string within = " within " + shortest(length) + " mm";
     if (!moved_.empty()) {
       std::string words = "moved " + std::to_string(moved_.size()) + " vertices of borders onto another" + within + ": ";
@@ -90,12 +94,13 @@ class Repair {
                  shortest(static_cast<float>(moved_[i].distance)) + " mm";
       done_.push_back(moved_.size() > kNamed ? words + ", ..." : words);
     }
-    std::vector<std::uint32_t> beside;
-    for (const std::uint32_t v : join.beside) beside.push_back(first_[v]);
-    if (!beside.empty())
-      done_.push_back(sentence("left " + std::to_string(beside.size()) + " vertices" + within +
-                                   " of the inside of a border's edge, which has no vertex there",
-                               beside));
+    if (split_.empty()) return;
+    std::string words =
+        "split faces at " + std::to_string(split_.size()) + " vertices of borders beside their edges" + within + ": ";
+    for (std::size_t i = 0; i < split_.size() && i < kNamed; ++i)
+      words += (i == 0 ? "face " : ", face ") + std::to_string(split_[i].triangle) + " at " + std::to_string(split_[i].vertex) +
+               ", " + shortest(static_cast<float>(split_[i].distance)) + " mm from it";
+    done_.push_back(split_.size() > kNamed ? words + ", ..." : words);
   }
 
   // The faces of which it is so go. `number_` keeps the numbers that the faces had.
@@ -187,6 +192,7 @@ class Repair {
   std::vector<std::uint32_t> first_;   // of each vertex, the first with its coordinates
   std::vector<std::string> done_;
   std::vector<Repaired::Moved> moved_;
+  std::vector<Repaired::Split> split_;
 };
 
 }  // namespace

@@ -127,8 +127,11 @@ TEST(irregular_meshes, cracks_are_borders_that_come_near_without_touching) {
   EXPECT_TRUE(borders_of(plates(0.5F)).cracks.empty());
   EXPECT_TRUE(borders_of(plates(0.5F), 0.5F).cracks.empty()) << "as wide as the length";
   const Borders near = borders_of(plates(0.5F), 0.50001F);
-  // The two long sides, and the ends of the others with these and with each other.
-  EXPECT_EQ(near.cracks.size(), 7U);
+  // The two long sides, and the ends of the others with these and with each other: each pair of triangles once.
+  ASSERT_EQ(near.cracks.size(), 3U);
+  EXPECT_EQ(near.cracks[0].triangles, (std::array{0U, 2U}));
+  EXPECT_EQ(near.cracks[1].triangles, (std::array{0U, 3U}));
+  EXPECT_EQ(near.cracks[2].triangles, (std::array{1U, 3U}));
   for (const Crack& crack : near.cracks) EXPECT_DOUBLE_EQ(crack.distance, 0.5);
   EXPECT_TRUE(borders_of(plates(0), 1).cracks.empty()) << "joined";
   EXPECT_FALSE(borders_of(cracked_cube(1e-4F), 1e-3F).cracks.empty());
@@ -203,15 +206,60 @@ TEST(irregular_meshes, the_nearest_vertex_that_stays_is_joined_with) {
   EXPECT_TRUE(repair(mesh, std::nextafter(0.25F, 0.0F)).moved.empty()) << "decided exactly";
 }
 
-TEST(irregular_meshes, a_vertex_beside_the_inside_of_an_edge_is_left) {
+TEST(irregular_meshes, a_face_is_split_at_vertices_beside_its_edge) {
+  // The second plate has two vertices more on its side at the crack, not in the order of their numbers.
   TriangleMesh junction = plates(1e-4F);
-  junction.vertices.push_back({10 + 1e-4F, 5, 0});
-  junction.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 8}, {8, 5, 6}, {8, 6, 7}};
+  junction.vertices.push_back({10 + 1e-4F, 7, 0});
+  junction.vertices.push_back({10 + 1e-4F, 4, 0});
+  junction.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 9}, {9, 5, 8}, {8, 5, 6}, {8, 6, 7}};
   const Repaired joined = repair(junction, 1e-3F);
   EXPECT_EQ(joined.moved.size(), 2U);
-  EXPECT_EQ(joined.mesh.vertices[8], junction.vertices[8]);
+  EXPECT_EQ(joined.mesh.vertices, repair(junction).mesh.vertices);
+  EXPECT_EQ(joined.mesh.triangles,
+            (std::vector<Triangle>{{1, 9, 0}, {9, 8, 0}, {8, 2, 0}, {0, 2, 3}, {1, 5, 9}, {9, 5, 8}, {8, 5, 6}, {8, 6, 2}}));
+  ASSERT_EQ(joined.split.size(), 2U);
+  EXPECT_EQ(joined.split[0].triangle, 0U);
+  EXPECT_EQ(joined.split[0].vertex, 9U);
+  EXPECT_NEAR(joined.split[1].distance, 1e-4, 1e-6);
   ASSERT_EQ(joined.done.size(), 2U);
-  EXPECT_EQ(joined.done[1], "left 1 vertices within 0.001 mm of the inside of a border's edge, which has no vertex there: 8");
+  EXPECT_TRUE(
+      joined.done[1].starts_with("split faces at 2 vertices of borders beside their edges within 0.001 mm: face 0 at 9, "))
+      << joined.done[1];
+  EXPECT_EQ(borders_of(joined.mesh).edges, 6U) << "all around alone";
+  EXPECT_TRUE(std::holds_alternative<CheckedMesh>(check(joined.mesh)));
+}
+
+TEST(irregular_meshes, a_face_is_split_at_all_its_edges_and_on_them) {
+  // Each side of a triangle has a vertex of another one at its middle: on it, within the length, and beyond it.
+  const TriangleMesh mesh{{{0, 0, 0},
+                           {8, 0, 0},
+                           {0, 8, 0},
+                           {4, 0, 0},
+                           {4, -4, 0},
+                           {3, -4, 0},
+                           {-0.25F, 4, 0},
+                           {-4, 4, 0},
+                           {-4, 3, 0},
+                           {4.5F, 4.5F, 0},
+                           {8, 8, 0},
+                           {8, 7, 0}},
+                          {{0, 1, 2}, {3, 4, 5}, {6, 8, 7}, {9, 11, 10}}};
+  const Repaired joined = repair(mesh, 0.25F);
+  ASSERT_EQ(joined.split.size(), 2U);
+  EXPECT_EQ(joined.split[0].vertex, 3U);
+  EXPECT_EQ(joined.split[0].distance, 0);
+  EXPECT_EQ(joined.split[1].vertex, 6U);
+  EXPECT_EQ(joined.split[1].distance, 0.25);
+  EXPECT_EQ(joined.mesh.triangles.size(), 6U);
+  EXPECT_EQ(repair(mesh, std::nextafter(0.25F, 0.0F)).split.size(), 1U) << "decided exactly";
+  double area = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& [a, b, c] = joined.mesh.triangles[i];
+    const auto& v = joined.mesh.vertices;
+    area +=
+        (double{v[b][0]} - v[a][0]) * (double{v[c][1]} - v[a][1]) - (double{v[b][1]} - v[a][1]) * (double{v[c][0]} - v[a][0]);
+  }
+  EXPECT_EQ(area, 66) << "64, and 2 of what the edge takes in";
 }
 
 TEST(irregular_meshes, a_length_that_would_spoil_a_face_is_refused) {
@@ -231,6 +279,11 @@ TEST(irregular_meshes, a_length_that_would_spoil_a_face_is_refused) {
                          {{0, 1, 2}, {3, 5, 4}}};
   EXPECT_TRUE(refusal(tip, 1).starts_with("face 1 would turn by a right angle or more")) << refusal(tip, 1);
   EXPECT_EQ(refusal(tip, std::nextafter(1.0F, 0.0F)), "");
+  // A vertex of another face is beside the base of a low one, and over the face behind that.
+  const TriangleMesh low{{{0, 0, 0}, {8, 0, 0}, {4, 0.25F, 0}, {4, 8, 0}, {2, 0.375F, 0}, {2, 4, 4}, {1, 4, 4}},
+                         {{0, 1, 2}, {2, 1, 3}, {0, 2, 3}, {4, 5, 6}}};
+  EXPECT_TRUE(refusal(low, 0.375F).starts_with("face 0 would turn by a right angle or more")) << refusal(low, 0.375F);
+  EXPECT_EQ(refusal(low, std::nextafter(0.375F, 0.0F)), "");
 }
 
 }  // namespace
