@@ -273,7 +273,10 @@ Picture mesh_picture(const mesh::TriangleMesh& mesh, std::span<const Ticked> pat
                                kMargin / double(height)) +
                        (values.empty() ? std::string(kBrightness) : colour_commands(std::ranges::max(values), height)) +
                        foot(direction, path, pixel, left, drawn_bottom);
-  script += heading_commands(heading, kWidth, height) + (path.empty() ? "unset key\n" : "");
+  // Each entry of the legend has the place of the longest, which gnuplot takes for longer than it is.
+  script += heading_commands(heading, kWidth, height) + (path.empty()                         ? "unset key\n"
+                                                         : heading.title.empty() || most == 0 ? ""
+                                                                                              : "set key width -5\n");
   // The image has axes of its own, in its pixels: gnuplot takes seconds to compute a place for each.
   script += range("x2", -0.5, 2 * columns - 0.5) + range("y2", (drawn_bottom - bottom) / image_pixel - 0.5, 2 * rows - 0.5) +
             "plot $pixels matrix with image axes x2y2 notitle";
