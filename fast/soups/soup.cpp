@@ -34,6 +34,10 @@ bool has_area(const Face& f) {
 
 Soup::Soup(const mesh::TriangleMesh& mesh, const std::vector<mesh::Sides>& sides, const std::vector<mesh::Material>& materials,
            const mesh::CornerNormals& normals) {
+  vertices_.reserve(mesh.vertices.size());
+  faces_.reserve(mesh.triangles.size());
+  properties_.reserve(mesh.triangles.size());
+  if (!normals.empty()) normals_.reserve(mesh.triangles.size());
   for (const mesh::Vertex& vertex : mesh.vertices) vertices_.push_back(quantised(vertex));
   std::vector<bool> is_used(vertices_.size());
   for (const mesh::Triangle& triangle : mesh.triangles)
@@ -64,6 +68,12 @@ Soup::Soup(const mesh::TriangleMesh& mesh, const std::vector<mesh::Sides>& sides
     if (!normals.empty()) normals_.push_back(normals[t]);
   }
   tree_ = BoxTree(faces_);
+}
+
+std::size_t Soup::bytes() const noexcept {
+  return sizeof(Soup) + vertices_.capacity() * sizeof(mesh::Vertex) + is_name_.capacity() / 8 +
+         faces_.capacity() * sizeof(Face) + face_of_file_.capacity() * sizeof(std::uint32_t) +
+         properties_.capacity() * sizeof(Properties) + normals_.capacity() * sizeof(normals_[0]) + tree_.bytes();
 }
 
 }  // namespace forceshade::fast::soups

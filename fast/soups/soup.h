@@ -23,6 +23,7 @@ class Soup {
   // Its vertices are named by the lowest index with the same coordinates that a triangle uses.
   const Faces& faces() const noexcept { return faces_; }
   const BoxTree& tree() const noexcept { return tree_; }
+  std::size_t bytes() const noexcept;  // of memory that it holds
   // Null where there is none with an area.
   const Face* numbered(std::uint32_t number) const noexcept {
     return number < face_of_file_.size() && face_of_file_[number] != kNoFace ? &faces_[face_of_file_[number]] : nullptr;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The time of a tick on sets of triangles, beside that of the plain renderer where they are a mesh: forceshade_soup_bench.
+// The time of a tick on sets of triangles, beside that of the plain renderer where they are a mesh, and what building takes:
+// forceshade_soup_bench. With `large`, a set of 10^7 triangles is built, too.
 
 #include <cmath>
+#include <ctime>
 #include <memory>
+#include <string_view>
 
 #include "fast/meshes/session.h"
 #include "fast/soups/session.h"
@@ -125,10 +128,26 @@ void run_mesh(const MeshWorkload& workload, const Scale& clock) {
   run_soup({"", workload.mesh, mesh::Sides::front, workload.approach, workload.contact}, clock);
 }
 
+// Builds what both renderers hold of a sphere.
+void run_build(int f) {
+  const MeshWorkload workload = sphere_workload(f, 0, 0);
+  const auto triangles = static_cast<double>(workload.mesh.triangles.size());
+  std::printf("sphere, f = %d: %.0f triangles\n", f, triangles);
+  const auto report = [&](const char* name, const auto& build) {
+    const std::clock_t start = std::clock();
+    const auto built = build();
+    std::printf("  %-28s built in %.3f s of a processor, %.1f bytes a triangle\n", name,
+                static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, static_cast<double>(built.bytes()) / triangles);
+  };
+  const MeshRendering rendering = unshaded_rendering(workload, mesh::SelfIntersections::refused);
+  report("a mesh", [&] { return value_of(fast::Mesh::build(rendering), workload); });
+  report("any set of triangles", [&] { return fast::soups::Soup(workload.mesh, std::vector{mesh::Sides::front}); });
+}
+
 }  // namespace
 }  // namespace forceshade::bench
 
-int main() {
+int main(int argc, char** argv) {
   using namespace forceshade::bench;
   const Scale clock = scale();
   for (const int f : {7, 71}) run_mesh(sphere_workload(f, kTicks, 0), clock);
@@ -137,4 +156,6 @@ int main() {
     std::printf("%s: %zu triangles\n", set.name, set.mesh.triangles.size());
     run_soup(set, clock);
   }
+  for (const int f : {7, 71, 224}) run_build(f);
+  if (argc > 1 && std::string_view(argv[1]) == "large") run_build(708);
 }

@@ -209,5 +209,46 @@ TEST(soups_on_both_sides, every_column_of_drawn_paths_is_the_same) {
   EXPECT_GT(touching, ticks / 8);
 }
 
+// The last place of a path that both sides go.
+std::string last_place(const mesh::TriangleMesh& mesh, const std::vector<Position>& path) {
+  const std::vector sides{mesh::Sides::both};
+  const exact::Soup exact_soup(mesh, sides);
+  const auto soup = std::make_shared<const fast::soups::Soup>(mesh, sides);
+  fast::soups::Session session(soup, 1, false);
+  exact::State state;
+  for (const Position& p : path) {
+    const exact::Tick made = exact::tick(exact_soup, state, p);
+    state = made.after;
+    const fast::soups::Tick its = session.tick(p);
+    EXPECT_EQ(text_of(its, its), text_of(made, 1, {}));
+  }
+  return tests::words(session.state().place);
+}
+
+// Two valleys lead down from a vertex, with a ridge between them: of their edges, which lead to the hand alike, the one with
+// the lower names counts, and not the one whose wall comes first.
+TEST(soups_on_both_sides, of_two_edges_alike_the_lower_names_count) {
+  const std::vector<mesh::Vertex> vertices{{0, 0, 0}, {4, -4, -4}, {4, 4, -4}, {4, 0, 0}, {0, -8, 8}, {0, 8, 8}};
+  const mesh::Triangle left{0, 1, 3}, right{0, 3, 2}, left_wall{0, 4, 1}, right_wall{0, 2, 5}, back{0, 5, 4};
+  const std::vector<Position> path{{0, 0, 0}, {2, 0, -5}};
+  EXPECT_EQ(last_place({vertices, {left, right, left_wall, right_wall, back}}, path).substr(0, 5), "e 0 1");
+  EXPECT_EQ(last_place({vertices, {right, right_wall, left, left_wall, back}}, path).substr(0, 5), "e 0 1");
+}
+
+// A line in which two triangles cross, and a third one that lies in the first one's plane and begins between two points of the
+// line's grid: the point at which it begins is where its side meets the other one's plane.
+TEST(soups_on_both_sides, a_line_may_be_met_by_a_triangle_in_the_plane_of_either_side) {
+  const std::vector<mesh::Vertex> vertices{{-8192, -8192, 0}, {8192, -8192, 0},  {0, 8192, 0},      {-8192, 0, -8192},
+                                           {8192, 0, -8192},  {0, 0, 8192},      {0x1p-11F, -1, 0}, {0x1p-11F, 1, 0},
+                                           {5, 0, 0},         {0x1p-11F, 0, -1}, {0x1p-11F, 0, 1}};
+  const mesh::Triangle level{0, 1, 2}, upright{3, 4, 5}, in_level{6, 8, 7}, in_upright{9, 8, 10};
+  const std::vector<Position> path{
+      {0x1p-13F, 0.5F, 0.5F}, {0x1p-11F + 0x1p-13F, -0.5F, -0.5F}, {0x1p-11F + 0x1p-13F, -0.5F, -0.5F}};
+  for (const mesh::Triangle& third : {in_level, in_upright}) {
+    EXPECT_NE(last_place({vertices, {level, upright, third}}, path), "");
+    EXPECT_NE(last_place({vertices, {upright, level, third}}, path), "");
+  }
+}
+
 }  // namespace
 }  // namespace forceshade
