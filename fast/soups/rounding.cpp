@@ -86,7 +86,7 @@ Point Session::next_point(const At& at, const GridLine& line, const Floor& m, bo
   const bool turns = is_up != line.is_upwards(along);
   Segment segment(at.x, at.star, turns ? -along : along);
   if (line.is_edge()) segment.within(line.edge);
-  segment.find_changes(near, segment.at_foot(grid), false, times_);
+  segment.find_first(near, segment.at_foot(grid), false, times_);
   return times_.empty() ? grid : line.meeting(times_.front());
 }
 
@@ -189,7 +189,7 @@ Place Session::rest_on_line(At*& r) {
   Segment segment(r->x, r->star, along);
   if (line.is_edge()) segment.within(line.edge);
   find_near(r->x, c, near_end_);
-  segment.find_changes(near_end_, segment.at_foot(c), true, times_);
+  segment.find_first(near_end_, segment.at_foot(c), true, times_);
   if (!times_.empty()) return line.foot(hand_);
   r->x = c;  // the same triangles hold it
   return line.place(m);
@@ -215,7 +215,7 @@ Place Session::rest_in_plane(At*& r) {
   segment.within(&f);
   find_near(r->x, c, near_end_);
   const Time most = segment.at_target(c);
-  segment.find_changes(near_end_, most, true, times_);
+  segment.find_first(near_end_, most, true, times_);
   if (times_.empty()) {  // the same triangles hold it
     look_at(*r->star);
     r->x = c;

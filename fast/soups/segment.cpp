@@ -44,12 +44,25 @@ Time Segment::timed(Time t) const noexcept {
   return t;
 }
 
+// The end of the edge on which all of it lies, if a triangle that is met there has it; a side that lies on the edge meets
+// nothing.
+std::uint32_t Segment::known_end(const Time& t) const noexcept {
+  for (const std::uint32_t name : edge_) {
+    if (name == kNone) continue;
+    if (t.kind == Time::Kind::plane && std::ranges::count(t.f->vertex, name) > 0) return name;
+    if (t.kind == Time::Kind::side && (t.f->vertex[t.side] == name || t.f->vertex[t.side == 2 ? 0 : t.side + 1] == name))
+      return name;
+  }
+  return kNone;
+}
+
 int Segment::compare(const Time& a, const Time& b) const noexcept {
   const Ball more = a.about - b.about;
   if (more.is_sure()) return more.value > 0 ? 1 : -1;
   if (a.kind == Time::Kind::side && b.kind == Time::Kind::side && has_side(*a.f, *b.f, b.side) &&
       has_side(*b.f, *a.f, a.side) && (a.f != b.f || a.side == b.side))
     return 0;
+  if (const std::uint32_t end = known_end(a); end != kNone && end == known_end(b)) return 0;
   note_exact_decision();
   const Quotient<Whole> one = value<Whole>(a), other = value<Whole>(b);
   return (one.num * other.den - other.num * one.den).sign() * one.den.sign() * other.den.sign();
@@ -87,8 +100,8 @@ bool Segment::passes(const Face& f, int slope) const noexcept {
   return true;
 }
 
-void Segment::add_in_plane(const Face& f, const Star::Held* held, const Time& most, bool is_included,
-                           std::vector<Time>& times) const {
+template <class Add>
+void Segment::add_in_plane(const Face& f, const Star::Held* held, const Add& add) const {
   Time first, last;
   bool has_first = false, has_last = false, is_first_ahead = false, is_last_ahead = false;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -118,23 +131,30 @@ void Segment::add_in_plane(const Face& f, const Star::Held* held, const Time& mo
   }
   if (!is_last_ahead) return;
   if (is_first_ahead && compare(first, last) > 0) return;
-  const auto add = [&](const Time& t) {
-    if (const int sign = compare(t, most); sign < 0 || (sign == 0 && is_included)) times.push_back(t);
-  };
   if (is_first_ahead) add(first);
   add(last);
 }
 
-void Segment::find_changes(std::span<const Face* const> near, const Time& most, bool is_included,
-                           std::vector<Time>& times) const {
+void Segment::look(std::span<const Face* const> near, Time most, bool is_included, bool is_first_enough,
+                   std::vector<Time>& times) const {
   times.clear();
   const Scaled<Ball>& from = from_->get<Ball>();
   const Vector3<Ball>& d = along_.about;
-  const Vector3<Ball> to = from.x + most.about * d;
+  Vector3<Ball> to = from.x + most.about * d;
+  const auto add = [&](const Time& t) {
+    if (const int sign = compare(t, most); sign > 0 || (sign == 0 && !is_included)) return;
+    if (is_first_enough) {
+      times.clear();
+      most = t;
+      is_included = false;
+      to = from.x + most.about * d;
+    }
+    times.push_back(t);
+  };
   for (const Face* const face : near) {
     const Face& f = *face;
     if (const Star::Held* const held = star_ == nullptr ? nullptr : star_->held(f); held != nullptr) {
-      if (star_->across(held->plane, along_) == 0) add_in_plane(f, held, most, is_included, times);
+      if (star_->across(held->plane, along_) == 0) add_in_plane(f, held, add);
       continue;
     }
     const Corners<Ball> c = corners<Ball>(f);
@@ -159,15 +179,24 @@ void Segment::find_changes(std::span<const Face* const> near, const Time& most, 
       height = -side_of_plane(f, *from_);
       slope = sign_of([&]<class N>() { return dot(normal<N>(f), along_.get<N>()); });
       if (slope == 0) {
-        if (height == 0) add_in_plane(f, nullptr, most, is_included, times);
+        if (height == 0) add_in_plane(f, nullptr, add);
         continue;
       }
       if (height != slope) continue;
     }
     if (!passes(f, slope)) continue;
-    const Time t = at_plane(f);
-    if (const int sign = compare(t, most); sign < 0 || (sign == 0 && is_included)) times.push_back(t);
+    add(at_plane(f));
   }
+}
+
+void Segment::find_first(std::span<const Face* const> near, const Time& most, bool is_included,
+                         std::vector<Time>& times) const {
+  look(near, most, is_included, true, times);
+}
+
+void Segment::find_changes(std::span<const Face* const> near, const Time& most, bool is_included,
+                           std::vector<Time>& times) const {
+  look(near, most, is_included, false, times);
   if (times.size() < 2) return;
   std::sort(times.begin(), times.end(), [&](const Time& a, const Time& b) { return compare(a, b) < 0; });
   times.erase(std::unique(times.begin(), times.end(), [&](const Time& a, const Time& b) { return compare(a, b) == 0; }),

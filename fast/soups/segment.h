@@ -57,13 +57,19 @@ class Segment {
   // The times after 0 and before `most`, or at it if it is included, at which the set of triangles changes; in order, each
   // once. near: triangles among which are all that the segment meets.
   void find_changes(std::span<const Face* const> near, const Time& most, bool is_included, std::vector<Time>& times) const;
+  // Only the first of them.
+  void find_first(std::span<const Face* const> near, const Time& most, bool is_included, std::vector<Time>& times) const;
 
  private:
   template <class N>
   Quotient<N> value(const Time& t) const noexcept;
   Time timed(Time t) const noexcept;
   bool passes(const Face& f, int slope) const noexcept;
-  void add_in_plane(const Face& f, const Star::Held* held, const Time& most, bool is_included, std::vector<Time>& times) const;
+  template <class Add>
+  void add_in_plane(const Face& f, const Star::Held* held, const Add& add) const;
+  std::uint32_t known_end(const Time& t) const noexcept;
+  void look(std::span<const Face* const> near, Time most, bool is_included, bool is_first_enough,
+            std::vector<Time>& times) const;
 
   const Point* from_;
   const Star* star_;

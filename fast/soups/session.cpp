@@ -167,7 +167,7 @@ Session::End Session::along_piece(const Way& way) {
   }
   look_along(g.x, way.q, near_);
   if (share == kGrid && is_strictly_inside && g.star->kind() == Star::Kind::plane && !g.star->is_rough()) {
-    segment.find_changes(near_, most, true, times_);
+    segment.find_first(near_, most, true, times_);
     if (times_.empty()) {  // the same triangles hold q
       look_at(*on_->star);
       on_->x = way.q;
@@ -199,7 +199,7 @@ Session::End Session::along_ray(const Way& way) {
   if (ray.is_edge()) segment.within(along.line.names);
   const Time most = segment.at_foot(p_, share);
   look_along(g.x, way.q, near_);
-  segment.find_changes(near_, most, true, times_);
+  segment.find_first(near_, most, true, times_);
   const bool is_free = times_.empty();
   Point x = segment.point(is_free ? most : times_.front());
   if (is_free && share == kGrid) {
