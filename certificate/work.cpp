@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "certificate/compare.h"
 #include "certificate/sweep_unit.h"
@@ -115,7 +116,10 @@ Found Work::found(const Item& item, std::uint64_t first, std::uint64_t end, cons
 SubjectResult result_of(const Subject& subject, std::uint64_t seed, const std::array<Found, 4>& found,
                         std::uint64_t parameter_sets) {
   const auto& [points, spread, properties, energies] = found;
-  SubjectResult result{{points.tally.comparison()}, subject.identity(), subject.parts()};
+  // Either may throw, while a list of initialisers would be half built.
+  Identity identity = subject.identity();
+  auto parts = subject.parts();
+  SubjectResult result{{points.tally.comparison()}, std::move(identity), std::move(parts)};
   result.closest_call = points.tally.closest_call;
   result.spread = {spread.tally.comparison(), parameter_sets};
   result.seeds = {seed};

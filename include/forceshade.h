@@ -24,8 +24,8 @@
  * Threads. Subjects do not change: any number of threads may use one, as long as none frees it meanwhile. A session is for one
  * thread at a time: a second one gets FORCESHADE_BUSY. All other functions may be called from any thread at any time.
  *
- * Real time. forceshade_force(), forceshade_forces() and the functions that step a session allocate nothing and take no lock.
- * The calling thread has to round to nearest and keep subnormals: forceshade_arithmetic_fault() looks.
+ * Real time. forceshade_force(), forceshade_forces() and the functions that step a session allocate nothing and take no lock, but
+ * memory where very many triangles meet (docs/soups.md). The thread has to be as forceshade_arithmetic_fault() demands.
  *
  * Not promised: the words of messages, and the time of a call (docs/speed.md has figures). A program that was built with an
  * older header of the same major version goes on working: structs say their size, and only grow at their end. */
@@ -150,8 +150,8 @@ typedef struct forceshade_material {
   float dynamic_friction;
 } forceshade_material;
 
-/* A triangle mesh. It is checked exactly when it is made (docs/meshes.md, "What is checked"), which takes a second for some
- * hundred thousand triangles, and refused with FORCESHADE_BAD_VALUE and the numbers of faces and vertices. */
+/* Any triangles, of which one has an area. Whether they are a regular mesh (docs/meshes.md) or docs/soups.md defines their forces
+ * is found exactly, in a second for some hundred thousand. FORCESHADE_BAD_VALUE has the numbers of faces and vertices. */
 typedef struct forceshade_mesh {
   size_t size;               /* sizeof(forceshade_mesh) */
   const float* vertices;     /* mm, three for each vertex; read while the mesh is made, and not kept */
@@ -159,11 +159,11 @@ typedef struct forceshade_mesh {
   const uint32_t* triangles; /* three numbers of vertices, from 0, for each; (b - a) x (c - a) points to the front */
   size_t triangle_count;
   const char* sides;         /* that block: "front" or "both"; NULL is "front" for a closed mesh and "both" for another */
-  const char* shading;       /* "none", "vertex" or "edge"; NULL is "vertex", and "none" with "sub-goal" */
-  const char* contact;       /* "direct", "sub-goal" or "friction"; NULL is "friction" where a material has some, else "direct" */
+  const char* shading;       /* "none", "vertex" or, if regular, "edge"; NULL is "vertex", and "none" with "sub-goal" */
+  const char* contact;       /* "direct", "friction" or, if regular, "sub-goal"; NULL is "friction" if a material has some, else "direct" */
   double crease;             /* degrees, 0 to 180, for normals of the vertex scheme and of sub-goals; 180 has no creases */
   float stiffness;           /* K, N/mm, in [10^-3, 10^3] */
-  int32_t self_intersecting; /* 0, or 1 where triangles that have no vertex in common may cross */
+  int32_t self_intersecting; /* deprecated, and not read: triangles of any mesh may cross */
   /* Here ends the struct of a program that was built before there were materials; its mesh has none. */
   const forceshade_material* materials; /* read while the mesh is made; not NULL where there are some */
   size_t material_count;                /* 0: no friction, and the stiffness of the mesh */
@@ -258,26 +258,41 @@ enum {
   FORCESHADE_ON_EDGE = 3,
   FORCESHADE_IN_TRIANGLE = 4
 };
+/* The other places on a mesh that is not regular (docs/soups.md). A foot is the point of its feature nearest to `position`. */
+enum {
+  FORCESHADE_MEETS_NOTHING = 0,    /* the place says all */
+  FORCESHADE_ON_LINE = 1,          /* of triangles {i, j}, where the weight of corner further[0] of i is parameter[0] */
+  FORCESHADE_MEETS_EDGE = 2,       /* edge {a, b} and edge `further` */
+  FORCESHADE_MEETS_TRIANGLE = 3,   /* edge {a, b} and triangle further[0] */
+  FORCESHADE_MEETS_TRIANGLES = 4,  /* triangles {i, j} and further[0] */
+  FORCESHADE_FOOT_IN_TRIANGLE = 5, /* on the plane of triangle {i} */
+  FORCESHADE_FOOT_ON_EDGE = 6,     /* on edge {a, b} */
+  FORCESHADE_FOOT_ON_LINE = 7      /* on the line of triangles {i, j}, whose grid is that of corner further[0] of i */
+};
 typedef struct forceshade_state {
   size_t size;           /* sizeof(forceshade_state) */
   uint8_t place;         /* one of the above */
   uint8_t side;          /* of the surface: 0 front, 1 back */
   uint8_t slipping;      /* 1 where friction has let it slip and does not hold it yet, else 0 */
-  float position[3];     /* mm; in the open */
-  uint32_t index[2];     /* vertex: {v}; edge: {a, b}, a < b; triangle: {i} */
-  uint32_t parameter[2]; /* in units of 2^-24. Edge: a + m (b - a): {m}. Triangle: a + k (b - a) + l (c - a): {k, l} */
+  float position[3];     /* mm; in the open, and for a foot the hand */
+  uint32_t index[2];     /* vertex: {v}; edge: {a, b}, a < b; triangle: {i}; triangles: {i, j} */
+  uint32_t parameter[2]; /* in units of 2^-24. Edge: a + m (b - a): {m}. Triangle: a + k (b - a) + l (c - a): {k, l}. Line: {k} */
+  uint8_t meeting;       /* what it meets, as above. Here ended the struct before meshes that are not regular, which need all of it */
+  uint32_t further[2];
+  uint32_t cell[2];      /* with `side` the name of its cell (docs/soups.md): a triangle, and the number of a piece in it */
 } forceshade_state;
 
 /* After the last step. state->size has to be set. */
 FORCESHADE_API forceshade_result forceshade_session_state(forceshade_session session, forceshade_state* state);
 
-/* Goes on from a state of the same subject. A state that is invalid for this mesh counts as FORCESHADE_NOWHERE. */
+/* Goes on from a state of the same subject. A state that is invalid for this mesh counts, and is kept, as FORCESHADE_NOWHERE. */
 FORCESHADE_API forceshade_result forceshade_session_resume(forceshade_session session, const forceshade_state* state);
 
 /* One tick of each of many paths, as of the hands in a learning loop: path i is at states[i], its next position is that of the
  * batch, and states[i] is then what the tick left. A state that is 0, or invalid for this mesh, begins a path. Bit for bit what
  * a session of its own gives for each path, on however many threads. Of a law or a height map, which remember nothing, the
- * states stay as they are. states: batch->count of them; states[0].size has to be set, and is that of each. */
+ * states stay as they are. On a mesh that is not regular the call takes memory. states: batch->count of them; states[0].size has
+ * to be set, and is that of each. */
 FORCESHADE_API forceshade_result forceshade_advance(forceshade_subject subject, forceshade_state* states,
                                                     const forceshade_batch* batch, size_t* invalid);
 
@@ -316,6 +331,10 @@ typedef struct forceshade_damping {
   float drag;    /* B_t, N s/mm across the force: 0, or 2^-20 to 16 */
   float full_at; /* F_0, N, the force from which on drag is full: 2^-10 to 1024; usual: 0.25 */
 } forceshade_damping;
+
+/* That of the subject's file, its table [damping], at a rate (Hz); off without one. damping->size has to be set. The subject's
+ * forces are without it: the functions below put it behind them. */
+FORCESHADE_API forceshade_result forceshade_subject_damping(forceshade_subject subject, float rate, forceshade_damping* damping);
 
 /* One that is 0 but for its size begins a path, as does one that no tick leaves. */
 typedef struct forceshade_damping_state {

@@ -3,6 +3,8 @@
 
 #include "bindings/c/damping.h"
 
+#include <cstddef>
+#include <cstring>
 #include <optional>
 #include <variant>
 
@@ -12,10 +14,35 @@
 namespace forceshade::c {
 namespace {
 
-// The last one that this thread has built: to look at the numbers and at the arithmetic takes longer than a tick.
-constinit thread_local std::optional<fast::Damping> built_last;
+constexpr std::size_t kNumbers = sizeof(forceshade_damping) - offsetof(forceshade_damping, rate);
+constexpr std::size_t kState =
+    offsetof(forceshade_damping_state, velocity) + 3 * sizeof(float) - offsetof(forceshade_damping_state, has_position);
 
-// Returns what use(damping) does, or an error code after setting the error text.
+// The last damping of a thread, in the state that it left last: to look at numbers, arithmetic and a state takes as long as a
+// tick.
+struct Last {
+  std::optional<fast::Damping> damping;
+  forceshade_damping numbers{};
+  forceshade_damping_state left{};  // 0: of a beginning
+
+  void resume(const forceshade_damping_state& from) noexcept {
+    if (std::memcmp(&from.has_position, &left.has_position, kState) != 0) damping->resume(damping_state_of(from));
+  }
+  // Two times from the numbers: a copy of what was just stored would wait for it.
+  void leave(forceshade_damping_state& state) noexcept {
+    const damping::State its = damping->state();
+    put(its, state);
+    put(its, left);
+  }
+};
+
+// Not inline: a shared library finds a variable of the thread by a call, and the compiler would repeat it at each use.
+[[gnu::noinline]] Last& last_of_this_thread() noexcept {
+  constinit static thread_local Last last;
+  return last;
+}
+
+// Returns what use(last) does, with this damping in it, or an error code after setting the error text.
 template <class Use>
 forceshade_result with_damping(const forceshade_damping* damping, forceshade_damping_state* states, const Use& use) noexcept {
   return guarded([&]() -> forceshade_result {
@@ -23,14 +50,14 @@ forceshade_result with_damping(const forceshade_damping* damping, forceshade_dam
     if (damping->size < sizeof *damping) return fail(FORCESHADE_BAD_SIZE, "damping->size: expected sizeof(forceshade_damping)");
     if (states->size < sizeof *states)
       return fail(FORCESHADE_BAD_SIZE, "state->size: expected sizeof(forceshade_damping_state)");
-    const damping::Parameters numbers{damping->rate, damping->share, damping->damping,
-                                      damping->most, damping->drag,  damping->full_at};
-    if (!built_last || built_last->parameters() != numbers) {
-      const auto built = fast::Damping::build(numbers);
+    Last& last = last_of_this_thread();
+    if (!last.damping || std::memcmp(&damping->rate, &last.numbers.rate, kNumbers) != 0) {
+      const auto built = fast::Damping::build(
+          {damping->rate, damping->share, damping->damping, damping->most, damping->drag, damping->full_at});
       if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);
-      built_last = std::get<fast::Damping>(built);
+      last = {std::get<fast::Damping>(built), *damping, {}};
     }
-    return use(*built_last);
+    return use(last);
   });
 }
 
@@ -48,14 +75,28 @@ forceshade_result check_both(const forceshade_batch* batch) noexcept {
 using namespace forceshade;
 using namespace forceshade::c;
 
+forceshade_result forceshade_subject_damping(forceshade_subject subject, float rate, forceshade_damping* damping) {
+  return guarded([&]() -> forceshade_result {
+    const Subject* const its = subject_of(subject);
+    if (its == nullptr) return bad_subject();
+    if (damping == nullptr) return fail(FORCESHADE_NULL_POINTER, "damping is NULL");
+    if (damping->size < sizeof *damping) return fail(FORCESHADE_BAD_SIZE, "damping->size: expected sizeof(forceshade_damping)");
+    const damping::Parameters numbers = its->damping.at(static_cast<double>(rate));
+    const auto built = fast::Damping::build(numbers);
+    if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);
+    *damping = {damping->size, numbers.rate, numbers.share, numbers.damping, numbers.most, numbers.drag, numbers.full_at};
+    return FORCESHADE_OK;
+  });
+}
+
 forceshade_result forceshade_damping_step(const forceshade_damping* damping, forceshade_damping_state* state, uint32_t periods,
                                           const float* position, float* force, forceshade_status* status) {
   if (position == nullptr || force == nullptr) return fail(FORCESHADE_NULL_POINTER, "position or force is NULL");
-  return with_damping(damping, state, [&](fast::Damping& its) {
+  return with_damping(damping, state, [&](Last& its) {
     const Status spring = status == nullptr ? Status::contact : static_cast<Status>(*status);
-    its.resume(damping_state_of(*state));
-    const fast::Evaluation damped = its.tick(*as_vectors(position), periods, {*as_vectors(force), spring});
-    put(its.state(), *state);
+    its.resume(*state);
+    const fast::Evaluation damped = its.damping->tick(*as_vectors(position), periods, {*as_vectors(force), spring});
+    its.leave(*state);
     return give(damped, force, status);
   });
 }
@@ -63,10 +104,10 @@ forceshade_result forceshade_damping_step(const forceshade_damping* damping, for
 forceshade_result forceshade_damping_steps(const forceshade_damping* damping, forceshade_damping_state* state,
                                            const uint32_t* periods, const forceshade_batch* batch, size_t* invalid) {
   if (const forceshade_result wrong = check_both(batch); wrong != FORCESHADE_OK) return wrong;
-  return with_damping(damping, state, [&](fast::Damping& its) {
-    its.resume(damping_state_of(*state));
-    const std::size_t outside = damp_path(its, periods, *batch);
-    put(its.state(), *state);
+  return with_damping(damping, state, [&](Last& its) {
+    its.resume(*state);
+    const std::size_t outside = damp_path(*its.damping, periods, *batch);
+    its.leave(*state);
     if (invalid != nullptr) *invalid = outside;
     return FORCESHADE_OK;
   });
@@ -78,12 +119,12 @@ forceshade_result forceshade_damping_advance(const forceshade_damping* damping, 
   forceshade_damping_state none{};
   none.size = sizeof none;
   if (batch->count == 0) states = &none;
-  return with_damping(damping, states, [&](fast::Damping& its) {
+  return with_damping(damping, states, [&](const Last& its) {
     const std::size_t size = states->size;  // of each, in a program that was built with a newer header, too
     const auto state_of = [&](std::size_t i) -> forceshade_damping_state& {
       return *reinterpret_cast<forceshade_damping_state*>(reinterpret_cast<char*>(states) + i * size);
     };
-    const std::size_t outside = damp_paths(its, state_of, periods, *batch);
+    const std::size_t outside = damp_paths(*its.damping, state_of, periods, *batch);
     if (invalid != nullptr) *invalid = outside;
     return FORCESHADE_OK;
   });

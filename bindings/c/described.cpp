@@ -13,10 +13,11 @@ namespace forceshade::c {
 namespace {
 
 template <class Field>
-std::variant<Subject, ParameterError> with_identity(std::variant<Field, ParameterError> built, Identity identity) {
+std::variant<Subject, ParameterError> subject_of(std::variant<Field, ParameterError> built, const Description& description,
+                                                 bool is_regular = true) {
   if (const auto* error = std::get_if<ParameterError>(&built)) return *error;
   const auto& field = std::get<Field>(built);
-  return Subject{std::move(identity), field, renderer_of(field)};
+  return Subject{identity_of(description), field, renderer_of(field), description.damping, is_regular};
 }
 
 }  // namespace
@@ -38,11 +39,20 @@ Description described(height::Grid samples, height::Mode mode, float stiffness) 
   return {"samples", DescribedHeightMap{std::move(map), mode, stiffness}};
 }
 
+std::string refusal_of(const mesh::CheckedMesh& triangles, mesh::Shading shading, mesh::Contact contact) {
+  if (triangles.is_regular()) return {};
+  const auto words = [](const char* what, const char* expected, std::string_view got) {
+    return std::string(what) + ": expected " + expected + " for a mesh that is not regular, got \"" + std::string(got) + '"';
+  };
+  if (has_corner_normals(contact)) return words("contact", "direct or friction", name_of(contact));
+  if (shading == mesh::Shading::none || has_corner_normals(shading)) return {};
+  return words("shading", "vertex or none", name_of(shading));
+}
+
 Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Sides> sides, mesh::Shading shading,
                       mesh::Contact contact, double crease, float stiffness, mesh::Materials materials) {
-  const auto usual = [&] { return facts_of(triangles).is_closed() ? mesh::Sides::front : mesh::Sides::both; };
   MeshRendering rendering{.checked = triangles,
-                          .sides = sides ? *sides : usual(),
+                          .sides = sides ? *sides : mesh::usual_sides(triangles),
                           .shading = shading,
                           .stiffness = stiffness,
                           .contact = contact,
@@ -54,10 +64,11 @@ Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Si
 std::variant<Subject, ParameterError> build(const Description& description) {
   expect_still(description);
   if (const auto* law = std::get_if<DescribedLaw>(&description.what))
-    return with_identity(fast::Law::build(law->law, law->parameters), identity_of(description));
+    return subject_of(fast::Law::build(law->law, law->parameters), description);
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
-    return with_identity(fast::HeightMapField::build(map->map, map->mode, map->stiffness), identity_of(description));
-  return with_identity(fast::GodObject::build(std::get<MeshRendering>(description.what)), identity_of(description));
+    return subject_of(fast::HeightMapField::build(map->map, map->mode, map->stiffness), description);
+  const auto& mesh = std::get<MeshRendering>(description.what);
+  return subject_of(fast::GodObject::build(mesh), description, mesh.checked.is_regular());
 }
 
 }  // namespace forceshade::c

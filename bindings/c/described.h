@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -33,6 +34,9 @@ std::vector<std::string_view> shading_names();
 // values: heights in mm, within kLargestHeight, from the smallest y and x.
 Description described(height::Grid samples, height::Mode mode, float stiffness);
 
+// The reason why a mesh cannot have these, in words; empty where it can.
+std::string refusal_of(const mesh::CheckedMesh& triangles, mesh::Shading shading, mesh::Contact contact);
+
 // sides: default: front for a closed mesh and both for another. crease: degrees, 0 to 180.
 Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Sides> sides, mesh::Shading shading,
                       mesh::Contact contact, double crease, float stiffness, mesh::Materials materials = {});
@@ -42,6 +46,8 @@ struct Subject {
   Identity identity;
   std::variant<fast::Law, fast::HeightMapField, fast::GodObject> field;
   Renderer renderer;
+  damping::Described damping = {};
+  bool is_regular = true;  // false: a mesh that is any set of triangles
 };
 
 std::variant<Subject, ParameterError> build(const Description& description);

@@ -3,6 +3,7 @@
 // A session whose state goes out and in.
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -21,7 +22,9 @@ class Session {
   static constexpr const char* kTooMany = "there are too many sessions; expected some to be closed";
 
   explicit Session(const Subject& subject)
-      : session_(subject.renderer.open()), ticks_(dynamic_cast<fast::TickSession*>(session_.get())) {
+      : session_(subject.renderer.open()),
+        ticks_(dynamic_cast<fast::TickSession*>(session_.get())),
+        is_regular_(subject.is_regular) {
     if (const auto* law = std::get_if<fast::Law>(&subject.field)) law_ = *law;
   }
 
@@ -34,16 +37,22 @@ class Session {
   }
 
   bool remembers() const noexcept { return ticks_ != nullptr; }
+  // False where a state also has the name of a cell.
+  bool is_regular() const noexcept { return is_regular_; }
   const mesh::GodObject& state() const noexcept { return state_; }
+  // A state that is not one of this subject counts as that of a beginning, which state() then is.
   void resume(const mesh::GodObject& state) noexcept {
-    state_ = state;
-    if (ticks_ != nullptr) ticks_->resume(state);
+    if (ticks_ == nullptr) return;
+    ticks_->resume(state);
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    state_ = ticks_->tick({kNan, kNan, kNan}).after;  // an invalid position changes nothing
   }
 
  private:
   std::optional<fast::Law> law_;
   std::unique_ptr<fast::Session> session_;
   fast::TickSession* ticks_;  // the same, where it is a god-object's
+  bool is_regular_;
   mesh::GodObject state_;
 };
 

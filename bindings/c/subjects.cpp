@@ -126,14 +126,14 @@ forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made)
   if (!shading || !sides) return FORCESHADE_BAD_VALUE;
   if (!(its.crease >= 0 && its.crease <= 180))
     return fail(FORCESHADE_BAD_VALUE, "crease is " + std::to_string(its.crease) + "; expected 0 to 180 degrees");
-  const auto checked = mesh::check(
-      std::move(triangles), its.self_intersecting != 0 ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused);
+  const auto checked = mesh::check_any(std::move(triangles));
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     return fail(FORCESHADE_BAD_VALUE, "the mesh cannot be rendered: " + findings->words());
+  const auto& any = std::get<mesh::CheckedMesh>(checked);
+  const auto scheme = static_cast<mesh::Shading>(*shading);
+  if (const std::string words = refusal_of(any, scheme, rule); !words.empty()) return fail(FORCESHADE_BAD_VALUE, words);
   const auto said = its.sides == nullptr ? std::nullopt : std::optional(static_cast<mesh::Sides>(*sides));
-  return add_subject(described(std::get<mesh::CheckedMesh>(checked), said, static_cast<mesh::Shading>(*shading), rule,
-                               its.crease, its.stiffness, std::move(materials)),
-                     made);
+  return add_subject(described(any, said, scheme, rule, its.crease, its.stiffness, std::move(materials)), made);
 }
 
 }  // namespace

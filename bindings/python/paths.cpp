@@ -14,9 +14,9 @@ namespace {
 
 // STATE of the package.
 struct PathState {
-  std::uint8_t place, side, slipping;
+  std::uint8_t place, side, slipping, meeting;
   float position[3];
-  std::uint32_t index[2], parameter[2];
+  std::uint32_t index[2], parameter[2], further[2], cell[2];
 };
 
 // True if the elements lie one after the other.

@@ -11,6 +11,7 @@
 
 #include "bindings/c/batch.h"
 #include "bindings/c/session.h"
+#include "bindings/c/states.h"
 #include "bindings/python/arrays.h"
 #include "bindings/python/damping.h"
 #include "bindings/python/entered.h"
@@ -82,25 +83,48 @@ std::size_t steps(Session& session, const py::buffer& positions, const py::buffe
   return invalid;
 }
 
-using State = std::tuple<int, int, bool, std::array<float, 3>, std::array<std::uint32_t, 2>, std::array<std::uint32_t, 2>>;
+using Pair = std::array<std::uint32_t, 2>;
+using State = std::tuple<int, int, bool, std::array<float, 3>, Pair, Pair, int, Pair, Pair>;
+
+// The members that c::is_state() and c::god_object_of() look at.
+struct Numbers {
+  std::uint8_t place, side, slipping;
+  float position[3];
+  std::uint32_t index[2], parameter[2];
+  std::uint8_t meeting;
+  std::uint32_t further[2], cell[2];
+};
 
 State state_of(Session& session) {
   const Entered entered(session);
   entered.or_throw();
   const mesh::GodObject& its = session.path.state();
-  return {static_cast<int>(its.place), static_cast<int>(its.side), its.is_slipping, its.position, its.index, its.parameter};
+  return {static_cast<int>(its.place),
+          static_cast<int>(its.side),
+          its.is_slipping,
+          its.position,
+          its.index,
+          its.parameter,
+          static_cast<int>(its.meeting),
+          its.further,
+          its.cell};
 }
 
 void resume(Session& session, const State& from) {
   const Entered entered(session);
   entered.or_throw();
-  const auto& [place, side, is_slipping, position, index, parameter] = from;
-  if (place < 0 || place >= static_cast<int>(mesh::kPlaceNames.size()) || side < 0 || side > 1)
+  const auto& [place, side, is_slipping, position, index, parameter, meeting, further, cell] = from;
+  const auto byte = [](int number) { return static_cast<std::uint8_t>(std::clamp(number, 0, 255)); };
+  const Numbers numbers{byte(place),          byte(side),
+                        is_slipping,          {position[0], position[1], position[2]},
+                        {index[0], index[1]}, {parameter[0], parameter[1]},
+                        byte(meeting),        {further[0], further[1]},
+                        {cell[0], cell[1]}};
+  if (std::min({place, side, meeting}) < 0 || !c::is_state(numbers))
     throw py::value_error("state: expected one that a session gave");
   if (!session.path.remembers() && place != 0)
     throw Error("the state is that of a mesh's session; a law or a height map remembers nothing");
-  session.path.resume(
-      {static_cast<mesh::Place>(place), static_cast<mesh::Side>(side), is_slipping, position, index, parameter});
+  session.path.resume(c::god_object_of(numbers));
   session.status = FORCESHADE_FREE;
 }
 

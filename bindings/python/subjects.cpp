@@ -114,8 +114,7 @@ std::vector<std::array<Number, 3>> rows_of_three(const py::buffer& array) {
 
 Description mesh_of_arrays(const py::buffer& vertices, const py::buffer& triangles, const std::optional<std::string>& sides,
                            const std::optional<std::string>& shading, const std::optional<std::string>& contact, double crease,
-                           bool self_intersecting, float stiffness,
-                           const std::vector<std::tuple<std::optional<float>, float, float>>& materials,
+                           float stiffness, const std::vector<std::tuple<std::optional<float>, float, float>>& materials,
                            const std::vector<std::uint32_t>& material_of_triangle) {
   mesh::TriangleMesh all{rows_of_three<float>(vertices), rows_of_three<std::uint32_t>(triangles)};
   mesh::Materials surface{{}, material_of_triangle};
@@ -128,17 +127,18 @@ Description mesh_of_arrays(const py::buffer& vertices, const py::buffer& triangl
       sides ? std::optional(static_cast<mesh::Sides>(choice("sides", *sides, mesh::kSidesNames))) : std::nullopt;
   if (!(crease >= 0 && crease <= 180))
     throw py::value_error("crease is " + std::to_string(crease) + "; expected 0 to 180 degrees");
-  const auto allowed = self_intersecting ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused;
   const auto checked =
-      interruptible([&](const std::atomic<bool>& stop) { return mesh::check(std::move(all), allowed, Monitor({}, stop)); });
+      interruptible([&](const std::atomic<bool>& stop) { return mesh::check_any(std::move(all), Monitor({}, stop)); });
   const py::gil_scoped_release released;
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
     std::string words = findings->words();
     if (words.ends_with('\n')) words.pop_back();
     throw py::value_error("the mesh cannot be rendered: " + words);
   }
-  return c::described(std::get<mesh::CheckedMesh>(checked), blocked, static_cast<mesh::Shading>(scheme), rule, crease,
-                      stiffness, std::move(surface));
+  const auto& any = std::get<mesh::CheckedMesh>(checked);
+  const auto its_shading = static_cast<mesh::Shading>(scheme);
+  if (const std::string words = c::refusal_of(any, its_shading, rule); !words.empty()) throw py::value_error(words);
+  return c::described(any, blocked, its_shading, rule, crease, stiffness, std::move(surface));
 }
 
 Description of_file(const std::string& file) {
@@ -149,6 +149,7 @@ Description of_file(const std::string& file) {
 Description of_options(const std::vector<std::pair<std::string, std::string>>& options) {
   subjects::Options all;
   for (const auto& [key, value] : options) all.add({key, value, key});
+  all.accept_any_mesh();
   return interruptible([&](const std::atomic<bool>& stop) { return subjects::read_one(all, Monitor({}, stop)); });
 }
 
@@ -261,6 +262,12 @@ void add_subjects(py::module_& module) {
   subject.def_property_readonly("_digest", [](const Subject& its) { return its.identity.digest; });
   subject.def_property_readonly("_words", [](const Subject& its) { return parameters_in_words(its.identity); });
   subject.def_property_readonly("_parameters", [](const Subject& its) { return parameters_of(its.identity); });
+  subject.def_property_readonly("_is_regular", [](const Subject& its) { return its.is_regular; });
+  subject.def_property_readonly("_is_damped", [](const Subject& its) { return !its.damping.parameters.is_off(); });
+  subject.def("_damping_at", [](const Subject& its, float rate) {
+    const damping::Parameters at = its.damping.at(static_cast<double>(rate));
+    return std::array{at.rate, at.share, at.damping, at.most, at.drag, at.full_at};
+  });
   subject.def("_heights_of", &heights_of);
   subject.def_property_readonly(
       "_vertices", [](const py::object& its) { return rows_of(mesh_of(its.cast<const Subject&>()).vertices, its); });

@@ -8,6 +8,7 @@
   const STATUSES = ["free", "contact", "invalid", "unfinished"];
   const PLACES = ["nowhere", "in-the-open", "at-vertex", "on-edge", "in-triangle"];
   const SIDES = ["front", "back"];
+  const MEETINGS = ["nothing", "line", "edge", "triangle", "triangles", "foot-in-triangle", "foot-on-edge", "foot-on-line"];
   const HANDLE = 8; // bytes
   const KIND = 0, NAME = 1, PARAMETERS = 2;
 
@@ -179,20 +180,24 @@
 
     state() {
       const memory = this._memory;
-      return memory.lend([{ bytes: 80 }], (address) => {
+      return memory.lend([{ bytes: 120 }], (address) => {
         memory.check(memory.module._web_session_state(this._handle, address));
-        const all = Array.from(new Float64Array(memory.module.HEAPU8.buffer, address, 10));
+        const all = Array.from(new Float64Array(memory.module.HEAPU8.buffer, address, 15));
         return { place: PLACES[all[0]], side: SIDES[all[1]], slipping: all[2] === 1, position: all.slice(3, 6),
-                 index: all.slice(6, 8), parameter: all.slice(8, 10) };
+                 index: all.slice(6, 8), parameter: all.slice(8, 10), meeting: MEETINGS[all[10]], further: all.slice(11, 13),
+                 cell: all.slice(13, 15) };
       });
     }
 
     resume(state) {
-      known("state", state, ["place", "side", "slipping", "position", "index", "parameter"], "a state, as state() answers it");
-      const place = oneOf("place", state.place, PLACES);
-      const all = [place, oneOf("side", state.side, SIDES), flag("slipping", state.slipping) ? 1 : 0,
-                   ...floats("position", state.position, 3),
-                   ...["index", "parameter"].flatMap((name) => Array.from(indices(name, floats(name, state[name], 2))))];
+      const names = ["place", "side", "slipping", "position", "index", "parameter", "meeting", "further", "cell"];
+      known("state", state, names, "a state, as state() answers it");
+      // One that was kept before meshes could be irregular has no further members.
+      const its = { meeting: MEETINGS[0], further: [0, 0], cell: [0, 0], ...state };
+      const pairs = (...keys) => keys.flatMap((key) => Array.from(indices(key, floats(key, its[key], 2))));
+      const all = [oneOf("place", its.place, PLACES), oneOf("side", its.side, SIDES), flag("slipping", its.slipping) ? 1 : 0,
+                   ...floats("position", its.position, 3), ...pairs("index", "parameter"), oneOf("meeting", its.meeting, MEETINGS),
+                   ...pairs("further", "cell")];
       this._memory.lend([{ Type: Float64Array, values: all }], (address) => {
         this._memory.check(this._memory.module._web_session_resume(this._handle, address));
       });

@@ -88,7 +88,7 @@ EXPORTED forceshade_result web_session_reset(const forceshade_session* session) 
   return forceshade_session_reset(*session);
 }
 
-/* state: place, side, slipping, position, index and parameter, ten numbers that are all exact. */
+/* state: place, side, slipping, position, index, parameter, meeting, further and cell, fifteen numbers that are all exact. */
 EXPORTED forceshade_result web_session_state(const forceshade_session* session, double* state) {
   forceshade_state its = {.size = sizeof its};
   const forceshade_result result = forceshade_session_state(*session, &its);
@@ -99,6 +99,9 @@ EXPORTED forceshade_result web_session_state(const forceshade_session* session, 
   for (int i = 0; i < 3; ++i) *state++ = its.position[i];
   for (int i = 0; i < 2; ++i) *state++ = its.index[i];
   for (int i = 0; i < 2; ++i) *state++ = its.parameter[i];
+  *state++ = its.meeting;
+  for (int i = 0; i < 2; ++i) *state++ = its.further[i];
+  for (int i = 0; i < 2; ++i) *state++ = its.cell[i];
   return result;
 }
 
@@ -108,6 +111,9 @@ EXPORTED forceshade_result web_session_resume(const forceshade_session* session,
   for (int i = 0; i < 3; ++i) its.position[i] = (float)state[3 + i];
   for (int i = 0; i < 2; ++i) its.index[i] = (uint32_t)state[6 + i];
   for (int i = 0; i < 2; ++i) its.parameter[i] = (uint32_t)state[8 + i];
+  its.meeting = (uint8_t)state[10];
+  for (int i = 0; i < 2; ++i) its.further[i] = (uint32_t)state[11 + i];
+  for (int i = 0; i < 2; ++i) its.cell[i] = (uint32_t)state[13 + i];
   return forceshade_session_resume(*session, &its);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "fast/domain.h"
 #include "rendering/mesh_rendering.h"
 
 namespace forceshade::fast::soups {
@@ -43,7 +44,11 @@ State state_of(const mesh::GodObject& object) noexcept {
   number = std::copy_n(object.further.begin(), its->further, number);
   std::copy_n(object.parameter.begin(), its->parameters, number);
   const bool is_free = its->kind == PlaceKind::free;
-  if (is_free || its->kind == PlaceKind::foot) place.position = object.position;
+  if (is_free || its->kind == PlaceKind::foot) {
+    // A tick leaves no other position: the integers count on it.
+    if (!std::ranges::all_of(object.position, [](float x) { return is_plain(x); })) return {};
+    place.position = object.position;
+  }
   if (is_free) return {place, {}, false};
   return {place, {object.cell[0], object.side == mesh::Side::back, object.cell[1]}, object.is_slipping};
 }

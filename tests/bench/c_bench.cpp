@@ -16,6 +16,7 @@
 
 #include "fast/meshes/large_pages.h"
 #include "forceshade.h"
+#include "forceshade/damped.h"
 #include "forceshade/fast.h"
 #include "tests/bench/mesh_workloads.h"
 
@@ -91,6 +92,26 @@ void step_in_c(benchmark::State& state, LawId id) {
   forceshade_session_open(subject_of(id), &session);
   time_calls<forceshade_status>(
       state, [&](const auto& at, float* force, auto& status) { forceshade_session_step(session, at.data(), force, &status); });
+  forceshade_session_close(session);
+}
+
+constexpr damping::Parameters kOil{.rate = 1000, .damping = 0.002F};
+
+void damped_in_cpp(benchmark::State& state, LawId id) {
+  const auto session = fast::damped(fast::session_of(law_of(id)), std::get<fast::Damping>(fast::Damping::build(kOil)));
+  time_calls<Status>(state, [&](const auto& at, float* force, auto& status) { take(session->step(at), force, status); });
+}
+
+void damped_in_c(benchmark::State& state, LawId id) {
+  const forceshade_damping oil{sizeof oil, kOil.rate, kOil.share, kOil.damping, kOil.most, kOil.drag, kOil.full_at};
+  forceshade_damping_state its{};
+  its.size = sizeof its;
+  forceshade_session session{};
+  forceshade_session_open(subject_of(id), &session);
+  time_calls<forceshade_status>(state, [&](const auto& at, float* force, auto& status) {
+    forceshade_session_step(session, at.data(), force, &status);
+    forceshade_damping_step(&oil, &its, 1, at.data(), force, &status);
+  });
   forceshade_session_close(session);
 }
 
@@ -221,6 +242,8 @@ const bool registered = [] {
     benchmark::RegisterBenchmark((name + "/one/c").c_str(), one_in_c, id);
     benchmark::RegisterBenchmark((name + "/step/cpp").c_str(), step_in_cpp, id);
     benchmark::RegisterBenchmark((name + "/step/c").c_str(), step_in_c, id);
+    benchmark::RegisterBenchmark((name + "/damped/cpp").c_str(), damped_in_cpp, id);
+    benchmark::RegisterBenchmark((name + "/damped/c").c_str(), damped_in_c, id);
     benchmark::RegisterBenchmark((name + "/batch/cpp").c_str(), batch_in_cpp, id, kOutOfCache);
     benchmark::RegisterBenchmark((name + "/batch/cpp_rows").c_str(), batch_of_rows_in_cpp, id, kOutOfCache);
     by_threads(name + "/batch/c", [id](benchmark::State& state) { batch_in_c(state, id); });

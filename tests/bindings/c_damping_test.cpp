@@ -6,6 +6,7 @@
 #include <array>
 #include <cfenv>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <random>
 #include <span>
@@ -156,6 +157,76 @@ TEST_F(CDamping, of_many_paths_is_that_of_each) {
   EXPECT_NE(expected, springs);
   forceshade_batch none = tests::batch_of({}, {}, {});
   EXPECT_EQ(forceshade_damping_advance(&kOil, nullptr, nullptr, &none, nullptr), FORCESHADE_OK);
+}
+
+// A thread that damps two paths by turns, also by other numbers, and a program that changes a state between two ticks.
+TEST_F(CDamping, of_each_path_is_its_own_whatever_was_damped_before) {
+  forceshade_damping_state one = kBegin, other = kBegin;
+  fast::Damping stage = built(), second = built();
+  forceshade_damping thin = kOil;
+  thin.damping = 0.005F;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const bool is_first = i % 7 < 4;
+    fast::Damping& right = is_first ? stage : second;
+    forceshade_damping_state& its = is_first ? one : other;
+    if (i % 5 == 0 && its.has_position == 1) {
+      its.velocity[1] = i % 2 == 0 ? 0 : -its.velocity[1];
+      right.resume(numbers_of(its));
+    }
+    if (i % 50 == 0) {
+      its = kBegin;
+      right.reset();
+    }
+    if (i % 11 == 0) {
+      std::array<float, 3> force{1, 2, 3};
+      forceshade_damping_state third = one;
+      ASSERT_EQ(forceshade_damping_step(&thin, &third, 1, &at[3 * i], force.data(), nullptr), FORCESHADE_OK);
+    }
+    std::array<float, 3> force{springs[3 * i], springs[3 * i + 1], springs[3 * i + 2]};
+    forceshade_status status = said[i];
+    ASSERT_EQ(forceshade_damping_step(&kOil, &its, periods[i], &at[3 * i], force.data(), &status), FORCESHADE_OK);
+    const fast::Evaluation expected = right.tick(position(i), periods[i], spring(i));
+    ASSERT_EQ(tests::bits_of(force.data()), tests::bits_of(expected.force.data())) << i;
+    ASSERT_EQ(numbers_of(its), right.state()) << i;
+  }
+}
+
+TEST_F(CDamping, of_a_subjects_file_is_that_of_its_table_at_a_rate) {
+  const auto read = [](const std::string& text) {
+    forceshade_subject made{};
+    EXPECT_EQ(forceshade_subject_parse(text.data(), text.size(), "its.toml", &made), FORCESHADE_OK) << forceshade_message();
+    return made;
+  };
+  const forceshade_subject plain = read("law = \"wall\"\n"),
+                           oily = read(
+                               "law = \"wall\"\n[damping]\ndamping = 0.002\nmost = 3\ndrag = \"1Ns/m\"\nfull_at = "
+                               "\"0.5N\"\ntime = \"2ms\"\n");
+  forceshade_damping its{};
+  its.size = sizeof its;
+  ASSERT_EQ(forceshade_subject_damping(oily, 500, &its), FORCESHADE_OK) << forceshade_message();
+  const forceshade_damping expected{sizeof its, 500, 0.5F, 0.002F, 3, 0.001F, 0.5F};
+  EXPECT_EQ(std::memcmp(&its, &expected, sizeof its), 0);
+  std::array<float, 3> force{};
+  forceshade_damping_state state = kBegin;
+  for (const float z : {0.0F, -1.0F}) {  // at 500 mm/s, half of which the filter takes
+    const std::array<float, 3> p{0, 0, z};
+    ASSERT_EQ(forceshade_force(oily, p.data(), force.data(), nullptr), FORCESHADE_OK);
+    ASSERT_EQ(forceshade_damping_step(&its, &state, 1, p.data(), force.data(), nullptr), FORCESHADE_OK);
+  }
+  EXPECT_FLOAT_EQ(force[2], 0.5F + 0.002F * 250);
+  ASSERT_EQ(forceshade_subject_damping(plain, 1000, &its), FORCESHADE_OK);
+  EXPECT_EQ(its.rate, 1000);
+  EXPECT_EQ(its.damping, 0);
+  EXPECT_EQ(its.drag, 0);
+  const forceshade_damping before = its;
+  EXPECT_EQ(forceshade_subject_damping(oily, 0, &its), FORCESHADE_BAD_VALUE);
+  EXPECT_STREQ(forceshade_message(), "rate is 0 Hz; expected 1 to 131072 Hz");
+  its.size = 8;
+  EXPECT_EQ(forceshade_subject_damping(oily, 1000, &its), FORCESHADE_BAD_SIZE);
+  EXPECT_EQ(forceshade_subject_damping(oily, 1000, nullptr), FORCESHADE_NULL_POINTER);
+  its.size = sizeof its;
+  EXPECT_EQ(std::memcmp(&its, &before, sizeof its), 0) << "nothing was written";
+  for (const forceshade_subject subject : {plain, oily}) forceshade_subject_free(subject);
 }
 
 TEST_F(CDamping, a_misuse_has_its_result_and_its_sentence) {

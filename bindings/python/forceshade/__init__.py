@@ -33,7 +33,7 @@ from ._forceshade import Error, RoundingWarning, library_digest
 from ._forceshade import version as _version
 from ._recordings import Recording, read_recording
 from ._scenes import Pose, Scene
-from ._sessions import Place, Session, State
+from ._sessions import Meeting, Place, Session, State
 from ._subject import ANSWER, STATE, Identity, Status, Subject
 from ._subjects import HeightMap, Law, Mesh, laws, read_subject
 
@@ -54,6 +54,7 @@ __all__ = [
     "HeightMap",
     "Identity",
     "Law",
+    "Meeting",
     "Mesh",
     "OpenedRenderer",
     "Place",

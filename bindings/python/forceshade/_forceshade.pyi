@@ -33,6 +33,11 @@ class Subject:
     def _words(self) -> str: ...
     @property
     def _parameters(self) -> dict[str, float | str]: ...
+    @property
+    def _is_regular(self) -> bool: ...
+    @property
+    def _is_damped(self) -> bool: ...
+    def _damping_at(self, rate: float, /) -> list[float]: ...
     def _heights_of(self, file: str, pitch: Optional[float], scale: Optional[float], /) -> Optional[memoryview]: ...
     @property
     def _vertices(self) -> memoryview: ...
@@ -58,7 +63,7 @@ class Subject:
 
 _DampingNumbers = tuple[float, ...]
 _DampingState = tuple[bool, Sequence[float], Sequence[float], int]
-_State = tuple[int, int, bool, Sequence[float], Sequence[int], Sequence[int]]
+_State = tuple[int, int, bool, Sequence[float], Sequence[int], Sequence[int], int, Sequence[int], Sequence[int]]
 
 class Session:
     def __init__(self, subject: Subject, damping: Optional[_DampingNumbers] = None, /) -> None: ...
@@ -143,7 +148,6 @@ def mesh_of_arrays(
     shading: Optional[str],
     contact: Optional[str],
     crease: float,
-    self_intersecting: bool,
     stiffness: float,
     materials: Sequence[tuple[Optional[float], float, float]],
     material_of_triangle: Sequence[int],

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _arrays, _forceshade
 from ._arrays import Floats, Rounding
 from ._damping import Damping, DampingState, numbers_of, numbers_of_state, periods_of, read_state
-from ._subject import Status, Subject
+from ._subject import Status, Subject, expect_damping
 
 
 class Pose(NamedTuple):
@@ -29,7 +29,8 @@ class Scene(_forceshade.Scene):
 
     objects: 1 to 32 laws, height maps and meshes, of which one may come several times. The force is the exact sum of theirs,
     turned into the world's axes, rounded once. For one thread at a time, as a Session is.
-    damping: of this force, by the speed of the hand in the world (docs/damping.md).
+    damping: of this force, by the speed of the hand in the world (docs/damping.md). It is needed, and counts alone, where the file
+    of an object has the table [damping].
 
     >>> import forceshade
     >>> wall = forceshade.Law("wall", stiffness=0.5)
@@ -43,6 +44,7 @@ class Scene(_forceshade.Scene):
         for one in subjects:
             if not isinstance(one, Subject):
                 raise TypeError(f"expected objects that are a Law, HeightMap or Mesh, got {type(one).__name__}")
+        expect_damping(subjects, damping)
         super().__init__(subjects, numbers_of(damping))
         self._objects, self._damping = tuple(subjects), damping
 

@@ -13,7 +13,8 @@ import numpy.typing as npt
 from . import _arrays, _forceshade
 from ._arrays import Floats, Rounding
 from ._damping import Damping, DampingState, Periods, numbers_of, numbers_of_state, periods_of, read_state
-from ._subject import ANSWER, Status, Subject
+from ._points import point_on
+from ._subject import ANSWER, Status, Subject, expect_damping
 from ._subjects import Mesh
 
 
@@ -28,30 +29,57 @@ class Place(enum.IntEnum):
     IN_TRIANGLE = 4
 
 
+class Meeting(enum.IntEnum):
+    """What else a god-object's place lies in, on a mesh that is not regular (docs/soups.md)."""
+
+    NOTHING = 0
+    """The place says all."""
+    LINE = 1
+    """The line of triangles (i, j), where the weight of corner further[0] of i is parameter[0]."""
+    EDGE = 2
+    """Edge (a, b) and edge `further` meet."""
+    TRIANGLE = 3
+    """Edge (a, b) and triangle further[0] meet."""
+    TRIANGLES = 4
+    """Triangles (i, j) and further[0] meet."""
+    FOOT_IN_TRIANGLE = 5
+    """The point of triangle i's plane that is nearest to `position`."""
+    FOOT_ON_EDGE = 6
+    """That of edge (a, b)."""
+    FOOT_ON_LINE = 7
+    """That of the line of triangles (i, j), whose grid is that of corner further[0] of i."""
+
+
 @dataclass(frozen=True)
 class State:
     """All that a session remembers of its path: the god-object of a mesh, exact and the same on every machine.
 
-    A law or a height map remembers nothing, which is Place.NOWHERE. What a place does not use is 0.
+    A law or a height map remembers nothing, which is Place.NOWHERE. What a place does not use is 0, and so are the last three on a
+    regular mesh.
     """
 
     place: Place = Place.NOWHERE
     side: int = 0
     """The side of the surface: 0 front, 1 back."""
     position: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """mm; in the open."""
+    """mm; in the open, and of the hand whose foot it is."""
     index: tuple[int, int] = (0, 0)
-    """Vertex v: (v, 0). Edge from a to b: (a, b), a < b. Triangle i: (i, 0)."""
+    """Vertex v: (v, 0). Edge from a to b: (a, b), a < b. Triangle i: (i, 0), or (i, j)."""
     parameter: tuple[int, int] = (0, 0)
-    """In units of 2^-24. Edge: a + m (b - a): (m, 0). Triangle: a + k (b - a) + l (c - a): (k, l)."""
+    """In units of 2^-24. Edge: a + m (b - a): (m, 0). Triangle: a + k (b - a) + l (c - a): (k, l). Line: (k, 0)."""
     slipping: bool = False
     """Friction has let it slip, and does not hold it yet."""
+    meeting: Meeting = Meeting.NOTHING
+    further: tuple[int, int] = (0, 0)
+    cell: tuple[int, int] = (0, 0)
+    """The name of the cell, with `side`: a triangle, and the number of its piece."""
 
 
 class Session(_forceshade.Session):
     """One path of the hand through a subject: each force follows from the positions so far.
 
-    damping: behind the subject (docs/damping.md); step() is then one period of its rate.
+    damping: behind the subject (docs/damping.md); step() is then one period of its rate. One whose file has the table [damping]
+    needs it: subject.damping_at(rate) for what the file says.
 
     For one thread at a time: a second one that uses it meanwhile gets forceshade.Error.
 
@@ -64,6 +92,7 @@ class Session(_forceshade.Session):
     def __init__(self, subject: Subject, *, damping: Damping | None = None) -> None:
         if not isinstance(subject, Subject):
             raise TypeError(f"expected a Law, HeightMap or Mesh, got {type(subject).__name__}")
+        expect_damping([subject], damping)
         super().__init__(subject, numbers_of(damping))
         self._subject, self._damping = subject, damping
 
@@ -117,8 +146,9 @@ class Session(_forceshade.Session):
     @property
     def state(self) -> State:
         """Its memory after the last step."""
-        place, side, slipping, position, index, parameter = self._state()
-        return State(Place(place), side, tuple(position), tuple(index), tuple(parameter), slipping)  # type: ignore[arg-type]
+        place, side, slipping, position, index, parameter, meeting, further, cell = self._state()
+        lists = tuple(position), tuple(index), tuple(parameter)
+        return State(Place(place), side, *lists, slipping, Meeting(meeting), tuple(further), tuple(cell))  # type: ignore[arg-type]
 
     @property
     def damping_state(self) -> DampingState | None:
@@ -140,24 +170,20 @@ class Session(_forceshade.Session):
             return None
         if at.place == Place.IN_THE_OPEN:
             return at.position
-        i, j = at.index
-        corners = {Place.AT_VERTEX: [i], Place.ON_EDGE: [i, j]}.get(at.place) or self._subject.faces[i]
-        a, *others = ([Fraction(float(x)) for x in self._subject.vertices[corner]] for corner in corners)
-        exact = list(a)
-        for other, share in zip(others, at.parameter):
-            exact = [at_axis + Fraction(share, 2**24) * (to - from_a) for at_axis, to, from_a in zip(exact, other, a)]
-        x, y, z = map(float, exact)
+        position, size = [Fraction(x) for x in at.position], at.place - 1
+        x, y, z = map(float, point_on(self._subject, at.meeting, at.index, at.parameter, at.further, position, size))
         return x, y, z
 
     def resume(self, state: State, damping_state: DampingState | None = None) -> None:
         """Goes on from a state of the same subject, and its damping from a state of its own, or from the beginning. A state that is
-        invalid for this mesh, or that no tick leaves, counts as that of a beginning."""
+        invalid for this mesh, or that no tick leaves, counts as that of a beginning, which `state` then is."""
         if not isinstance(state, State):
             raise TypeError(f"expected the state of a session, got {type(state).__name__}")
-        place, side, position, index, parameter, slipping = astuple(state)
+        place, side, position, index, parameter, slipping, meeting, further, cell = astuple(state)
         speed = numbers_of_state(damping_state, self._damping)
         try:
-            self._resume((int(place), int(side), bool(slipping), list(position), list(index), list(parameter)))
+            numbers = list(position), list(index), list(parameter), int(meeting), list(further), list(cell)
+            self._resume((int(place), int(side), bool(slipping), *numbers))
         except TypeError:
             raise TypeError(f"state: expected one that a session gave, got {state}") from None
         if speed is not None:

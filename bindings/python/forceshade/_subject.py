@@ -6,6 +6,7 @@ from __future__ import annotations
 import enum
 import numbers
 import os
+from collections.abc import Iterable
 from typing import Any, Callable, NamedTuple, SupportsFloat, Union
 
 import numpy as np
@@ -13,6 +14,7 @@ import numpy.typing as npt
 
 from . import _arrays, _exact, _forceshade
 from ._arrays import Floats, Rounding
+from ._damping import Damping
 
 Quantity = Union[SupportsFloat, str]
 File = Union[str, "os.PathLike[str]"]
@@ -39,9 +41,12 @@ STATE = np.dtype(
         ("place", np.uint8),
         ("side", np.uint8),
         ("slipping", np.uint8),
+        ("meeting", np.uint8),
         ("position", np.float32, (3,)),
         ("index", np.uint32, (2,)),
         ("parameter", np.uint32, (2,)),
+        ("further", np.uint32, (2,)),
+        ("cell", np.uint32, (2,)),
     ],
     align=True,
 )
@@ -76,6 +81,12 @@ def length_of(value: Quantity, name: str) -> float:
 
 def stiffness_of(value: Quantity) -> float:
     return _forceshade.stiffness("stiffness", text_of(value, "stiffness", '"500N/m"'))
+
+
+def expect_damping(subjects: Iterable[Subject], damping: Damping | None) -> None:
+    """Refuses to leave out the damping of a file."""
+    if damping is None and any(subject._is_damped for subject in subjects):
+        raise ValueError("damping: a subject's file has the table [damping]; expected its damping_at(rate), or another Damping")
 
 
 def word_of(value: object, name: str) -> str:
@@ -123,6 +134,11 @@ class Subject(_forceshade.Subject):
     def stiffness(self) -> float:
         """K, N/mm."""
         return float(self._parameters["stiffness_N_per_mm"])
+
+    def damping_at(self, rate: float) -> Damping:
+        """The damping of its file, the table [damping], at a rate (Hz); off where it has none. For the `damping` of a Session."""
+        rate, share, damping, most, drag, full_at = self._damping_at(Damping(rate).rate)
+        return Damping(rate=rate, share=share, damping=damping, most=most, drag=drag, full_at=full_at)
 
     def forces(
         self,

@@ -5,14 +5,15 @@ from __future__ import annotations
 
 import copy
 import os
-from collections.abc import Mapping, Sequence
-from typing import Any, Literal, SupportsFloat, Union
+import warnings
+from typing import Any, Literal, SupportsFloat
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _arrays, _exact, _forceshade
 from ._arrays import Rounding
+from ._materials import Friction, Materials, materials_of, words_of_friction
 from ._subject import File, Quantity, Subject, length_of, path_of, remade, stiffness_of, text_of, word_of
 
 LawName = Literal[
@@ -24,8 +25,6 @@ Render = Literal["height-map", "height-map-shaded", "height-map-conservative"]
 Unit = Literal["mm", "cm", "m", "in"]
 Sides = Literal["front", "both"]
 Contact = Literal["direct", "sub-goal", "friction"]
-Friction = Union[float, tuple[float, float]]  # a coefficient, or a static and a dynamic one
-Materials = tuple[Sequence[Mapping[str, Any]], npt.ArrayLike]  # a list, and the number in it of each triangle
 
 
 def _short(number: float) -> str:
@@ -222,35 +221,6 @@ def _indices(triangles: npt.ArrayLike, count: int) -> npt.NDArray[np.uint32]:
     return array.astype(np.uint32)
 
 
-def _words_of_friction(friction: Friction) -> str:
-    parts = friction if isinstance(friction, (tuple, list)) else (friction,)
-    return ",".join(str(part) for part in parts)
-
-
-def _materials(
-    friction: Friction | None, materials: File | Materials | None
-) -> tuple[list[tuple[float | None, float, float]], list[int]]:
-    """A list of (stiffness, static, dynamic), and the number in it of each triangle; no numbers where all have the first."""
-    if materials is not None and (not isinstance(materials, (tuple, list)) or len(materials) != 2):
-        raise TypeError("a file of materials is for a mesh file; expected a pair (list, numbers) for arrays")
-    listed: Sequence[Mapping[str, Any]] = [] if friction is None else [{"friction": friction}]
-    numbers: list[int] = []
-    if materials is not None:
-        listed, given = materials
-        array = np.asarray(given)
-        if array.ndim != 1 or array.dtype.kind not in "iu" or (array < 0).any() or (array >= len(listed)).any():
-            raise ValueError(f"materials: expected for each triangle the number of its material, 0 to {len(listed) - 1}")
-        numbers = array.tolist()
-    made = []
-    for i, material in enumerate(listed):
-        if unknown := set(material) - {"friction", "stiffness"}:
-            raise ValueError(f"materials[{i}] has {sorted(unknown)}; expected friction, stiffness or neither")
-        own = material.get("stiffness")
-        static, dynamic = _forceshade.friction("friction", _words_of_friction(material.get("friction", 0)))
-        made.append((None if own is None else stiffness_of(own), static, dynamic))
-    return made, numbers
-
-
 class Mesh(Subject):
     """A triangle mesh, felt through a god-object. Its force depends on the path: a Session follows one.
 
@@ -263,11 +233,12 @@ class Mesh(Subject):
     friction: a coefficient of friction, or a pair (static, dynamic), for the whole mesh: 0, inf, or 2**-10 to 1024.
     materials: instead, of a mesh file, a TOML file; of arrays a pair (list, numbers): a list of dictionaries with "friction",
     "stiffness" or neither, and for each triangle the number of its material (docs/meshes.md, "Materials and friction").
-    crease: degrees, 0 to 180 (no creases), for the normals. self_intersecting: whether triangles without a common vertex may
-    cross.
+    crease: degrees, 0 to 180 (no creases), for the normals.
+    self_intersecting: deprecated and without effect, since every set of triangles is taken.
 
-    The mesh is checked exactly, which takes a second for some hundred thousand triangles. Raises ValueError with the numbers
-    of faces and vertices for what is no mesh, OSError and Error for a file.
+    Triangles may cross, touch, coincide and share edges as they like (docs/soups.md); `is_regular` says whether they do none of it,
+    which shading "edge" and "texture" and contact "sub-goal" need. This is found exactly, in a second for some hundred thousand
+    triangles. Raises ValueError with the numbers of faces and vertices for what cannot be rendered, OSError and Error for a file.
 
     >>> corners, faces = [[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
     >>> session = Session(Mesh(corners, faces, stiffness=0.5, shading="none"))
@@ -294,6 +265,8 @@ class Mesh(Subject):
     ) -> None:
         if friction is not None and materials is not None:
             raise TypeError("friction is that of the whole mesh; expected friction or materials, got both")
+        if self_intersecting:
+            warnings.warn("self_intersecting is not needed: every set of triangles is taken", DeprecationWarning, stacklevel=2)
         made_by = {
             "stiffness": stiffness,
             "unit": unit,
@@ -302,7 +275,6 @@ class Mesh(Subject):
             "contact": contact,
             "crease": crease,
             "texture_scale": texture_scale,
-            "self_intersecting": self_intersecting,
             "friction": friction,
             "materials": copy.deepcopy(materials),
         }
@@ -323,10 +295,8 @@ class Mesh(Subject):
                 options["crease"] = text_of(crease, "crease", '"30deg"')
             if texture_scale is not None:
                 options["texture-scale"] = text_of(texture_scale, "texture_scale", '"10mm"')
-            if self_intersecting:
-                options["self-intersecting"] = "true"
             if friction is not None:
-                options["friction"] = _words_of_friction(friction)
+                options["friction"] = words_of_friction(friction)
             if materials is not None:
                 if not isinstance(materials, (str, os.PathLike)):
                     raise TypeError("the materials of a mesh file are a TOML file; expected its path")
@@ -348,9 +318,8 @@ class Mesh(Subject):
                 shading,
                 contact,
                 angle,
-                bool(self_intersecting),
                 stiffness_of(stiffness),
-                *_materials(friction, materials),
+                *materials_of(friction, materials),
             )
         self._made_by = Mesh, source, made_by
         super().__init__(description)
@@ -363,6 +332,11 @@ class Mesh(Subject):
     def vertices(self) -> npt.NDArray[np.float32]:
         """(n, 3), mm; read-only. A coordinate below 2^-30 mm in size is 0."""
         return np.asarray(self._vertices)
+
+    @property
+    def is_regular(self) -> bool:
+        """True for a mesh as docs/meshes.md has it; any other set of triangles is rendered as docs/soups.md defines it."""
+        return self._is_regular
 
     @property
     def faces(self) -> npt.NDArray[np.uint32]:

@@ -51,12 +51,18 @@ export interface State {
   side: "front" | "back";
   /** Friction has let it slip and does not hold it yet. */
   slipping: boolean;
-  /** mm; in the open. */
+  /** mm; in the open, and for a foot the hand. */
   position: number[];
-  /** vertex: [v, 0]; edge: [a, b]; triangle: [i, 0]. */
+  /** vertex: [v, 0]; edge: [a, b]; triangle: [i, 0]; triangles: [i, j]. */
   index: number[];
   /** In units of 2^-24. */
   parameter: number[];
+  /** What else the place lies in, on a mesh that is not regular: FORCESHADE_MEETS_NOTHING and so on; "nothing" where it is not
+   * given. */
+  meeting?: "nothing" | "line" | "edge" | "triangle" | "triangles" | "foot-in-triangle" | "foot-on-edge" | "foot-on-line";
+  further?: number[];
+  /** With `side` the name of its cell: a triangle, and the number of a piece in it. */
+  cell?: number[];
 }
 
 /** One path of the hand. */
@@ -174,7 +180,7 @@ export interface MeshOptions {
   crease?: number;
   /** K, N/mm, in [10^-3, 10^3]. */
   stiffness: number;
-  /** Triangles that have no vertex in common may cross. */
+  /** @deprecated It counts for nothing: triangles of any mesh may cross. */
   selfIntersecting?: boolean;
   materials?: Material[];
   /** The number of its material, from 0, for each triangle; all have the first where it is not given. */

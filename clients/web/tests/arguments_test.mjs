@@ -35,8 +35,8 @@ const source = (name) => readFileSync(join(process.argv[2], name), "utf8");
 new Function("module", "forceshadeModule", "forceshadePacked", source("arguments.js") + source("interface.js"))(
   made, async () => hollow, gzipSync("").toString("base64"));
 
-// What the module writes to where the interface has room for it: place, side, slipping and seven numbers of a state that differ.
-const held = [3, 1, 1, 0.5, -2, 8, 0xffffffff, 7, 0xfffffffe, 5], floats = (address, count) => new Float32Array(buffer, address, count);
+// What the module writes to where the interface has room for it: the numbers of a state, which differ.
+const held = [3, 1, 1, 0.5, -2, 8, 0xffffffff, 7, 0xfffffffe, 5, 2, 0xfffffffd, 9, 0xfffffffc, 11], floats = (address, count) => new Float32Array(buffer, address, count);
 let resumed = null, damped = null;
 const answers = (handle, count, from, to, statuses) => {
   for (let i = 0; i < count; ++i) own.HEAPU8[statuses + i] = i % 4;
@@ -46,8 +46,8 @@ const answers = (handle, count, from, to, statuses) => {
 Object.assign(own, {
   _web_forces: answers,
   _web_session_steps: answers,
-  _web_session_state: (handle, address) => (new Float64Array(buffer, address, 10).set(held), 0),
-  _web_session_resume: (handle, address) => ((resumed = Array.from(new Float64Array(buffer, address, 10))), 0),
+  _web_session_state: (handle, address) => (new Float64Array(buffer, address, 15).set(held), 0),
+  _web_session_resume: (handle, address) => ((resumed = Array.from(new Float64Array(buffer, address, 15))), 0),
   _web_damping_steps: (numbers, state, periods, count, from, to, statuses) => {
     damped = [numbers, state].map((address, i) => Array.from(floats(address, 6 + 2 * i)));
     if (count > 0) floats(state, 8).set([1, 17, 1, 2, 3, -4, 5, 6]);
@@ -69,9 +69,12 @@ for (const { forces, statuses } of [wall.forces(at), path.steps(at)]) {
 }
 const state = path.state();
 assert.deepEqual(state, { place: "on-edge", side: "back", slipping: true, position: [0.5, -2, 8], index: [0xffffffff, 7],
-  parameter: [0xfffffffe, 5] });
+  parameter: [0xfffffffe, 5], meeting: "edge", further: [0xfffffffd, 9], cell: [0xfffffffc, 11] });
 path.resume(state);
 assert.deepEqual(resumed, held);
+const { meeting, further, cell, ...former } = state;
+path.resume(former);
+assert.deepEqual(resumed, [...held.slice(0, 10), 0, 0, 0, 0, 0]);
 const oil = library.damping({ rate: 500, damping: 2, fullAt: 8, most: Infinity });
 assert.deepEqual(damped, [[500, 1, 2, Infinity, 0, 8], [0, 0, 0, 0, 0, 0, 0, 0]]);
 assert.deepEqual(oil.state(), { position: null, velocity: [0, 0, 0], periods: 0 });

@@ -53,6 +53,20 @@ assert.equal(path.state().place, "nowhere");
 path.resume(state);
 assert.deepEqual(path.step([2.25, 3, 7]), held);
 
+// Two walls that cross, which no flag allows: a hand in their corner is where both hold it.
+const walls = library.mesh({
+  vertices: [-9, -9, 0, 9, -9, 0, 9, 9, 0, -9, 9, 0, 0, -9, -9, 0, 9, -9, 0, 9, 9, 0, -9, 9],
+  triangles: [0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7], stiffness: 0.5,
+});
+const corner = walls.session();
+corner.steps([2, 0.5, 3, -1, 0.5, -2]);
+const meets = corner.state();
+assert.equal(meets.meeting, "line");
+assert.deepEqual(Array.from(corner.step([-1, 0.5, -2]).force), [0.5, 0, 1]);
+corner.reset();
+corner.resume(meets);
+assert.deepEqual(Array.from(corner.step([-1, 0.5, -2]).force), [0.5, 0, 1]);
+
 const scene = library.scene([cube, map]);
 const poses = [{ translation: [0, 0, 0], rotation: [1, 0, 0, 0] }, { translation: [50, 0, 0], rotation: [1, 0, 0, 0] }];
 scene.step([2, 3, 10], poses);

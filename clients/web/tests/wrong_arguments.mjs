@@ -70,7 +70,7 @@ export function refusesWrongArguments(library, ForceshadeError) {
     ["rows", (value) => map({ rows: value })],
     ["object", (value) => scene.object(value)],
     ["periods", (value) => oil.step([0, 0, 0], answer, value)],
-    ...["index", "parameter"].flatMap((key) =>
+    ...["index", "parameter", "further", "cell"].flatMap((key) =>
       [0, 1].map((at) => [key, (value) => path.resume({ ...state, [key]: at === 0 ? [value, 0] : [0, value] })])),
   ];
   for (const [what, call] of wholeNumbers())

@@ -140,6 +140,34 @@ def test_golden_rows():
         assert np.array_equal(found, expected, equal_nan=True)
 
 
+def test_the_table_of_a_file_counts_at_a_rate(tmp_path, wall):
+    table = '[damping]\ndamping = 0.002\nmost = 3\ndrag = "1Ns/m"\ntime = "2ms"\n'
+    (tmp_path / "oil.toml").write_text('law = "wall"\n' + table)
+    its = forceshade.read_subject(tmp_path / "oil.toml")
+    oil = its.damping_at(500)
+    assert oil == Damping(rate=500, damping=0.002, most=3, drag=0.001, time=0.002) and oil.share == 0.5
+    assert its == wall and wall.damping_at(500) == Damping(rate=500)
+    at, _ = walk(300)
+    springs = wall.forces(at)
+    assert same_bits(forceshade.Session(its, damping=oil).steps(at), oil.steps(at, springs)) and same_bits(its.forces(at), springs)
+    assert same_bits(forceshade.Session(its, damping=Damping(rate=500)).steps(at), springs)
+
+    corners, faces = TETRAHEDRON
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + [f"f {a + 1} {b + 1} {c + 1}" for a, b, c in faces]
+    (tmp_path / "its.obj").write_text("\n".join(lines))
+    (tmp_path / "scene.toml").write_text(table + '[[object]]\nname = "a"\nmesh = "its.obj"\nunit = "mm"\n')
+    (tmp_path / "all.toml").write_text('scene = "scene.toml"\n')
+    scene = forceshade.read_subject(tmp_path / "all.toml")
+    assert scene.damping_at(500) == oil
+
+    words = "damping: a subject's file has the table [damping]; expected its damping_at(rate), or another Damping"
+    refused(ValueError, words, forceshade.Session, scene)
+    refused(ValueError, words, forceshade.Scene, [wall, its])
+    assert forceshade.Scene([wall, its], damping=oil).damping is oil
+    refused(ValueError, "rate is 0 Hz; expected 1 to 131072 Hz", its.damping_at, 0)
+    refused(TypeError, "rate: expected a number, got '500'", its.damping_at, "500")
+
+
 def test_off_is_the_spring():
     at, off = positions(500), Damping(rate=1000, drag=0)
     springs = SUBJECTS["law"].forces(at)

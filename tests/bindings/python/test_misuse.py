@@ -140,7 +140,7 @@ def test_meshes(tmp_path):
     refused(ValueError, 'shading: expected "none", "vertex" or "edge", got "flat"', make, vertices, triangles, stiffness=1, shading="flat")
     refused(ValueError, "crease is 200", make, vertices, triangles, stiffness=1, crease=200)
     with pytest.raises(ValueError, match="the mesh cannot be rendered: .*face") as caught:
-        make(vertices, np.vstack([triangles, triangles[:1]]), stiffness=1)
+        make(np.zeros((4, 3)), triangles, stiffness=1)
     assert not str(caught.value).endswith("\n")
     refused(TypeError, "a mesh file does not say its unit", make, ROOT / "tests/golden/god_object/cube.off", stiffness=1)
     refused(FileNotFoundError, "No such file", make, tmp_path / "none.off", unit="mm", stiffness=1)

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The surface of a mesh: friction and stiffness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _forceshade
+from ._subject import File, stiffness_of
+
+Friction = Union[float, tuple[float, float]]  # a coefficient, or a static and a dynamic one
+Materials = tuple[Sequence[Mapping[str, Any]], npt.ArrayLike]  # a list, and the number in it of each triangle
+
+
+def words_of_friction(friction: Friction) -> str:
+    parts = friction if isinstance(friction, (tuple, list)) else (friction,)
+    return ",".join(str(part) for part in parts)
+
+
+def materials_of(
+    friction: Friction | None, materials: File | Materials | None
+) -> tuple[list[tuple[float | None, float, float]], list[int]]:
+    """A list of (stiffness, static, dynamic), and the number in it of each triangle; no numbers where all have the first."""
+    if materials is not None and (not isinstance(materials, (tuple, list)) or len(materials) != 2):
+        raise TypeError("a file of materials is for a mesh file; expected a pair (list, numbers) for arrays")
+    listed: Sequence[Mapping[str, Any]] = [] if friction is None else [{"friction": friction}]
+    numbers: list[int] = []
+    if materials is not None:
+        listed, given = materials
+        array = np.asarray(given)
+        if array.ndim != 1 or array.dtype.kind not in "iu" or (array < 0).any() or (array >= len(listed)).any():
+            raise ValueError(f"materials: expected for each triangle the number of its material, 0 to {len(listed) - 1}")
+        numbers = array.tolist()
+    made = []
+    for i, material in enumerate(listed):
+        if unknown := set(material) - {"friction", "stiffness"}:
+            raise ValueError(f"materials[{i}] has {sorted(unknown)}; expected friction, stiffness or neither")
+        own = material.get("stiffness")
+        static, dynamic = _forceshade.friction("friction", words_of_friction(material.get("friction", 0)))
+        made.append((None if own is None else stiffness_of(own), static, dynamic))
+    return made, numbers
