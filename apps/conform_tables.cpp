@@ -24,19 +24,24 @@ namespace {
 
 constexpr std::uint64_t kPositions = 100000, kVectors = 200, kMostVectors = 1000000;
 
+using Rate = std::optional<double>;  // Hz
+
 struct Positions {
   std::optional<std::uint64_t> points;
   std::uint64_t seed = 1;
-  std::optional<double> rate;
+  Rate rate;
   std::string out = "-";
 };
 
-// Damping of the vectors; none where the subject has none. Throws Error.
-std::optional<damping::Parameters> damping_of(const Description& description, const Positions& its, bool has_forces) {
+void add_rate(CLI::App& command, Rate& rate) {
+  add_number(command, "--rate", "periods in a second, with damping", {1, 131072}, [&rate](double given) { rate = given; });
+}
+
+// Damping behind the subject; none where it has none. Throws Error.
+std::optional<damping::Parameters> damping_of(const Description& description, const Rate& rate) {
   if (description.damping.parameters.is_off()) return std::nullopt;
-  if (!has_forces) throw Error("--out: expected FILE.json with damping, since other positions have no periods");
-  if (!its.rate) throw Error("--rate: expected the periods in a second with damping, whose forces depend on them");
-  const damping::Parameters parameters = description.damping.at(*its.rate);
+  if (!rate) throw Error("--rate: expected the periods in a second with damping, whose forces depend on them");
+  const damping::Parameters parameters = description.damping.at(*rate);
   const auto built = reference::Damping::build(parameters);
   if (const auto* error = std::get_if<ParameterError>(&built)) throw Error("--damping: " + error->message());
   return parameters;
@@ -50,25 +55,27 @@ int write(const Positions& its, const SubjectOption& subject) {
   if (has_forces && points > kMostVectors)
     throw Error("--points: expected at most " + std::to_string(kMostVectors) + " with their forces, got " +
                 std::to_string(points));
-  const auto damping = damping_of(description, its, has_forces);
+  const auto damping = damping_of(description, its.rate);
   files::OutputFile output(its.out);
   with_progress(description.name, [&](const Monitor& monitor) {
     if (has_forces)
       output.stream() << conformance::vectors_of(description, points, its.seed, monitor, damping);
     else
       conformance::write_positions(output.stream(), files::is_named_npy(its.out), *properties::subject_of(description), points,
-                                   its.seed, monitor);
+                                   its.seed, damping.has_value(), monitor);
   });
   output.commit();
   return kHeld;
 }
 
-int judge(const std::string& forces, const conformance::Tolerance& tolerance, const SubjectOption& option,
+int judge(const std::string& forces, const conformance::Tolerance& tolerance, const SubjectOption& option, const Rate& rate,
           const ConformOutputs& outputs) {
   outputs.expect_room();
   watch_for_interrupt();
-  const auto subject = option.subject();
-  conformance::Judge judge(subject, tolerance);
+  const Description description = option.description();
+  const auto damping = damping_of(description, rate);
+  const std::shared_ptr<const properties::Subject> subject = properties::subject_of(description);
+  conformance::Judge judge(subject, tolerance, 0, damping);
   std::ifstream file;
   if (forces != "-") file = files::open_file(forces);
   conformance::read_cases(forces == "-" ? std::cin : file, forces == "-" ? "standard input" : forces,
@@ -79,9 +86,11 @@ int judge(const std::string& forces, const conformance::Tolerance& tolerance, co
   const conformance::Judgement& found = judge.judgement();
   const Identity& identity = subject->identity();
   const std::string words = words_of(found, identity, tolerance);
+  auto json = json_of(found, identity, tolerance);
+  if (damping) json["damping"] = conformance::json_of(*damping);
   return outputs.write({found.held(),
                         words,
-                        json_of(found, identity, tolerance),
+                        json,
                         {},
                         {"tolerance", conformance::words_of(tolerance)},
                         {case_of_forces(identity.name, found, words)}});
@@ -98,8 +107,7 @@ void add_conform_positions(CLI::App& conform, int& result) {
             "number of positions; default: " + std::to_string(kPositions) + ", with forces " + std::to_string(kVectors),
             {1, 1000000000}, [options](std::uint64_t given) { options->points = given; });
   add_whole(*command, "--seed", options->seed, "seed of the positions", kSeeds);
-  add_number(*command, "--rate", "periods in a second of test vectors with damping", {1, 131072},
-             [options](double given) { options->rate = given; });
+  add_rate(*command, options->rate);
   add_output(*command, "--out", options->out,
              "FILE.json: test vectors, for tests that need nothing else; FILE.npy, a structured array for numpy.load, or a CSV "
              "file, - for standard output: positions with what each is aimed at",
@@ -111,22 +119,23 @@ void add_conform_positions(CLI::App& conform, int& result) {
 void add_conform_judge(CLI::App& conform, int& result) {
   struct Options {
     std::string forces, tolerance;
+    Rate rate;
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       conform.add_subcommand("judge", "Compare the forces that any program wrote beside positions with the exact ones");
   command
-      ->add_option(
-          "forces", options->forces,
-          "CSV or NPY file with x_mm, y_mm, z_mm, fx_N, fy_N, fz_N, and reset and aim where positions wrote them; - is "
-          "CSV on standard input")
+      ->add_option("forces", options->forces,
+                   "CSV or NPY file with x_mm, y_mm, z_mm, fx_N, fy_N, fz_N, and reset, aim and periods where positions wrote "
+                   "them; - is CSV on standard input")
       ->type_name("FILE")
       ->required();
-  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
+  const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one, true);
+  add_rate(*command, options->rate);
   add_tolerance(*command, options->tolerance);
   const auto outputs = std::make_shared<ConformOutputs>(*command, false);
   command->callback([options, subject, outputs, &result] {
-    result = judge(options->forces, parse_tolerance(options->tolerance), *subject, *outputs);
+    result = judge(options->forces, parse_tolerance(options->tolerance), *subject, options->rate, *outputs);
   });
 }
 

@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/counted_allocations.h"
@@ -100,7 +101,7 @@ const forceshade_renderer& table_of(const std::string& file) {
     if (!is_there) throw ObjectFailed(std::string("its table has no function ") + name);
   };
   expect(table->open != nullptr, "open");
-  expect(table->answer != nullptr, "answer");
+  expect(table->answer != nullptr || table->answer_after != nullptr, "answer");
   expect(table->close != nullptr, "close");
   return *table;
 }
@@ -131,11 +132,20 @@ class Renderer {
 
   const std::string& hello() const { return hello_; }
 
-  std::vector<Eigen::Vector3f> answers(const std::vector<Eigen::Vector3f>& positions, bool is_reset) {
+  // periods: of each position, or none, which stands for 1 each.
+  std::vector<Eigen::Vector3f> answers(const std::vector<Eigen::Vector3f>& positions, std::vector<std::uint32_t> periods,
+                                       bool is_reset) {
     const std::size_t count = positions.size();
+    if (!periods.empty() && table_.answer_after == nullptr)
+      throw ObjectFailed("it declares damping, and its table has no function answer_after");
+    if (periods.empty()) periods.assign(count, 1);
     std::vector<Eigen::Vector3f> answers(kGuard + count + kGuard, Eigen::Vector3f::Constant(kUnwritten));
     count_allocations(true);
-    const std::int32_t code = table_.answer(state_, positions.data()->data(), answers[kGuard].data(), count, is_reset ? 1 : 0);
+    const float* const asked = positions.data()->data();
+    float* const answered = answers[kGuard].data();
+    const std::int32_t code = table_.answer_after != nullptr
+                                  ? table_.answer_after(state_, asked, periods.data(), answered, count, is_reset ? 1 : 0)
+                                  : table_.answer(state_, asked, answered, count, is_reset ? 1 : 0);
     count_allocations(false);
     if (code != 0) throw ObjectFailed("its answer() returned " + std::to_string(code));
     const std::span<const Eigen::Vector3f> all(answers);
@@ -170,9 +180,10 @@ void answer(const std::string& file, Lines& lines) {
       continue;
     }
     const bool is_reset = line->starts_with(conformance::kNewPath);
-    const auto positions = conformance::numbers_in(*line, is_reset ? conformance::kNewPath : conformance::kPositions);
+    std::vector<std::uint32_t> periods;
+    const auto positions = conformance::numbers_in(*line, is_reset ? conformance::kNewPath : conformance::kPositions, &periods);
     if (!positions) return;  // goodbye
-    lines.write(conformance::line_of(conformance::kAnswers, renderer.answers(*positions, is_reset)));
+    lines.write(conformance::line_of(conformance::kAnswers, renderer.answers(*positions, std::move(periods), is_reset)));
   }
 }
 

@@ -368,7 +368,7 @@ FORCESHADE_API forceshade_result forceshade_damping_advance(const forceshade_dam
 
 /* The functions of a shared object that is a renderer (examples/renderers/wall.c); it links nothing of forceshade, and a program
  * that only calls forceshade does not need them. The object is loaded in a process of its own, and its functions are called by
- * one thread, each after the one before has returned. No member may be NULL. */
+ * one thread, each after the one before has returned. No member may be NULL but one of `answer` and `answer_after`. */
 typedef struct forceshade_renderer {
   size_t size; /* sizeof(forceshade_renderer) */
 
@@ -385,6 +385,11 @@ typedef struct forceshade_renderer {
 
   /* Called once after an open() that returned 0. */
   void (*close)(void* state);
+
+  /* The same as answer(), and called in its place unless it is NULL. A renderer whose hello declares damping has it: periods are
+   * those from the position before to each, `count` of them. */
+  int32_t (*answer_after)(void* state, const float* positions, const uint32_t* periods, float* answers, size_t count,
+                          int32_t is_reset);
 } forceshade_renderer;
 
 /* The type of the one function that the object exports, whose name is forceshade_renderer_entry. The table stays as long as the

@@ -44,7 +44,8 @@ struct Function {
   }
 };
 
-// open_it(scene) -> (hello, answers); answers(positions, is_reset) -> float32 array (n, 3), of the bytes of another.
+// open_it(scene) -> (hello, answers); answers(positions, is_reset, periods) -> float32 array (n, 3), of the bytes of arrays of
+// float32 and of uint32, the latter empty where each is 1.
 class PythonRenderer final : public conformance::RendererUnderTest {
  public:
   PythonRenderer(const py::object& open_it, const Json& scene) {
@@ -59,10 +60,12 @@ class PythonRenderer final : public conformance::RendererUnderTest {
   const conformance::Hello& hello() const override { return hello_; }
 
   std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
-                                       std::span<const std::uint32_t>) override {
+                                       std::span<const std::uint32_t> periods) override {
     return words_for_errors([&] {
-      const py::bytearray asked(reinterpret_cast<const char*>(positions.data()), positions.size_bytes());
-      const py::buffer answered = answers_.its(asked, is_reset);
+      const auto bytes_of = [](const auto& its) {
+        return py::bytearray(reinterpret_cast<const char*>(its.data()), its.size_bytes());
+      };
+      const py::buffer answered = answers_.its(bytes_of(positions), is_reset, bytes_of(periods));
       const py::buffer_info given = buffer_of<float>(answered);
       if (given.shape != std::vector<py::ssize_t>{static_cast<py::ssize_t>(positions.size()), 3})
         throw py::value_error("expected an answer to each position");
@@ -72,8 +75,6 @@ class PythonRenderer final : public conformance::RendererUnderTest {
       return answers;
     });
   }
-
-  bool is_told_of_periods() const override { return false; }
 
   void say_goodbye() override {}
 

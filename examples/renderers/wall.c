@@ -37,6 +37,6 @@ static int32_t wall_answer(void* state, const float* positions, float* answers, 
 }
 
 FORCESHADE_API const forceshade_renderer* forceshade_renderer_entry(void) {
-  static const forceshade_renderer kTable = {sizeof kTable, wall_open, wall_answer, free};
+  static const forceshade_renderer kTable = {sizeof kTable, wall_open, wall_answer, free, NULL};
   return &kTable;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <map>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "files/csv.h"
 #include "files/npy.h"
 #include "forceshade/error.h"
+#include "properties/conformance/strokes.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -21,16 +23,27 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are read and written as they are in memory");
 
 const std::vector<std::string> kNumbers{"x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N"};
-constexpr std::size_t kReset = 6, kAim = 7;  // after the numbers
+constexpr std::size_t kReset = 6, kAim = 7, kPeriods = 8;  // after the numbers
+const std::vector<std::string> kOthers{"reset", "aim", "periods"};
 constexpr std::size_t kAimBytes = 12;
-constexpr const char* kLayout = "[('x_mm', '<f4'), ('y_mm', '<f4'), ('z_mm', '<f4'), ('reset', '|u1'), ('aim', '|S12')]";
+constexpr std::string_view kLayout = "[('x_mm', '<f4'), ('y_mm', '<f4'), ('z_mm', '<f4'), ('reset', '|u1'), ('aim', '|S12')",
+                           kLayoutOfPeriods = ", ('periods', '<u4')";
 
 void put(Case& its, std::size_t i, float number) {
   (i < 3 ? its.position : its.force)[static_cast<Eigen::Index>(i % 3)] = number;
 }
 
+std::uint32_t periods_in(const files::Reader& rows) {
+  const std::string& text = rows.text(kPeriods);
+  std::uint32_t periods = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), periods);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size())
+    throw rows.unexpected(kPeriods, "a whole number from 0 to 4294967295");
+  return periods;
+}
+
 std::uint64_t read_csv(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each) {
-  files::Reader rows(in, file, kNumbers, {"reset", "aim"});
+  files::Reader rows(in, file, kNumbers, kOthers);
   std::uint64_t count = 0;
   for (; rows.next(); ++count) {
     Case its;
@@ -40,6 +53,7 @@ std::uint64_t read_csv(std::istream& in, const std::string& file, const std::fun
       its.is_reset = rows.text(kReset) == "1";
     }
     if (rows.has(kAim)) its.aim = rows.text(kAim);
+    if (rows.has(kPeriods)) its.periods = periods_in(rows);
     its.place = file + ':' + std::to_string(rows.line());
     each(its);
   }
@@ -112,6 +126,8 @@ Record expected_record(const files::NpyHead& head, const std::string& file) {
   if (const auto reset = record->fields.find("reset");
       reset != record->fields.end() && reset->second.type != "|u1" && reset->second.type != "|b1")
     throw Error(file + ": field reset is of type " + reset->second.type + "; expected |u1 (uint8) or |b1 (bool)");
+  if (const auto periods = record->fields.find("periods"); periods != record->fields.end() && periods->second.type != "<u4")
+    throw fault("field periods is of type " + periods->second.type + "; expected <u4 (uint32)");
   return *record;
 }
 
@@ -127,9 +143,9 @@ std::string text_in(const char* bytes, const Field& field) {
 std::uint64_t read_npy(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each) {
   const files::NpyHead head = head_of(in, file);
   const Record record = expected_record(head, file);
-  std::array<const Field*, 8> fields{};
+  std::array<const Field*, 9> fields{};
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto found = record.fields.find(i < kNumbers.size() ? kNumbers[i] : i == kReset ? "reset" : "aim");
+    const auto found = record.fields.find(i < kNumbers.size() ? kNumbers[i] : kOthers[i - kReset]);
     if (found != record.fields.end()) fields[i] = &found->second;
   }
   std::string bytes(record.bytes, '\0');
@@ -145,6 +161,7 @@ std::uint64_t read_npy(std::istream& in, const std::string& file, const std::fun
     if (fields[kReset] != nullptr) its.is_reset = bytes[fields[kReset]->offset] != 0;
     if (fields[kAim] != nullptr && (fields[kAim]->type[1] == 'S' || fields[kAim]->type[1] == 'U'))
       its.aim = text_in(&bytes[fields[kAim]->offset], *fields[kAim]);
+    if (fields[kPeriods] != nullptr) std::memcpy(&its.periods, &bytes[fields[kPeriods]->offset], sizeof its.periods);
     its.place = file + ", row " + std::to_string(row);
     each(its);
   }
@@ -155,12 +172,15 @@ std::uint64_t read_npy(std::istream& in, const std::string& file, const std::fun
 }  // namespace
 
 void write_positions(std::ostream& out, bool is_npy, const properties::Subject& subject, std::uint64_t count,
-                     std::uint64_t seed, const Monitor& monitor) {
-  out << (is_npy ? files::npy_header(kLayout, count) : "x_mm,y_mm,z_mm,reset,aim\n");
-  const auto positions = subject.positions(seed);
+                     std::uint64_t seed, bool has_damping, const Monitor& monitor) {
+  if (is_npy)
+    out << files::npy_header(std::string(kLayout).append(has_damping ? kLayoutOfPeriods : "") + ']', count);
+  else
+    out << "x_mm,y_mm,z_mm,reset,aim" << (has_damping ? ",periods\n" : "\n");
+  Strokes ticks(subject.positions(seed), has_damping, seed);
   for (std::uint64_t i = 0; i < count; ++i) {
     if (i % kPathLength == 0) monitor.at(static_cast<double>(i) / static_cast<double>(count));
-    const properties::Aimed aimed = positions->next();
+    const auto [aimed, periods] = ticks.next();
     const bool is_reset = i % kPathLength == 0;
     const std::string aim(properties::name_of(aimed.aim));
     if (is_npy) {
@@ -168,10 +188,13 @@ void write_positions(std::ostream& out, bool is_npy, const properties::Subject& 
       aim.copy(padded.data(), padded.size());
       out.write(reinterpret_cast<const char*>(aimed.position.data()), 3 * sizeof(float));
       out.put(is_reset ? 1 : 0).write(padded.data(), padded.size());
+      if (has_damping) out.write(reinterpret_cast<const char*>(&periods), sizeof periods);
       continue;
     }
     for (const float coordinate : aimed.position) out << shortest(coordinate) << ',';
-    out << (is_reset ? 1 : 0) << ',' << aim << '\n';
+    out << (is_reset ? 1 : 0) << ',' << aim;
+    if (has_damping) out << ',' << periods;
+    out << '\n';
   }
 }
 

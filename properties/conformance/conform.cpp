@@ -70,8 +70,7 @@ class Run {
   }
 
   void compare() {
-    Strokes ticks(subject_->positions(options_.seed), found_.hello.damping.has_value(), renderer_->is_told_of_periods(),
-                  options_.seed);
+    Strokes ticks(subject_->positions(options_.seed), found_.hello.damping.has_value(), options_.seed);
     for (std::uint64_t done = 0; done < options_.points;) {
       std::vector<Case> cases;
       cases.reserve(kPathLength);
@@ -100,7 +99,7 @@ class Run {
       const properties::Aim aim = same_bits(position, aimed.position) ? aimed.aim : properties::Aim::volume;
       cases.push_back({position, cases.empty(), {}, std::string(name_of(aim)), "position " + std::to_string(done++), since});
     }
-    const Path forces = renderer_->forces(batch, first == 0, told(periods));
+    const Path forces = renderer_->forces(batch, first == 0, periods);
     for (std::size_t i = 0; i < forces.size(); ++i) cases[first + i].force = forces[i];
   }
 
@@ -134,10 +133,6 @@ class Run {
   std::unique_ptr<fast::Session> damped(std::unique_ptr<fast::Session> session) const {
     if (!found_.hello.damping) return session;
     return fast::damped(std::move(session), std::get<fast::Damping>(fast::Damping::build(*found_.hello.damping)));
-  }
-
-  std::span<const std::uint32_t> told(const std::vector<std::uint32_t>& periods) const {
-    return renderer_->is_told_of_periods() ? periods : std::span<const std::uint32_t>();
   }
 
   struct Timed {
@@ -188,7 +183,7 @@ class Run {
       positions.push_back(each.position);
       if (found_.hello.damping) periods.push_back(each.periods);
     }
-    const Path forces = renderer_->forces_along(positions, told(periods));
+    const Path forces = renderer_->forces_along(positions, periods);
     Judge judge(subject_, options_.tolerance, 0, found_.hello.damping);
     std::optional<Judged> beyond;  // of the last one
     for (std::size_t i = 0; i < path.size(); ++i)

@@ -32,9 +32,6 @@ class RendererUnderTest {
   virtual std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
                                                std::span<const std::uint32_t> periods) = 0;
 
-  // True if the periods reach it.
-  virtual bool is_told_of_periods() const { return true; }
-
   // The number and size of its allocations in its answers so far; nothing where they are not counted. Throws
   // files::ProcessFailed.
   virtual std::optional<Allocations> allocations() { return std::nullopt; }

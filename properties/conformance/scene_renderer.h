@@ -32,7 +32,6 @@ class SceneRenderer {
   std::vector<Eigen::Vector3f> forces_along(std::span<const Eigen::Vector3f> path, std::span<const std::uint32_t> periods = {});
   static constexpr std::size_t kBatch = 1024;
 
-  bool is_told_of_periods() const { return renderer_->is_told_of_periods(); }
   std::optional<Allocations> allocations() { return renderer_->allocations(); }
   void say_goodbye() { renderer_->say_goodbye(); }
 

@@ -6,8 +6,7 @@
 namespace forceshade::conformance {
 namespace {
 
-constexpr std::uint32_t kPause = 20;  // periods, after which no speed is left
-constexpr int kTicks = 4;             // of a stroke
+constexpr int kTicks = 4;  // of a stroke
 
 }  // namespace
 
@@ -16,7 +15,7 @@ Tick Strokes::next() {
     const properties::Aimed aimed = positions_->next();
     if (!has_damping_) return {aimed};
     if (drawn() % 2 == 0 || !aimed.position.allFinite())
-      return {aimed, is_told_ && drawn() % 4 == 0 ? static_cast<std::uint32_t>(drawn() % (kPause + 1)) : 1};
+      return {aimed, drawn() % 4 == 0 ? static_cast<std::uint32_t>(drawn() % (kPause + 1)) : 1};
     // Its step is 2^-9 to 1/2 mm long in each coordinate.
     Eigen::Vector3f step;
     for (float& one : step) {
@@ -26,7 +25,7 @@ Tick Strokes::next() {
     }
     for (int to_go = kTicks - 1; to_go >= 0; --to_go) {
       Tick tick{{aimed.position - static_cast<float>(to_go) * step, properties::Aim::volume}};
-      if (is_told_) tick.periods = to_go == kTicks - 1 ? kPause : 1 + static_cast<std::uint32_t>(drawn() % 8 == 0) * 2;
+      tick.periods = to_go == kTicks - 1 ? kPause : 1 + static_cast<std::uint32_t>(drawn() % 8 == 0) * 2;
       coming_.push_back(tick);
     }
     coming_.back().aimed = aimed;

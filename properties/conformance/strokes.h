@@ -11,17 +11,19 @@
 
 namespace forceshade::conformance {
 
+inline constexpr std::uint32_t kPause = 20;  // periods, after which no speed is left
+
 struct Tick {
   properties::Aimed aimed;
   std::uint32_t periods = 1;  // since the tick before
 };
 
 // A subject's own stream of positions where there is no damping. Else every second one is reached by a stroke at the speed of a
-// hand, which follows a pause; and some periods are missed, or none passed, if is_told says that the renderer is told of them.
+// hand, which follows a pause; and some periods are missed, or none passed.
 class Strokes {
  public:
-  Strokes(std::unique_ptr<properties::Positions> positions, bool has_damping, bool is_told, std::uint64_t seed)
-      : positions_(std::move(positions)), has_damping_(has_damping), is_told_(is_told), seed_(seed) {}
+  Strokes(std::unique_ptr<properties::Positions> positions, bool has_damping, std::uint64_t seed)
+      : positions_(std::move(positions)), has_damping_(has_damping), seed_(seed) {}
 
   Tick next();
 
@@ -29,7 +31,7 @@ class Strokes {
   std::uint64_t drawn() { return properties::split_mix(seed_, count_++); }
 
   std::unique_ptr<properties::Positions> positions_;
-  bool has_damping_, is_told_;
+  bool has_damping_;
   std::uint64_t seed_, count_ = 0;
   std::deque<Tick> coming_;
 };

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -44,13 +43,6 @@ Json case_json(std::uint64_t id, const properties::Aimed& aimed, const std::opti
   return json;
 }
 
-// The keys of a renderer's hello.
-Json damping_json(const damping::Parameters& p) {
-  const auto number = [](float parameter) { return std::isinf(parameter) ? Json() : Json(static_cast<double>(parameter)); };
-  return {{"rate_Hz", number(p.rate)}, {"share", number(p.share)}, {"damping", number(p.damping)},
-          {"most", number(p.most)},    {"drag", number(p.drag)},   {"full_at", number(p.full_at)}};
-}
-
 // The head with the key "paths", in which each case is a line.
 std::string with_lines_of_cases(const Json& head, const Json& paths) {
   std::string text = head.dump(1, ' ', true, Json::error_handler_t::replace);
@@ -65,6 +57,12 @@ std::string with_lines_of_cases(const Json& head, const Json& paths) {
 }
 
 }  // namespace
+
+Json json_of(const damping::Parameters& p) {
+  const auto number = [](float parameter) { return std::isinf(parameter) ? Json() : Json(static_cast<double>(parameter)); };
+  return {{"rate_Hz", number(p.rate)}, {"share", number(p.share)}, {"damping", number(p.damping)},
+          {"most", number(p.most)},    {"drag", number(p.drag)},   {"full_at", number(p.full_at)}};
+}
 
 Flag flag_of(Aim aim) {
   switch (aim) {
@@ -102,7 +100,7 @@ Flag flag_of(Aim aim) {
 std::string vectors_of(const Description& description, std::uint64_t count, std::uint64_t seed, const Monitor& monitor,
                        const std::optional<damping::Parameters>& damping) {
   const auto subject = properties::subject_of(description);
-  Strokes ticks(subject->positions(seed), damping.has_value(), true, seed);
+  Strokes ticks(subject->positions(seed), damping.has_value(), seed);
   auto session = subject->open_reference();
   std::optional<reference::Damping> damper;
   if (damping) damper = std::get<reference::Damping>(reference::Damping::build(*damping));
@@ -142,7 +140,7 @@ std::string vectors_of(const Description& description, std::uint64_t count, std:
     flags[std::string(name_of(aim))] = {{"meaning", flag.meaning}, {"threads", flag.threads}};
   }
   Json head{{"schema", "forceshade vectors 1"}, {"licence", "CC0-1.0"}, {"subject", scene_of(description)}};
-  if (damping) head["damping"] = damping_json(*damping);
+  if (damping) head["damping"] = json_of(*damping);
   head.update({{"seed", seed}, {"flags", flags}});
   return with_lines_of_cases(head, paths);
 }

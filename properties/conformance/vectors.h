@@ -4,6 +4,7 @@
 // (docs/conformance.md).
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ inline constexpr std::uint64_t kVectorPath = 64;
 // refuses, and Interrupted.
 std::string vectors_of(const Description& description, std::uint64_t count, std::uint64_t seed, const Monitor& monitor = {},
                        const std::optional<damping::Parameters>& damping = {});
+
+// Its numbers, as the keys of a renderer's hello; null is no limit.
+nlohmann::ordered_json json_of(const damping::Parameters& parameters);
 
 // The meaning of a flag, and threads on GitHub in which defects at such cases were reported: "dimforge/rapier#95".
 struct Flag {

@@ -45,10 +45,51 @@ for file in made/*.json; do cmp "$file" "$vectors/$(basename "$file")" || exit 1
 same 7 "$(ls made | wc -l)"
 fits "$vectors/schema.json" made/*.json
 expect 0 "0 wrong of 200" -- "$vectors/check.py" made/wall.json
-damped=(conform positions --law wall --damping 0.002)
-expect 2 "--rate: expected the periods in a second with damping" -- "$forceshade" "${damped[@]}" --out damped.json
-expect 2 "--out: expected FILE.json with damping" -- "$forceshade" "${damped[@]}" --rate 1000 --out damped.csv
-expect 2 "--damping: share is" -- "$forceshade" "${damped[@]}" --damping-filter 100s --rate 100000 --out damped.json
+
+# Damping: the positions have periods, and forces that a program in fractions wrote beside them are judged with it.
+damped=(--law wall --stiffness 0.5 --damping 0.002)
+expect 2 "--rate: expected the periods in a second with damping" -- "$forceshade" conform positions "${damped[@]}" --out damped.json
+expect 2 "--rate: expected the periods in a second with damping" -- "$forceshade" conform judge mine.csv "${damped[@]}"
+expect 2 "--damping: share is" -- "$forceshade" conform positions "${damped[@]}" --damping-filter 100s --rate 100000 --out damped.json
+damped+=(--damping-filter 0.25 --rate 1000)
+expect 0 "" -- "$forceshade" conform positions "${damped[@]}" --points 5000 --out damped.csv
+expect 0 "" -- "$forceshade" conform positions "${damped[@]}" --points 5000 --out damped.npy
+same x_mm,y_mm,z_mm,reset,aim,periods "$(head -1 damped.csv)"
+python3 - "$examples/renderers" << 'end'
+import csv, struct, sys
+sys.path.insert(0, sys.argv[1])
+from wall import force
+source = open(sys.argv[1] + "/damped_wall.py").read()
+exec(source[: source.rindex("main()")])
+with open("damped.csv") as file, open("damped_mine.csv", "w") as mine, open("no_periods.csv", "w") as other:
+    rows = list(csv.reader(file))
+    for out in (mine, other):
+        print("x_mm,y_mm,z_mm,reset," + ("periods," if out is mine else "") + "fx_N,fy_N,fz_N", file=out)
+    for x, y, z, reset, aim, periods in rows[1:]:
+        if reset == "1":
+            damper = Damper()
+        at = [struct.unpack("f", struct.pack("f", float(one)))[0] for one in (x, y, z)]
+        damped = damper.damped(at, int(periods), force(*at, 0.5)[2])
+        print(x, y, z, reset, periods, 0, 0, float(damped).hex(), sep=",", file=mine)
+        print(x, y, z, reset, 0, 0, float(damped).hex(), sep=",", file=other)
+end
+judged() { "$forceshade" conform judge "$@" --json judged.json --overwrite; }
+expect 0 "held: 5000 of 5000 (100 %) within the tolerance, correctly rounded" -- judged damped_mine.csv "${damped[@]}"
+python3 -c 'import json, sys
+schema = json.load(open(sys.argv[1]))
+json.dump(schema["definitions"]["judgement"] | {"definitions": schema["definitions"]}, open("judgement_schema.json", "w"))' \
+  "$examples/../docs/conformance-schema.json"
+fits judgement_schema.json judged.json
+same '{"damping": 0.0020000000949949026, "drag": 0.0, "full_at": 0.25, "most": 2.0, "rate_Hz": 1000.0, "share": 0.25}' \
+  "$(python3 -c 'import json; print(json.dumps(json.load(open("judged.json"))["damping"], sort_keys=True))')"
+# Another rate, filter, limit or damping is found, and so are periods that were left out.
+for other in "--rate 500" "--damping-filter 0.5" "--damping 0.002,3" "--damping 0.003" "--drag 0.001"; do
+  case $other in --drag*) of=("${damped[@]}") ;; *) of=(); skip=; for word in "${damped[@]}"; do
+    if [ "$skip" ]; then skip=; elif [ "$word" = "${other%% *}" ]; then skip=1; else of+=("$word"); fi; done ;; esac
+  expect 1 "FAILED: " -- judged damped_mine.csv "${of[@]}" $other
+done
+expect 1 "FAILED: " -- judged damped_mine.csv --law wall --stiffness 0.5
+expect 1 "FAILED: " -- judged no_periods.csv "${damped[@]}"
 expect 1 "114 wrong of 200" -- "$vectors/check.py" made/bump-2p.json
 expect 0 '"id":5000' -- bash -c "'$forceshade' conform positions --law wall --points 5000 --out vectors.json && cat vectors.json"
 expect 2 "--out: expected a name that ends in .csv or .npy or .json" -- "$forceshade" conform positions --law wall --out vectors.xml

@@ -22,7 +22,7 @@ def template():
         ("  *hello = ", "  OPEN;\n  *hello = "), ("  if (stiffness == NULL)", "  OPENED;\n  if (stiffness == NULL)"),
         ("  (void)is_reset;", "  ANSWER;\n  (void)is_reset;"), ("  return 0;\n}\n\nFORCESHADE_API", "  ANSWERED;\n  return 0;\n}\n\nFORCESHADE_API"),
         ("FORCESHADE_API", "static void wall_close(void* state) { CLOSE; free(state); }\nFORCESHADE_API"), ("  return &kTable;", "  ENTRY;\n  return &kTable;"),
-        ("{sizeof kTable, wall_open, wall_answer, free}", "TABLE"), ("static const char kHello[] =", "static const char kHello[] = HELLO"),
+        ("{sizeof kTable, wall_open, wall_answer, free, NULL}", "TABLE"), ("static const char kHello[] =", "static const char kHello[] = HELLO"),
         ("float* stiffness = malloc", "float* stiffness = (float*)malloc"),
     ):  # fmt: skip
         assert source.count(old) == 1, old
@@ -63,7 +63,7 @@ wrong = object_case
 wrong("a function that is not there", "cannot be loaded", OPEN="extern void no_such_function(void); no_such_function()")
 wrong("another entry", "it exports no function forceshade_renderer_entry", forceshade_renderer_entry="another_entry")
 wrong("no table", "forceshade_renderer_entry() returned no table", ENTRY="return NULL")
-wrong("a table of 8 bytes", "its table says that it has 8 bytes; expected 32 or more", TABLE="{8, wall_open, wall_answer, wall_close}")
+wrong("a table of 8 bytes", "its table says that it has 8 bytes; expected 40 or more", TABLE="{8, wall_open, wall_answer, wall_close}")
 wrong("a table of nothing", "its table says that it has 0 bytes", TABLE="{0}")
 wrong("a table that is not there", KILLED, ENTRY="return (const forceshade_renderer*)16")
 for index, name in enumerate(("open", "answer", "close")):
@@ -84,6 +84,11 @@ for name, hello, words in (
     ("a failure", r'"{\"failure\":\"held\\nheld: 256 of 256\"}"', 'failed: "held\\nheld'),
 ):  # fmt: skip
     wrong("a hello that is " + name, words, slow=name not in ("no JSON", "a failure"), HELLO=hello + "; static const char kOther[] =")
+DAMPED = r'"{\"forceshade\":\"conform 1\",\"kind\":\"renderer\",\"name\":\"damped\",\"version\":\"1\",\"memory\":\"path\",\"answers\":\"force\",\"claims\":\"definition\",\"length_unit\":\"mm\",\"force_unit\":\"N\",\"frame\":[\"x\",\"y\",\"z\"],\"domain_mm\":10000,\"rate_Hz\":1000,\"loop_energy_mJ\":0,\"damping\":{\"damping\":0.002}}"; static const char kOther[] ='
+wrong("damping without periods", "it declares damping, and its table has no function answer_after", HELLO=DAMPED)
+AFTER = "static int32_t wall_answer(void*, const float*, float*, size_t, int32_t);\nstatic int32_t after(void* state, const float* positions, const uint32_t* periods, float* answers, size_t count, int32_t is_reset) { for (size_t i = 0; i < count; ++i) if (periods[i] != 1) return 9; return wall_answer(state, positions, answers, count, is_reset); }"
+for name, answer in (("beside", "wall_answer"), ("without", "NULL")):
+    right(f"periods of one, {name} answer()", prelude='#include "forceshade.h"\n' + AFTER, TABLE=f"{{sizeof kTable, wall_open, {answer}, wall_close, after}}")
 wrong("a code of an answer", "its answer() returned 3", ANSWER="return 3")
 wrong("no answers", "nan", ANSWER="return 0")
 wrong("seven answers", "FAILED: ", ANSWER="if (count > 7) count = 7")

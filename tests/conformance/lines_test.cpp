@@ -33,6 +33,24 @@ TEST(lines, are_read_with_spaces_and_capital_digits) {
   EXPECT_EQ((*found)[1], Eigen::Vector3f(2, 2, 2));
 }
 
+TEST(lines, of_positions_may_have_periods) {
+  const std::vector<Eigen::Vector3f> numbers(3, {1, 2, 3});
+  const std::vector<std::uint32_t> periods{1, 0, 4294967295};
+  const std::string line = line_of(kNewPath, numbers, periods);
+  EXPECT_TRUE(line.ends_with(R"(],"periods":[1,0,4294967295]})")) << line;
+  const auto found = [](const std::string& text) {
+    std::vector<std::uint32_t> its;
+    return numbers_in(text, kNewPath, &its) ? std::optional(its) : std::nullopt;
+  };
+  EXPECT_EQ(found(line), periods);
+  EXPECT_EQ(found(line_of(kNewPath, numbers)), std::vector<std::uint32_t>());
+  EXPECT_FALSE(numbers_in(line, kNewPath)) << "where none are expected";
+  for (const char* wrong : {"[1,0,4294967296]", "[1,0,-1]", "[1,0,]", "[]", "[1,0", "1]"}) {
+    std::string other = line;
+    EXPECT_FALSE(found(other.replace(other.find("[1,0,"), std::string("[1,0,4294967295]").size(), wrong))) << other;
+  }
+}
+
 TEST(lines, are_nothing_where_they_are_others) {
   const std::string right = line_of(kAnswers, std::vector<Eigen::Vector3f>(2, {1, 2, 3}));
   ASSERT_TRUE(numbers_in(right, kAnswers));

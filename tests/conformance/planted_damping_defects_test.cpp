@@ -160,26 +160,6 @@ TEST(damping_under_conform, holds_of_the_own_renderer) {
   }
 }
 
-// As through a shared object and a function of Python.
-TEST(damping_under_conform, a_renderer_that_is_not_told_of_periods_gets_none) {
-  struct Untold final : Damper {
-    using Damper::Damper;
-    bool is_told_of_periods() const override { return false; }
-    std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
-                                         std::span<const std::uint32_t> periods) override {
-      EXPECT_TRUE(periods.empty());
-      return Damper::answers(positions, is_reset, periods);
-    }
-  };
-  const auto open = [](const Json& scene) { return std::make_unique<Untold>(Fault::none, true, scene); };
-  const Conformance its = conform(kWall, open, {.points = 4000, .tolerance = {Unit::newton, *files::Decimal::of("0.001")}});
-  EXPECT_EQ(failures(its), Names{});
-  Names not_told;
-  for (const Invariant& invariant : its.invariants)
-    if (invariant.not_applicable == "it is not told of periods") not_told.insert(invariant.name);
-  EXPECT_EQ(not_told, (Names{kPauses, kMissed}));
-}
-
 TEST(damping_under_conform, a_wrong_answer_is_shown_with_its_periods) {
   const auto ignores = [](const Json& scene) { return std::make_unique<Damper>(Fault::ignores_periods, true, scene); };
   const Conformance its = conform(kWall, ignores, {.points = 2000, .tolerance = {Unit::newton, *files::Decimal::of("0.001")}});

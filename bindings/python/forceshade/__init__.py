@@ -26,7 +26,7 @@ MIT, December 1996. No force is computed in this package: it calls the same libr
 """
 
 from ._checks import Certificate, PlanState, PropertyResult, certify, make_plan, merged_plan, plan_state, properties, work_on_plan
-from ._conform import Conformance, OpenedRenderer, RendererOfScenes, conform
+from ._conform import Conformance, OpenedDampedRenderer, OpenedRenderer, RendererOfScenes, conform
 from ._damping import DAMPING_STATE, Damping, DampingState
 from ._exact import ExactForce, Geometry, geometry
 from ._forceshade import Error, RoundingWarning, library_digest
@@ -56,6 +56,7 @@ __all__ = [
     "Law",
     "Meeting",
     "Mesh",
+    "OpenedDampedRenderer",
     "OpenedRenderer",
     "Place",
     "PlanState",

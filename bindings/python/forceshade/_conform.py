@@ -15,6 +15,7 @@ from ._checks import _count, _expect_subject
 from ._subject import Subject
 
 Floats = npt.NDArray[np.float32]
+Counts = npt.NDArray[np.uint32]
 
 
 class OpenedRenderer(Protocol):
@@ -24,12 +25,19 @@ class OpenedRenderer(Protocol):
         """The answers to the next positions of the path, (n, 3), in its own units; reset: a new path begins with them."""
 
 
+class OpenedDampedRenderer(Protocol):
+    """A renderer with damping on one scene."""
+
+    def answers(self, positions: Floats, reset: bool, periods: Counts, /) -> Floats:
+        """The same; periods: those since the position before each, (n,)."""
+
+
 class RendererOfScenes(Protocol):
     """A renderer that can be opened on any scene, also a turned or renumbered one, and remembers its path where it declares so."""
 
-    def open(self, scene: Mapping[str, Any], /) -> OpenedRenderer:
-        """scene: a dictionary like the JSON in docs/conformance-protocol.md. Raises NotImplementedError, with the reason, for a
-        scene that it does not render."""
+    def open(self, scene: Mapping[str, Any], /) -> OpenedRenderer | OpenedDampedRenderer:
+        """scene: a dictionary like the JSON in docs/conformance-protocol.md. What is opened is asked with periods where `declares`
+        has damping. Raises NotImplementedError, with the reason, for a scene that it does not render."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -109,8 +117,8 @@ def conform(
     vectorised=False, a function of x, y and z that returns three numbers, which are rounded to float32. Its answer depends on the
     position alone. Or an object with a method open(scene), a RendererOfScenes. declares: what the hello of
     docs/conformance-protocol.md has, but for forceshade, kind, name and version: memory, answers, claims, length_unit, force_unit,
-    frame, domain_mm, rate_Hz, loop_energy_mJ, and for a mesh sides, shading, proxy_radius_mm. What is missing is not guessed: the
-    result says so. tolerance: "4 ulp", "1e-6 N" or "0.1 %".
+    frame, domain_mm, rate_Hz, loop_energy_mJ, for a mesh sides, shading, proxy_radius_mm, and for an object with damping damping.
+    What is missing is not guessed: the result says so. tolerance: "4 ulp", "1e-6 N" or "0.1 %".
 
     What the renderer raises is part of the result, which then did not hold. Ctrl-C ends it. Raises ValueError for a number out of
     its range or another tolerance, and TypeError.
@@ -129,15 +137,16 @@ def conform(
     checked = _expect_subject(subject)
     first: list[str] = []
 
-    def opened(scene_text: str) -> tuple[str, Callable[[bytearray, bool], Floats]]:
+    def opened(scene_text: str) -> tuple[str, Callable[[bytearray, bool, bytearray], Floats]]:
         scene = json.loads(scene_text)
         first.append(json.dumps(scene))
         hello = {"kind": "renderer", "name": name, "version": version, **declares}
         its = renderer if hasattr(renderer, "open") else _Function(renderer, first[0], vectorised)
 
-        def answers(asked: bytearray, reset: bool) -> Floats:
+        def answers(asked: bytearray, reset: bool, since: bytearray) -> Floats:
             positions = np.frombuffer(asked, np.float32).reshape(-1, 3)
-            return _checked(it.answers(positions, reset), len(positions))
+            periods = np.frombuffer(since, np.uint32) if since else np.ones(len(positions), np.uint32)
+            return _checked(it.answers(positions, reset, *([periods] if "damping" in declares else [])), len(positions))
 
         try:
             it = its.open(scene)
@@ -147,6 +156,8 @@ def conform(
 
     if not hasattr(renderer, "open") and not callable(renderer):
         raise TypeError(f"expected a function or an object with a method open, got {type(renderer).__name__}")
+    if "damping" in declares and not hasattr(renderer, "open"):
+        raise TypeError("expected an object with a method open for a renderer that declares damping, got a function")
     held, applicable, words, text = _forceshade.conform(
         checked, opened, _count(points, "points", 1, 10**9), _count(seed, "seed", 0, 2**64 - 1), tolerance
     )

@@ -168,7 +168,7 @@ def certify(
 def read_certificate(path: str, /) -> tuple[str, bool, str, str, str]: ...
 def conform(
     subject: Subject,
-    open_it: Callable[[str], tuple[str, Callable[[bytearray, bool], npt.NDArray[np.float32]]]],
+    open_it: Callable[[str], tuple[str, Callable[[bytearray, bool, bytearray], npt.NDArray[np.float32]]]],
     points: int,
     seed: int,
     tolerance: str,

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cstdint>
 #include <string>
 
 namespace forceshade::conformance {
 namespace {
 
+constexpr std::string_view kPeriods = R"(,"periods":[)";
 constexpr std::size_t kHexDigits = 24;  // of three binary32 numbers
 constexpr unsigned kNoDigit = 16;
 
@@ -48,6 +50,19 @@ bool take(std::string_view& text, std::string_view word) {
   return true;
 }
 
+// Takes ,"periods":[1,3] from the front of the text, if it begins so.
+bool take_periods(std::string_view& text, std::vector<std::uint32_t>& periods) {
+  if (!take(text, kPeriods)) return true;
+  do {
+    std::uint32_t number = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (read.ec != std::errc()) return false;
+    periods.push_back(number);
+    text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
+  } while (take(text, ","));
+  return take(text, "]");
+}
+
 }  // namespace
 
 std::string line_of(std::string_view beginning, std::span<const Eigen::Vector3f> numbers,
@@ -64,11 +79,12 @@ std::string line_of(std::string_view beginning, std::span<const Eigen::Vector3f>
   *to = '}';
   if (!periods.empty()) line.pop_back();
   for (std::size_t i = 0; i < periods.size(); ++i)
-    line += (i == 0 ? ",\"periods\":[" : ",") + std::to_string(periods[i]) + (i + 1 == periods.size() ? "]}" : "");
+    line.append(i == 0 ? kPeriods : ",").append(std::to_string(periods[i])).append(i + 1 == periods.size() ? "]}" : "");
   return line;
 }
 
-std::optional<std::vector<Eigen::Vector3f>> numbers_in(std::string_view line, std::string_view beginning) {
+std::optional<std::vector<Eigen::Vector3f>> numbers_in(std::string_view line, std::string_view beginning,
+                                                       std::vector<std::uint32_t>* periods) {
   std::vector<Eigen::Vector3f> all;
   all.reserve(line.size() / (kHexDigits + 3));
   if (!take(line, beginning) || !take(line, "[")) return std::nullopt;
@@ -81,8 +97,10 @@ std::optional<std::vector<Eigen::Vector3f>> numbers_in(std::string_view line, st
     if (!line.starts_with('"')) return std::nullopt;
     line.remove_prefix(1);
   } while (take(line, ","));
-  return take(line, "]") && take(line, "}") && line.find_first_not_of(' ') == line.npos ? std::optional(std::move(all))
-                                                                                        : std::nullopt;
+  return take(line, "]") && (periods == nullptr || take_periods(line, *periods)) && take(line, "}") &&
+                 line.find_first_not_of(' ') == line.npos
+             ? std::optional(std::move(all))
+             : std::nullopt;
 }
 
 std::optional<Eigen::Vector3f> numbers_of(std::string_view text) {

@@ -21,8 +21,10 @@ inline constexpr std::string_view kScene = R"({"forceshade":"conform 1","scene":
 std::string line_of(std::string_view beginning, std::span<const Eigen::Vector3f> numbers,
                     std::span<const std::uint32_t> periods = {});
 
-// The numbers in such a line, which may have spaces around each text; nothing for any other line.
-std::optional<std::vector<Eigen::Vector3f>> numbers_in(std::string_view line, std::string_view beginning);
+// The numbers in such a line, which may have spaces around each text; nothing for any other line. periods: where it is given,
+// the line may have those, too.
+std::optional<std::vector<Eigen::Vector3f>> numbers_in(std::string_view line, std::string_view beginning,
+                                                       std::vector<std::uint32_t>* periods = nullptr);
 
 // Three numbers of 24 hexadecimal digits; nothing for any other text.
 std::optional<Eigen::Vector3f> numbers_of(std::string_view text);

@@ -31,9 +31,6 @@ class ProcessRenderer final : public RendererUnderTest {
     return answers_in(dialogue_.say(line_of(is_reset ? kNewPath : kPositions, positions, periods)), positions.size());
   }
 
-  // The function of a shared object has no place for them.
-  bool is_told_of_periods() const override { return allocations_line_.empty(); }
-
   std::optional<Allocations> allocations() override {
     if (allocations_line_.empty()) return std::nullopt;
     const Json said = dialogue_.ask(allocations_line_);

@@ -7,6 +7,7 @@
 #include "files/csv.h"
 #include "properties/binary32.h"
 #include "properties/conformance/invariants/all.h"
+#include "properties/conformance/strokes.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 using properties::show;
 
 constexpr std::array kSpeeds{1.0F, 10.0F, 100.0F, 1000.0F};  // mm/s
-constexpr std::uint32_t kPause = 20;                         // periods, after which no speed is left
 constexpr float kLeastPull = 1e-4F, kLeastStep = 0.01F;      // N, that a hand could notice
 
 const damping::Parameters& parameters_of(const Trial& trial) {
@@ -63,12 +63,6 @@ Invariant looked_at(const Trial& trial, const std::string& name, const Look& loo
       ++invariant.cases;
       look(invariant, approach, speed);
     }
-  return invariant;
-}
-
-Invariant not_told(const std::string& name) {
-  Invariant invariant{name};
-  invariant.not_applicable = "it is not told of periods";
   return invariant;
 }
 
@@ -147,7 +141,6 @@ Invariant rest_is_without_damping(const Trial& trial) {
 
 Invariant pause_leaves_no_speed(const Trial& trial) {
   const std::string name = "after a pause no speed is left";
-  if (!trial.renderer.is_told_of_periods()) return not_told(name);
   return looked_at(trial, name, [&](Invariant& invariant, const Approach& approach, float speed) {
     Path path = way_to(trial, approach, approach.air, speed, 20), rested{approach.air, approach.contact};
     path.push_back(approach.contact);
@@ -166,7 +159,6 @@ Invariant missed_positions_are_even(const Trial& trial) {
   constexpr int kTicks = 24;
   constexpr std::uint32_t kEach = 3;  // of which one is read
   const std::string name = "missed positions count as evenly spaced";
-  if (!trial.renderer.is_told_of_periods()) return not_told(name);
   return looked_at(trial, name, [&](Invariant& invariant, const Approach& approach, float speed) {
     const Path all = way_to(trial, approach, approach.contact, speed, kTicks);
     Path some;

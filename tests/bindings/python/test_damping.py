@@ -3,11 +3,12 @@
 
 import copy
 import dataclasses
+import os
 import pickle
 
 import numpy as np
 import pytest
-from conftest import TETRAHEDRON, positions, rows_of, same_bits
+from conftest import ROOT, TETRAHEDRON, positions, rows_of, same_bits
 from test_misuse import read_only, refused
 
 import forceshade
@@ -166,6 +167,31 @@ def test_the_table_of_a_file_counts_at_a_rate(tmp_path, wall):
     assert forceshade.Scene([wall, its], damping=oil).damping is oil
     refused(ValueError, "rate is 0 Hz; expected 1 to 131072 Hz", its.damping_at, 0)
     refused(TypeError, "rate: expected a number, got '500'", its.damping_at, "500")
+
+
+def test_drawn_ticks_are_those_of_the_program_in_rationals(monkeypatch):
+    """2000 ticks, or FORCESHADE_DRAWS times as many."""
+    monkeypatch.syspath_prepend(ROOT / "tests" / "golden")
+    from make_damping_golden import Damping as Rational
+
+    changed = 0
+    for seed in range(20 * int(os.environ.get("FORCESHADE_DRAWS", 1))):
+        draw = np.random.default_rng(seed)
+        lists = ((1000, 200, 999.9, 4096), (1, 0.5, 0.3, 2**-10), (0.002, 2**-9, 0.1, 0), (2, 1, 1.7, np.inf), (0, 0.001, 2**-10),
+                 (0.25, 0.1))
+        rate, share, along, most, across, full = (float(F(draw.choice(numbers))) for numbers in lists)
+        if along == across == 0:
+            continue
+        (at, periods), springs = walk(100, seed), draw.normal(0, 2.0 ** draw.integers(-20, 6), (100, 3)).astype(F)
+        springs[draw.random((100, 3)) < 0.2] = 0
+        exact = Rational(rate, share, along, most, across, full)
+        ticks = [exact.tick(p, int(n), f) for p, n, f in zip(at.tolist(), periods, springs.tolist())]
+        expected = np.array([(0, 0, 0) if tick is None else tick for tick in ticks], F)
+        stage = Damping(rate=rate, share=share, damping=along, most=most, drag=across, full_at=full)
+        for found in (stage.steps(at, springs, periods=periods), stage.reference_steps(at, springs, periods=periods)):
+            assert np.array_equal(found, expected), seed
+        changed += int((expected != springs).any(axis=1).sum())
+    assert changed > 1000
 
 
 def test_off_is_the_spring():

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The same renderer through each door: files, a process, a shared object and a function of Python. What is found has to be the
-same. It is the wall of examples/renderers/, right, and wrong in one thing."""
+same. It is the wall of examples/renderers/, and one with damping: right, and wrong in one thing."""
 
 import csv
 import json
@@ -28,12 +28,15 @@ WRONG_IN = {
 }
 
 
-def changed(name, replacements):
-    text = (RENDERERS / name).read_text()
+def replaced(text, replacements):
     for old, new in replacements:
         assert old in text, old
         text = text.replace(old, new)
     return text
+
+
+def changed(name, replacements):
+    return replaced((RENDERERS / name).read_text(), replacements)
 
 
 def run(*words):
@@ -42,34 +45,173 @@ def run(*words):
     return json.loads(found.stdout)
 
 
-def through_files(force, folder):
+def through_files(force, folder, subject=ASKED, *judging):
+    """Rows have reset and periods where the subject has damping."""
     asked, mine = folder / "asked.csv", folder / "mine.csv"
-    subprocess.run([command(), "conform", "positions", *ASKED, "--out", asked], check=True)
+    subprocess.run([command(), "conform", "positions", *subject, "--out", asked], check=True)
     with open(asked, newline="") as file, open(mine, "w", newline="") as out:
         rows = csv.DictReader(file)
         writer = csv.writer(out)
         writer.writerow([*rows.fieldnames, "fx_N", "fy_N", "fz_N"])
         for row in rows:
             at = (float(np.float32(row[name])) for name in ("x_mm", "y_mm", "z_mm"))
-            writer.writerow([*row.values(), *(float(np.float32(number)).hex() for number in force(*at, 0.5))])
-    return {"exact": run("conform", "judge", *ASKED[:4], mine)}
+            more = (row["reset"], row["periods"]) if "periods" in row else (0.5,)
+            writer.writerow([*row.values(), *(float(np.float32(number)).hex() for number in force(*at, *more))])
+    return {"exact": run("conform", "judge", *subject[:4], *subject[8:], *judging, mine)}
 
 
-def through_a_process(program):
-    return run("conform", *ASKED, "--command", f"{sys.executable} {program}")
+def through_a_process(program, *more):
+    return run("conform", *ASKED, *more, "--command", f"{sys.executable} {program}")
 
 
-def through_a_shared_object(source, folder):
+def through_a_shared_object(source, folder, *more):
     built = folder / "wall.so"
     flags = ["-std=c11", "-O2", "-ffp-contract=off", "-shared", "-fPIC", f"-I{ROOT / 'include'}"]
     subprocess.run(["cc", *flags, "-o", built, source], check=True)
-    return run("conform", *ASKED, "--command", built)
+    return run("conform", *ASKED, *more, "--command", built)
 
 
 def through_python(force):
     wall = lambda x, y, z: force(x, y, z, 0.5)
     law = forceshade.Law("wall", stiffness=0.5)
     return forceshade.conform(wall, law, declares=DECLARES, vectorised=False, points=5000, seed=7).contents
+
+
+# A wall with damping along z, in binary64, in both languages: what it leaves out is found, and through every door the same.
+DAMPING = {"damping": 0.002, "share": 0.25}
+DAMPED = [*ASKED, "--damping", "0.002", "--damping-filter", "0.25", "--rate", "1000"]
+DAMPED_IN_C = r"""
+#include <forceshade.h>
+#include <math.h>
+static struct { int has_last; double last; float speed; uint32_t since; } of = {0, 0, 0, 0};
+static int32_t open_it(const char* scene, void** state, const char** hello) {
+  (void)scene, (void)state;
+  *hello = HELLO;
+  return 0;
+}
+static float damped(const float* at, uint32_t periods) {
+  const double z = fabsf(at[2]) < 0x1p-30f ? 0 : at[2], spring = z < 0 ? -0.5 * z : 0;
+  if (of.has_last) of.since = (uint32_t)fmin((double)of.since + periods, 17);
+  if (!(fabsf(at[0]) <= 1e4f && fabsf(at[1]) <= 1e4f && fabsf(at[2]) <= 1e4f)) return 0;
+  if (periods > 0) {
+    if (!of.has_last || of.since > 16) of.speed = 0;
+    else for (uint32_t i = 0; i < of.since; ++i) {
+      of.speed = (float)(of.speed + 0.25 * (1000 * (z - of.last) / of.since - of.speed));
+      if (fabsf(of.speed) < 0x1p-20f) of.speed = 0;
+    }
+    of.has_last = 1, of.last = z, of.since = 0;
+  }
+  return (float)fmin(2 * spring, fmax(0, spring - (double)0.002f * of.speed));
+}
+static int32_t answer(void* state, const float* positions, const uint32_t* periods, float* answers, size_t count, int32_t is_reset) {
+  (void)state;
+  if (is_reset) of.has_last = 0, of.since = 0, of.speed = 0;
+  for (size_t i = 0; i < count; ++i, answers += 3) {
+    answers[0] = answers[1] = 0;
+    answers[2] = damped(positions + 3 * i, periods[i]);
+  }
+  return 0;
+}
+static void close_it(void* state) { (void)state; }
+FORCESHADE_API const forceshade_renderer* forceshade_renderer_entry(void) {
+  static const forceshade_renderer table = {sizeof table, open_it, NULL, close_it, answer};
+  return &table;
+}
+"""
+DAMPED_IN_PYTHON = """
+import json, numpy as np
+
+class Damper:
+    def __init__(self):
+        self.last, self.speed, self.since = None, 0.0, 0
+
+    def damped(self, at, periods):
+        z = 0 if abs(at[2]) < 2.0**-30 else float(at[2])
+        spring = -0.5 * z if z < 0 else 0
+        if self.last is not None:
+            self.since = min(self.since + int(periods), 17)
+        if not all(abs(one) <= 1e4 for one in at):
+            return 0
+        if periods > 0:
+            if self.last is None or self.since > 16:
+                self.speed = 0.0
+            else:
+                for _ in range(self.since):
+                    self.speed = float(np.float32(self.speed + 0.25 * (1000 * (z - self.last) / self.since - self.speed)))
+                    if abs(self.speed) < 2.0**-20:
+                        self.speed = 0.0
+            self.last, self.since = z, 0
+        return min(2 * spring, max(0, spring - float(np.float32(0.002)) * self.speed))
+
+    def answers(self, positions, reset, periods):
+        if reset:
+            self.__init__()
+        forces = [(0, 0, self.damped(*one)) for one in zip(positions, periods)]
+        return np.array(forces, np.float32).reshape(-1, 3)
+
+class Dampers:
+    def open(self, scene):
+        return Damper()
+
+def main():
+    import struct, sys
+    damper = Damper()
+    for line in sys.stdin:
+        asked = json.loads(line)
+        if "goodbye" in asked:
+            return
+        if "scene" in asked:
+            print(HELLO, flush=True)
+            continue
+        positions = np.array([struct.unpack(">3f", bytes.fromhex(at)) for at in asked["positions"]], np.float32)
+        forces = damper.answers(positions, asked.get("reset", False), asked.get("periods", [1] * len(positions)))
+        print(json.dumps({"answers": [one.astype(">f4").tobytes().hex() for one in forces]}), flush=True)
+"""
+DAMPED_WRONG_IN = {
+    "nothing": ([], []),
+    "the periods": ([("(z - self.last) / self.since", "(z - self.last)")], [("(z - of.last) / of.since", "(z - of.last)")]),
+    "the rate": ([("1000 *", "500 *")], [("1000 *", "500 *")]),
+    "letting go": ([("max(0, spring - float(np.float32(0.002)) * self.speed)", "(spring - float(np.float32(0.002)) * self.speed)")],
+                   [("fmax(0, spring - (double)0.002f * of.speed)", "spring - (double)0.002f * of.speed")]),
+}
+
+
+@pytest.mark.parametrize("wrong_in", DAMPED_WRONG_IN)
+def test_every_door_tells_the_periods(wrong_in, tmp_path):
+    if shutil.which("cc") is None:
+        pytest.skip("no C compiler is there")
+    in_python, in_c = DAMPED_WRONG_IN[wrong_in]
+    declares = {**DECLARES, "memory": "path", "rate_Hz": 1000, "damping": DAMPING}
+    hello = json.dumps({"forceshade": "conform 1", "kind": "renderer", "name": "damped", "version": "1", **declares})
+    text, its = replaced(DAMPED_IN_PYTHON, in_python), {}
+    exec(text, its)
+    program, source = tmp_path / "damped.py", tmp_path / "damped.c"
+    program.write_text(f"HELLO = {hello!r}\n{text}\nmain()\n")
+    source.write_text(f"#define HELLO {json.dumps(hello)}\n" + replaced(DAMPED_IN_C, in_c))
+
+    damper = its["Damper"]()
+
+    def in_file(x, y, z, reset, periods):
+        if reset == "1":
+            damper.__init__()
+        return (0, 0, damper.damped((x, y, z), int(periods)))
+
+    process = through_a_process(program, "--tolerance", "1 ulp")
+    law = forceshade.Law("wall", stiffness=0.5)
+    options = {"declares": declares, "points": 5000, "seed": 7, "tolerance": "1 ulp", "name": "damped", "version": "1"}
+    others = [through_a_shared_object(source, tmp_path, "--tolerance", "1 ulp"),
+              forceshade.conform(its["Dampers"](), law, **options).contents]
+    files = through_files(in_file, tmp_path, DAMPED, "--tolerance", "1 ulp")
+    assert process["held"] == files["exact"]["held"] == (wrong_in == "nothing"), process
+    assert files["exact"].pop("damping")["share"] == 0.25
+    for found in [files, *others]:
+        assert without_places(found["exact"]) == without_places(process["exact"])
+    for found in others:
+        for same in ("held", "applicable", "shortest_path_mm", "shortest_path_periods", "counterexample", "invariants"):
+            assert found.get(same) == process.get(same), same
+    failed = {one["name"] for one in process["invariants"] if not one.get("held", True)}
+    assert ("missed positions count as evenly spaced" in failed) == (wrong_in == "the periods"), failed
+    assert ("the damper lets go: a hand that leaves is not pulled back" in failed) == (wrong_in == "letting go"), failed
 
 
 def without_places(found):
