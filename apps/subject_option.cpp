@@ -86,8 +86,11 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, bool damps)
       "of a mesh or scene: faces without a common vertex may cross; each way is tested against the whole mesh");
   add("crease", "ANGLE (0 to 180)", "of a mesh or scene: an edge that turns by more is not shaded over");
   if (damps) {
-    add(std::string(subjects::kDamping), "DAMPING", "B, damping along the force, in N s/mm (docs/damping.md); default: none");
-    add(std::string(subjects::kDrag), "DAMPING", "drag across the force, in N s/mm; default: none");
+    add(std::string(subjects::kDamping), "DAMPING[,MOST]",
+        "B, damping along the force, in N s/mm, and behind a comma the most by which it lengthens the force, 1 to 1024 or inf "
+        "(docs/damping.md); default: none, 2");
+    add(std::string(subjects::kDrag), "DAMPING[,FORCE]",
+        "drag across the force, in N s/mm, and behind a comma the force in N from which on it is full; default: none, 0.25");
     add(std::string(subjects::kDampingFilter), "SHARE|TIME",
         "the filter of the damper's velocity: the share of the newest one, 2^-10 to 1, or a time constant such as 2ms; "
         "default: 1, no filter");
