@@ -63,11 +63,6 @@ DampedPath drawn_path(std::uint64_t seed) {
   return path;
 }
 
-mpq_class sampling_factor(const mpq_class& share) {
-  if (share >= mpq_class(1, 2)) return share / (2 - share);
-  return 1 / (4 * (1 - share) * (2 - share));
-}
-
 }  // namespace
 
 const Generator<DampedPath>& damped_paths() {
@@ -109,7 +104,8 @@ Violation dissipates_at_its_own_velocity(const DampedPath& path, const OpenDampe
 Sampled sampled(const DampedPath& path, const OpenDamper& open) {
   const damping::Parameters& p = path.parameters;
   const Damper damper = open(p);
-  const mpq_class factor = sampling_factor(rational(p.share)) * rational(p.larger()) * rational(p.rate);
+  const double gamma = damping::sampling_factor(static_cast<double>(p.share));
+  const mpq_class factor = mpq_class(gamma) * rational(p.larger()) * rational(p.rate);
   Sampled sum;
   for (std::size_t k = 0; k + 1 < path.steps.size(); ++k) {
     const DampedStep& step = path.steps[k];
@@ -119,7 +115,8 @@ Sampled sampled(const DampedPath& path, const OpenDamper& open) {
     sum.bound += factor * product(way, way);
     sum.rounding += rounding(F, way);
   }
-  // The filter's rounding makes γ larger by a share that is computed, not proved: docs/damping.md.
+  // The filter's rounding makes γ larger by a share that is computed, not proved (docs/damping.md), and γ has its own in
+  // binary64.
   sum.rounding += sum.bound * mpq_class(0x1p-20) / rational(p.share);
   return sum;
 }

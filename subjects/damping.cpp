@@ -79,7 +79,8 @@ damping::Described read_damping(const Options& options) {
   for (const auto& [first, second] : kPairs) {
     if (!options.has(first)) continue;
     const std::vector<std::string> parts = files::at_commas(options.value(first));
-    if (parts.size() > 2) throw Error(options.name(first) + ": expected one number or two, got \"" + options.value(first) + '"');
+    if (parts.size() > 2)
+      throw Error(options.name(first) + ": expected one number or two, got \"" + options.value(first) + '"');
     read(first, parts[0]);
     if (parts.size() == 2) read(second, parts[1]);
   }
