@@ -35,8 +35,9 @@ std::optional<ParameterError> refused(const damping::Parameters& p) {
   if (!is_within(p.share, 1.0F / 1024, 1)) return ParameterError{"share", "", p.share, 1.0F / 1024, 1};
   constexpr float kLeast = 1.0F / 1048576;
   for (const auto& [name, value] : {std::pair{"damping", p.damping}, std::pair{"drag", p.drag}})
-    if (value != 0 && !is_within(value, kLeast, 16)) return ParameterError{name, "N·s/mm", value, kLeast, 16};
-  if (!is_within(p.most, 1, 1024) && !(std::isinf(p.most) && p.most > 0)) return ParameterError{"most", "", p.most, 1, 1024};
+    if (value != 0 && !is_within(value, kLeast, 16)) return ParameterError{name, "N·s/mm", value, kLeast, 16, nullptr, "0"};
+  if (!is_within(p.most, 1, 1024) && !(std::isinf(p.most) && p.most > 0))
+    return ParameterError{"most", "", p.most, 1, 1024, nullptr, "inf"};
   if (!is_within(p.full_at, 1.0F / 1024, 1024)) return ParameterError{"full_at", "N", p.full_at, 1.0F / 1024, 1024};
   return std::nullopt;
 }

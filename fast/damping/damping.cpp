@@ -22,9 +22,10 @@ std::optional<ParameterError> first_error(const damping::Parameters& p) noexcept
   const auto outside = [](float value, float low, float high) { return !(value >= low && value <= high); };
   if (outside(p.rate, 1, 0x1p17F)) return ParameterError{"rate", "Hz", p.rate, 1, 0x1p17F};
   if (outside(p.share, 0x1p-10F, 1)) return ParameterError{"share", "", p.share, 0x1p-10F, 1};
-  if (p.damping != 0 && outside(p.damping, 0x1p-20F, 16)) return ParameterError{"damping", "N·s/mm", p.damping, 0x1p-20F, 16};
-  if (p.most != HUGE_VALF && outside(p.most, 1, 1024)) return ParameterError{"most", "", p.most, 1, 1024};
-  if (p.drag != 0 && outside(p.drag, 0x1p-20F, 16)) return ParameterError{"drag", "N·s/mm", p.drag, 0x1p-20F, 16};
+  if (p.damping != 0 && outside(p.damping, 0x1p-20F, 16))
+    return ParameterError{"damping", "N·s/mm", p.damping, 0x1p-20F, 16, nullptr, "0"};
+  if (p.most != HUGE_VALF && outside(p.most, 1, 1024)) return ParameterError{"most", "", p.most, 1, 1024, nullptr, "inf"};
+  if (p.drag != 0 && outside(p.drag, 0x1p-20F, 16)) return ParameterError{"drag", "N·s/mm", p.drag, 0x1p-20F, 16, nullptr, "0"};
   if (outside(p.full_at, 0x1p-10F, 1024)) return ParameterError{"full_at", "N", p.full_at, 0x1p-10F, 1024};
   return std::nullopt;
 }

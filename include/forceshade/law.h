@@ -87,6 +87,7 @@ struct ParameterError {
   float low;
   float high;
   const char* arithmetic_fault = nullptr;  // of fast::arithmetic_fault(); null where a parameter is at fault
+  const char* besides = nullptr;           // a value that is allowed outside the range, "0" or "inf"; null where there is none
 
   // A text for users: the parameter, its value and the range, or the fault. Allocates; not for the real-time path.
   std::string message() const {
@@ -102,8 +103,8 @@ struct ParameterError {
       return std::string(text, end);
     };
     const std::string in_unit = *unit == '\0' ? "" : std::string(" ") + unit;
-    return std::string(parameter) + " is " + shortest(value) + in_unit + "; expected " + shortest(low) + " to " +
-           shortest(high) + in_unit;
+    return std::string(parameter) + " is " + shortest(value) + in_unit + "; expected " +
+           (besides == nullptr ? "" : std::string(besides) + ", or ") + shortest(low) + " to " + shortest(high) + in_unit;
   }
 };
 

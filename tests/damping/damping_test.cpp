@@ -224,14 +224,53 @@ TEST(damping, only_short_numbers_decide_a_velocity_without_a_bound) {
   EXPECT_EQ(velocity(1, 1e4F, -1e4F, 131072, 1), 20000 * 131072.0F);
 }
 
-// The refused parameter of both sides, "" where there is none.
-std::string refused(const Parameters& p) {
-  const auto name = [](const auto& built) {
-    const auto* const error = std::get_if<ParameterError>(&built);
-    return error == nullptr ? std::string() : std::string(error->parameter) + error->unit;
+TEST(damping, a_tie_of_short_numbers_takes_no_integers) {
+  tests::DampingOfBothSides both({.rate = 1000, .share = 0.5F, .damping = 1});
+  both.resume({true, {0, 0, 1}, {0, 0, 1 + 0x1p-23F}, 0});
+  EXPECT_NE(both.tick({0, 0, 1 + 0x1p-9F}, 1, {0, 0, 1}).stage, fast::Stage::wide);
+  EXPECT_EQ(both.fast.state().velocity[2], (1 + 1000 * 0x1p-9F) / 2);
+}
+
+// In each row s is less than S, or λ less than 1, by so little that binary64 takes it for the limit; the force with the limit
+// is another.
+TEST(damping, limits_that_are_nearly_reached_are_decided_by_integers) {
+  struct Row {
+    Parameters parameters;
+    std::array<float, 3> velocity;
+    Eigen::Vector3f force, damped;
   };
-  const std::string found = name(fast::Damping::build(p));
-  EXPECT_EQ(found, name(reference::Damping::build(p)));
+  const Parameters most{.rate = 1000, .damping = 1, .most = 1023};
+  const auto drag = [](float damping, float drag, float full_at) {
+    return Parameters{.rate = 1000, .damping = damping, .most = 1024, .drag = drag, .full_at = full_at};
+  };
+  const std::array rows{
+      Row{most, {0, 0, -0x1.071036p+9F}, {0x1.8b5ep-32F, 0, 0x1.0794p-1F}, {0x1.8afb28p-22F, 0, 0x1.07521ap+9F}},
+      Row{most, {0, 0, -0x1.0dbcdep+9F}, {0x1.9566p-32F, 0, 0x1.0e44p-1F}, {0x1.9500a6p-22F, 0, 0x1.0e006ep+9F}},
+      Row{drag(0x1.29f19ap+2F, 0x1.0faf02p+3F, 0x1.384bcep+1F),
+          {0x1.a8b382p+30F, -0x1.fb172cp+5F, -0x1.2c7324p+30F},
+          {0x1.494f7p-1F, 0x1.09160ap-1F, 0x1.d17f3ep-1F},
+          {-0x1.c2b85ap+33F, 0x1.0cb584p+9F, 0x1.3edb46p+33F}},
+      Row{drag(0x1.3b96cp+3F, 0x1.6e2792p+3F, 0x1.44e1c2p+1F),
+          {0x1.92e704p+30F, -0x1.248178p+7F, -0x1.1fc054p+31F},
+          {0x1.f8541ep-1F, 0x1.306b98p-1F, 0x1.611308p-1F},
+          {-0x1.202246p+34F, 0x1.a274ap+10F, 0x1.9b9172p+34F}}};
+  for (const Row& row : rows) {
+    tests::DampingOfBothSides both(row.parameters);
+    both.resume({true, {0, 0, 0}, row.velocity, 0});
+    const fast::Evaluation found = both.tick({0, 0, 0}, 0, row.force);
+    EXPECT_EQ(found.force, row.damped) << tests::shown(row.force);
+    EXPECT_EQ(found.stage, fast::Stage::wide);
+  }
+}
+
+// The words of both sides for a refused parameter, "" where none is.
+std::string refused(const Parameters& p) {
+  const auto words = [](const auto& built) {
+    const auto* const error = std::get_if<ParameterError>(&built);
+    return error == nullptr ? std::string() : error->message();
+  };
+  const std::string found = words(fast::Damping::build(p));
+  EXPECT_EQ(found, words(reference::Damping::build(p)));
   return found;
 }
 
@@ -239,28 +278,34 @@ TEST(damping, parameters_have_their_ranges) {
   const auto above = [](float a) { return std::nextafter(a, kInfinity); };
   const auto below = [](float a) { return std::nextafter(a, -kInfinity); };
   struct Range {
-    const char* name;
+    std::string name;
     float Parameters::*one;
     float low, high;
-    bool has_zero, has_infinity;
+    std::string expected;
+    float besides = kNaN;  // a value outside that is allowed
   };
-  for (const Range& range : {Range{"rateHz", &Parameters::rate, 1, 131072, false, false},
-                             Range{"share", &Parameters::share, 0x1p-10F, 1, false, false},
-                             Range{"dampingN·s/mm", &Parameters::damping, 0x1p-20F, 16, true, false},
-                             Range{"most", &Parameters::most, 1, 1024, false, true},
-                             Range{"dragN·s/mm", &Parameters::drag, 0x1p-20F, 16, true, false},
-                             Range{"full_atN", &Parameters::full_at, 0x1p-10F, 1024, false, false}}) {
+  const std::string damping = "expected 0, or 9.536743e-07 to 16 N·s/mm";
+  for (const Range& range : {Range{"rate", &Parameters::rate, 1, 131072, "expected 1 to 131072 Hz"},
+                             Range{"share", &Parameters::share, 0x1p-10F, 1, "expected 0.0009765625 to 1"},
+                             Range{"damping", &Parameters::damping, 0x1p-20F, 16, damping, 0},
+                             Range{"most", &Parameters::most, 1, 1024, "expected inf, or 1 to 1024", kInfinity},
+                             Range{"drag", &Parameters::drag, 0x1p-20F, 16, damping, 0},
+                             Range{"full_at", &Parameters::full_at, 0x1p-10F, 1024, "expected 0.0009765625 to 1024 N"}}) {
     const auto with = [&](float value) {
       Parameters p = kOil;
       p.*range.one = value;
       return refused(p);
     };
     for (const float value : {range.low, range.high}) EXPECT_EQ(with(value), "");
-    for (const float value : {below(range.low), above(range.high), -1.0F, kNaN, -kInfinity}) EXPECT_EQ(with(value), range.name);
-    EXPECT_EQ(with(0), range.has_zero ? "" : range.name);
-    EXPECT_EQ(with(kInfinity), range.has_infinity ? "" : range.name);
+    for (const float value : {below(range.low), above(range.high), -1.0F, kNaN, -kInfinity, 0.0F, kInfinity}) {
+      const std::string words = with(value);
+      if (value == range.besides)
+        EXPECT_EQ(words, "");
+      else
+        EXPECT_TRUE(words.starts_with(range.name + " is ") && words.ends_with("; " + range.expected)) << words;
+    }
   }
-  EXPECT_EQ(refused({}), "rateHz") << "there is no default";
+  EXPECT_EQ(refused({}), "rate is 0 Hz; expected 1 to 131072 Hz") << "there is no default";
 }
 
 TEST(damping, off_is_the_spring_in_every_bit) {
@@ -298,9 +343,10 @@ TEST(damping, a_state_that_no_tick_gives_counts_as_the_first) {
   EXPECT_EQ(both.fast.state(), good);
   EXPECT_EQ(both.reference.state(), good);
   for (const State& bad :
-       {State{true, {kNaN, 0, 0}, {}, 0}, State{true, {10001, 0, 0}, {}, 0}, State{true, {0, 0x1p-31F, 0}, {}, 0},
-        State{true, {}, {0x1p-21F, 0, 0}, 0}, State{true, {}, {0, 0x1.2p32F, 0}, 0}, State{true, {}, {0, 0, kNaN}, 0},
-        State{true, {}, {}, 18}, State{false, {1, 0, 0}, {}, 0}, State{false, {}, {1, 0, 0}, 0}, State{false, {}, {}, 1}}) {
+       {State{true, {kNaN, 0, 0}, {}, 0}, State{true, {0x1.388002p13F, 0, 0}, {}, 0},
+        State{true, {0, 0x1.fffffep-31F, 0}, {}, 0}, State{true, {}, {0x1.fffffep-21F, 0, 0}, 0},
+        State{true, {}, {0, 0x1.000002p32F, 0}, 0}, State{true, {}, {0, 0, kNaN}, 0}, State{true, {}, {}, 18},
+        State{false, {1, 0, 0}, {}, 0}, State{false, {}, {1, 0, 0}, 0}, State{false, {}, {}, 1}}) {
     both.resume(good);
     both.resume(bad);
     EXPECT_EQ(both.fast.state(), State());

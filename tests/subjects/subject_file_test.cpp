@@ -96,9 +96,9 @@ TEST(subject_file, has_damping_in_a_table) {
   expect("dampin = 1\n", "3: unknown key dampin; expected keys of [damping]; the nearest is damping");
   expect("drag = 1\nmost = 3\n", "4: most: expected damping beside it, got it alone");
   expect("drag = 1\nfull_at = 0\n", "4: full_at is 0 N; expected");
-  expect("damping = 17\n", "3: damping is 17 N·s/mm; expected ");
-  expect("drag = -1\n", "3: drag is -1 N·s/mm; expected ");
-  expect("damping = 1\nmost = 0.5\n", "4: most is 0.5; expected 1 to 1024");
+  expect("damping = 17\n", "3: damping is 17 N·s/mm; expected 0, or 9.536743e-07 to 16 N·s/mm");
+  expect("drag = -1\n", "3: drag is -1 N·s/mm; expected 0, or 9.536743e-07 to 16 N·s/mm");
+  expect("damping = 1\nmost = 0.5\n", "4: most is 0.5; expected inf, or 1 to 1024");
   expect("damping = 1\nshare = \"2ms\"\n", "4: share: expected a number such as 0.5, got \"2ms\"");
   expect("damping = 1\ntime = 2\n", "4: time: expected a time such as 2ms or 0.002s, got \"2\"");
   expect("damping = 1\ntime = \"0ms\"\n", "4: time: expected a time above 0, got \"0ms\"");
