@@ -95,4 +95,4 @@ def open_scene(scene):
 
 if __name__ == "__main__":
     render({"name": "a god-object with epsilons", "memory": "path", "claims": "invariants", "sides": ["front", "both"],
-            "shading": ["none"], "proxy_radius_mm": 0, "loop_energy_mJ": 0}, open_scene)
+            "shading": ["none"], "meshes": "any", "proxy_radius_mm": 0, "loop_energy_mJ": 0}, open_scene)

@@ -242,6 +242,7 @@ class Run {
     Trial trial{description_, *subject_,     [this](const Description& other) { return opened_on(other); },
                 *renderer_,   options_.seed, monitor_};
     trial.approaches = approaches_to(trial);
+    trial.tolerance = options_.tolerance;
     const auto look_at = [&](const auto& invariants) {
       for (const auto& invariant : invariants) {
         monitor_.at(0.95);

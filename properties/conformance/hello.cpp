@@ -96,7 +96,7 @@ std::optional<std::string> refusal_of_materials(const KeyReader& its, const Json
 }
 
 // The refusal of a scene with a mesh that has something beyond what the renderer declares.
-std::optional<std::string> refusal_of_mesh(const KeyReader& its, const Json& scene) {
+std::optional<std::string> refusal_of_mesh(const KeyReader& its, const Json& said, const Json& scene) {
   const Json& parameters = scene.at("parameters");
   for (const auto& [key, names] :
        {std::pair("sides", std::vector<std::string>(mesh::kSidesNames.begin(), mesh::kSidesNames.end())),
@@ -105,6 +105,9 @@ std::optional<std::string> refusal_of_mesh(const KeyReader& its, const Json& sce
     const Json& value = list_in(its, key, expected);
     if (std::ranges::find(value, parameters.at(key)) == value.end()) return undeclared(key, value, parameters.at(key));
   }
+  // The key may be absent, as it was before any set of triangles was rendered.
+  const bool is_any = said.contains("meshes") && its.word("meshes", {"regular", "any"}) == 1;
+  if (parameters.contains("triangles") && !is_any) return undeclared("meshes", "regular", "any");
   return std::nullopt;
 }
 
@@ -148,14 +151,15 @@ Hello hello_of(const Json& said, const Json& scene) {
     keys.emplace_back("damping");
   }
   if (scene.at("kind") == "mesh") {
-    hello.refusal = refusal_of_mesh(its, scene);
+    hello.refusal = refusal_of_mesh(its, said, scene);
     if (!hello.refusal) hello.refusal = refusal_of_materials(its, said, scene);
     const double radius = its.number("proxy_radius_mm", 0, 10'000, "the radius of its god-object or proxy, 0 of a point");
     if (radius > 0 && hello.claims_definition)
       its.refuse("claims", said.at("claims"),
                  R"("invariants" where proxy_radius_mm is not 0, since the definition's god-object is a point)");
     keys.insert(keys.end(), {"sides", "shading", "proxy_radius_mm"});
-    if (said.contains("materials")) keys.emplace_back("materials");
+    for (const char* const key : {"materials", "meshes"})
+      if (said.contains(key)) keys.emplace_back(key);
   }
   for (const std::string& key : keys) hello.declared[key] = said.at(key);
   return hello;

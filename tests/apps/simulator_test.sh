@@ -7,7 +7,7 @@ conform() { "$forceshade" conform simulator --answer-timeout 120 "$@"; }
 
 expect 0 "an exact simulator 1, a simulator: it has none" -- \
   conform --command "python3 -S $exact" --json held.json --junit found.xml --out page.html
-same "0 true 23" "$(grep -c '"held": false' held.json) $(sed -n 's/^  "held": \(.*\),/\1/p' held.json) $(grep -c '<testcase' found.xml)"
+same "0 true 26" "$(grep -c '"held": false' held.json) $(sed -n 's/^  "held": \(.*\),/\1/p' held.json) $(grep -c '<testcase' found.xml)"
 same "1 1 1" "$(grep -c '<svg role="img"' page.html) $(grep -c '>Held</p>' page.html) $(grep -c '</html>' page.html)"
 
 # Wrong in one thing, and what it declares is another thing too. tests/conformance/planted_simulator_defects_test.cpp has the others.

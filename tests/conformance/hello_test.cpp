@@ -63,6 +63,22 @@ TEST(hello, is_not_applicable_to_a_scene_with_materials_that_it_does_not_declare
   EXPECT_EQ(hello_on(stiff, {"friction", "stiffness"}).refusal, std::nullopt);
 }
 
+TEST(hello, is_not_applicable_to_any_set_of_triangles_unless_it_declares_them) {
+  const auto twice = mesh::check_any({{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {{0, 1, 2}, {0, 1, 2}}});
+  const Json scene = scene_of({"its.off", MeshRendering{.checked = std::get<mesh::CheckedMesh>(twice), .stiffness = 0.5F}});
+  Json said = plain_hello();
+  said["shading"] = mesh::kShadingNames;
+  EXPECT_EQ(hello_of(said, scene).refusal, R"(it declares meshes "regular" and not "any")");
+  said["meshes"] = "regular";
+  EXPECT_EQ(hello_of(said, scene).refusal, R"(it declares meshes "regular" and not "any")");
+  said["meshes"] = "any";
+  EXPECT_EQ(hello_of(said, scene).refusal, std::nullopt);
+  EXPECT_EQ(hello_of(said, scene).declared.at("meshes"), "any");
+  EXPECT_EQ(hello_of(said, scene_with({}, mesh::Contact::direct)).refusal, std::nullopt);
+  said["meshes"] = "every";
+  EXPECT_THROW(hello_of(said, scene), files::ProcessFailed);
+}
+
 TEST(hello, says_in_a_list_what_it_renders_of_materials) {
   const Json plain = scene_with({}, mesh::Contact::direct);
   for (const Json& wrong : {Json(true), Json("friction"), Json::array({1})})

@@ -39,7 +39,11 @@ inline MeshRendering mesh_in(const Json& scene, MeshRendering rendering) {
   if (its.contains("corner_normals"))
     for (const Json& corners : its.at("corner_normals"))
       rendering.normals.push_back({numbers_of(corners[0]), numbers_of(corners[1]), numbers_of(corners[2])});
-  rendering.checked = std::get<mesh::CheckedMesh>(mesh::check(std::move(mesh), rendering.checked.self_intersections()));
+  rendering.checked = std::get<mesh::CheckedMesh>(mesh::check_any(std::move(mesh)));
+  rendering.sides = scene.at("parameters").at("sides") == "both" ? mesh::Sides::both : mesh::Sides::front;
+  if (scene.at("parameters").at("shading") == "none") rendering.shading = mesh::Shading::none;
+  if (!scene.at("parameters").contains("contact")) rendering.contact = mesh::kUsualContact;
+  if (!its.contains("materials")) rendering.materials = {};
   return rendering;
 }
 
@@ -61,6 +65,7 @@ class OwnRenderer final : public RendererUnderTest {
                {"loop_energy_mJ", nullptr},
                {"sides", mesh::kSidesNames},
                {"shading", mesh::kShadingNames},
+               {"meshes", "any"},
                {"proxy_radius_mm", 0}};
     if (spoiler) spoil_ = spoiler(its, hello);
     subject_ = properties::subject_of(its);

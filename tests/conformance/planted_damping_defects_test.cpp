@@ -156,7 +156,7 @@ TEST(damping_under_conform, holds_of_the_own_renderer) {
     EXPECT_EQ(failures(its), Names{});
     EXPECT_EQ(its.judgement.all.wrong, 0U);
     EXPECT_GT(its.judgement.all.cases, 1900U);
-    EXPECT_EQ(its.invariants.size(), 21U);
+    EXPECT_EQ(its.invariants.size(), 25U);
   }
 }
 

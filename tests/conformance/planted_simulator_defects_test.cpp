@@ -33,7 +33,9 @@ const std::string kFinite = "every answer is a finite number",
                   kTurn = "a quarter turn of the scene turns the motion",
                   kMirror = "a mirrored scene gives the mirrored motion",
                   kNumbers = "other numbers of triangles and vertices change nothing",
-                  kTwice = "the same run twice gives the same bits", kFresh = "a reset equals a fresh start",
+                  kMeet = "nothing passes where faces meet", kOne = "faces that coincide feel like one",
+                  kWhole = "a split face feels like the whole", kTwice = "the same run twice gives the same bits",
+                  kFresh = "a reset equals a fresh start",
                   kNoNumber = "after a force that is no number and a reset, all is as before",
                   kHuge = "1e30 N move the sphere by as much, or are refused",
                   kVertex = "a vertex that is no number, 0.9 m away, leaves the floor where it is",
@@ -154,7 +156,7 @@ TEST(planted_simulator_defect, a_sphere_at_rest_creeps) {
 // On the other side of a plate, it is pushed on.
 TEST(planted_simulator_defect, a_fast_sphere_goes_through) {
   EXPECT_EQ(failures({.misses = [](const World& world, double depth) { return depth >= 0.06 * world.scene.radius; }}),
-            (Names{kSunk, kPull}));
+            (Names{kSunk, kPull, kMeet}));
 }
 
 TEST(planted_simulator_defect, an_impact_gives_energy) {
@@ -249,12 +251,39 @@ TEST(planted_simulator_defect, the_first_contact_has_a_force_that_is_no_number) 
             (Names{kFinite, kTouching, kReport}));
 }
 
+TEST(planted_simulator_defect, a_sphere_falls_through_the_spine_of_a_book) {
+  EXPECT_EQ(failures({.misses =
+                          [](const World& world, double) {
+                            return world.scene.name.starts_with("a book") && std::abs(world.now.position.x()) < 0.05;
+                          }}),
+            Names{kMeet});
+}
+
+TEST(planted_simulator_defect, faces_that_coincide_push_twice) {
+  EXPECT_EQ(failures({.stepped =
+                          [](World& world, const Step& step) {
+                            if (world.scene.name.ends_with("each triangle twice"))
+                              world.now.velocity += world.scene.rate * step.way;
+                          }}),
+            Names{kOne});
+}
+
+TEST(planted_simulator_defect, a_sphere_stumbles_where_a_face_is_split) {
+  EXPECT_EQ(failures({.stepped =
+                          [](World& world, const Step& step) {
+                            const bool is_split = world.scene.name.ends_with("in two");
+                            if (is_split && touches(world) && world.now.position.x() > 0 && step.before.position.x() <= 0)
+                              world.now.velocity *= 0.95;
+                          }}),
+            Names{kWhole});
+}
+
 TEST(simulators, one_that_refuses_every_scene_has_held_nothing) {
   const SimulatorConformance its =
       conform_simulator(own_simulator({.opened = [](World& world) { world.refusal = "no licence"; }}));
   EXPECT_FALSE(its.failure);
   EXPECT_FALSE(its.held());
-  EXPECT_EQ(its.invariants.size(), 23U);
+  EXPECT_EQ(its.invariants.size(), 26U);
   for (const Invariant& invariant : its.invariants) EXPECT_EQ(invariant.not_applicable, "no licence") << invariant.name;
 }
 

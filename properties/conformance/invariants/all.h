@@ -32,6 +32,12 @@ Invariant renumbered_scene(const Trial& trial);
 Invariant turned_scene(const Trial& trial);
 Invariant mirrored_scene(const Trial& trial);
 
+// touching_faces.cpp
+Invariant nothing_passes_where_faces_meet(const Trial& trial);
+Invariant coinciding_faces_feel_like_one(const Trial& trial);
+Invariant split_face_feels_like_the_whole(const Trial& trial);
+Invariant meeting_faces_are_as_defined(const Trial& trial);
+
 // damping.cpp: of renderers that declare damping.
 Invariant leaving_does_not_pull(const Trial& trial);
 Invariant landing_has_no_step(const Trial& trial);
@@ -54,7 +60,11 @@ inline constexpr std::array kInvariants{&same_path_twice,
                                         &no_jump_through_a_plate,
                                         &renumbered_scene,
                                         &turned_scene,
-                                        &mirrored_scene};
+                                        &mirrored_scene,
+                                        &nothing_passes_where_faces_meet,
+                                        &coinciding_faces_feel_like_one,
+                                        &split_face_feels_like_the_whole,
+                                        &meeting_faces_are_as_defined};
 inline constexpr std::array kDampingInvariants{&leaving_does_not_pull,     &landing_has_no_step,
                                                &rest_is_without_damping,   &pause_leaves_no_speed,
                                                &missed_positions_are_even, &one_position_counts_by_share};

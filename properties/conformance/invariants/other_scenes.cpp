@@ -18,8 +18,10 @@ using Turn = std::function<Eigen::Vector3f(const Eigen::Vector3f&)>;  // of the 
 
 constexpr int kStrokeSteps = 40;
 
-mesh::CheckedMesh checked(mesh::TriangleMesh mesh, mesh::SelfIntersections self_intersections) {
-  return std::get<mesh::CheckedMesh>(mesh::check(std::move(mesh), self_intersections));
+// As the other one, which is regular or not.
+mesh::CheckedMesh checked(mesh::TriangleMesh mesh, const mesh::CheckedMesh& other) {
+  return std::get<mesh::CheckedMesh>(other.is_regular() ? mesh::check(std::move(mesh), other.self_intersections())
+                                                        : mesh::check_any(std::move(mesh)));
 }
 
 std::array<float, 3> turned(const Turn& turn, const std::array<float, 3>& vector) {
@@ -44,7 +46,7 @@ Description turned(const Description& description, const Turn& turn, bool is_mir
     for (auto& corners : rendering.normals) std::swap(corners[1], corners[2]);
     for (auto& corners : rendering.texture.corners) std::swap(corners[1], corners[2]);
   }
-  rendering.checked = checked(std::move(mesh), rendering.checked.self_intersections());
+  rendering.checked = checked(std::move(mesh), rendering.checked);
   return {description.name, rendering};
 }
 
@@ -63,7 +65,7 @@ Description renumbered(const Description& description) {
   from_the_second(rendering.texture.corners);
   for (mesh::Triangle& triangle : mesh.triangles)
     for (std::uint32_t& vertex : triangle) vertex = last - vertex;
-  rendering.checked = checked(std::move(mesh), rendering.checked.self_intersections());
+  rendering.checked = checked(std::move(mesh), rendering.checked);
   return {description.name, rendering};
 }
 
@@ -129,7 +131,7 @@ Description plate(const Description& description, int cells) {
       }
     }
   if (rendering.has_corner_normals()) rendering.normals.assign(mesh.triangles.size(), {{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}});
-  rendering.checked = checked(std::move(mesh), mesh::SelfIntersections::refused);
+  rendering.checked = std::get<mesh::CheckedMesh>(mesh::check(std::move(mesh)));
   return {"plate of " + std::to_string(cells) + " x " + std::to_string(cells) + " cells", rendering};
 }
 

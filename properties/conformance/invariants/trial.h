@@ -14,6 +14,7 @@
 #include "forceshade/description.h"
 #include "forceshade/properties.h"
 #include "properties/conformance/scene_renderer.h"
+#include "properties/conformance/tolerance.h"
 
 namespace forceshade::conformance {
 
@@ -33,6 +34,7 @@ struct Trial {
   std::uint64_t seed = 1;
   const Monitor& monitor;
   std::vector<Approach> approaches = {};  // of approaches_to(); empty where none was found
+  Tolerance tolerance = {};               // of what is compared with the definition
 
   std::span<const Approach> first_approaches(std::size_t most) const {
     return std::span(approaches).first(std::min(most, approaches.size()));

@@ -51,6 +51,28 @@ void with_other_numbers(Bench& bench, const Course& course, Finding& finding) {
   look_at_paths(bench, course, renumbered(course.scene), kSame, finding);
 }
 
+// As on the course, in motion, and once it has settled in force.
+void look_at_twins(Bench& bench, const Course& course, const Simulation& twin, Finding& finding) {
+  Course other_course = course;
+  other_course.scene = twin;
+  const Run &one = bench.run(course), other = bench.run_anew(other_course);
+  look_at_both(one, other, finding, [&](std::size_t k) {
+    return felt_millimetres((other.states[k].position - one.states[k].position).norm(), kPath, "apart");
+  });
+  if (one.refusal || other.refusal) return;
+  for (std::size_t k = course.settled(); k < one.states.size(); ++k)
+    finding.look(felt_newtons((other.shown_force(k) - one.shown_force(k)).norm(), kShare * course.load(), "apart"), twin.name,
+                 k);
+}
+
+void each_triangle_twice(Bench& bench, const Course& course, Finding& finding) {
+  look_at_twins(bench, course, doubled(course.scene), finding);
+}
+
+void some_triangles_in_two(Bench& bench, const Course& course, Finding& finding) {
+  look_at_twins(bench, course, split(course.scene), finding);
+}
+
 bool same_numbers(double one, double other) {
   return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
 }
@@ -91,6 +113,8 @@ std::vector<RunInvariant> comparisons() {
           {"a quarter turn of the scene turns the motion", typical, turned},
           {"a mirrored scene gives the mirrored motion", typical, mirrored},
           {"other numbers of triangles and vertices change nothing", typical, with_other_numbers},
+          {"faces that coincide feel like one", {oblique_slide({}), resting_on({})}, each_triangle_twice},
+          {"a split face feels like the whole", {oblique_slide({}), resting_on({})}, some_triangles_in_two},
           {"the same run twice gives the same bits", typical, twice},
           {"a reset equals a fresh start", typical, after_a_reset}};
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/simulators/course.h"
 
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -86,6 +88,36 @@ Courses joined(Some&&... some) {
   return all;
 }
 
+// A floor from the faces of boxes that touch, or of a book that lies open: below its spine hang further pages.
+GroundMesh floor_of_boxes() {
+  GroundMesh mesh;
+  for (const double from : {-kEnd, 0.0}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::uint32_t corner = 0; corner < 8; ++corner)
+      mesh.vertices.emplace_back((corner & 1U) != 0 ? from + kEnd : from, (corner & 2U) != 0 ? kEnd : -kEnd,
+                                 (corner & 4U) != 0 ? 0.0 : -0.5);
+    for (const auto& [a, b, c, d] : std::initializer_list<std::array<std::uint32_t, 4>>{
+             {4, 5, 7, 6}, {0, 2, 3, 1}, {0, 1, 5, 4}, {3, 2, 6, 7}, {2, 0, 4, 6}, {1, 3, 7, 5}}) {
+      mesh.triangles.push_back({first + a, first + b, first + c});
+      mesh.triangles.push_back({first + a, first + c, first + d});
+    }
+  }
+  return mesh;
+}
+
+GroundMesh open_book() {
+  GroundMesh mesh{{{0, -kEnd, 0}, {0, kEnd, 0}}, {}};
+  for (const auto& [x, z] : {std::pair{kEnd, 0.0}, {-kEnd, 0.0}, {-0.3, -0.4}, {0.0, -0.5}, {0.3, -0.4}}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.emplace_back(x, -kEnd, z);
+    mesh.vertices.emplace_back(x, kEnd, z);
+    const bool is_left = x < 0;
+    mesh.triangles.push_back({0, is_left ? 1 : first, is_left ? first : 1});
+    mesh.triangles.push_back({first, is_left ? 1 : first + 1, is_left ? first + 1 : 1});
+  }
+  return mesh;
+}
+
 }  // namespace
 
 Eigen::Vector3d Course::normal() const {
@@ -164,6 +196,30 @@ Courses obstacles() {
     for (const auto& [name, profile] :
          {std::pair{"a ridge", &kRidge}, {"a step up", &kStepUp}, {"a step down", &kStepDown}, {"a plate of 2 mm", &kPlate}})
       all.push_back(sliding(on_mesh(name, *profile, kCoarse, radius, -0.3, kBeside)));
+  return all;
+}
+
+Courses meetings() {
+  Courses all;
+  const auto add = [&](const std::string& name, double x, double y, const auto& ground) {
+    const Course course = on(name, kFlat, kLarge, x, y);
+    for (Course one : {sliding(course), course, falling(course)}) {
+      if (!one.scene.velocity.isZero(0)) one.scene.position.x() -= 0.3;
+      one.scene.name += one.scene.velocity.isZero(0) ? "" : ", across";
+      ground(one.scene);
+      all.push_back(std::move(one));
+    }
+  };
+  add("a book", 0, kBeside, [](Simulation& scene) { scene.ground = open_book(); });
+  add("two boxes side by side", 0, kBeside, [](Simulation& scene) { scene.ground = floor_of_boxes(); });
+  add("a floor", 0, kBeside, [](Simulation& scene) {
+    scene.ground = mesh_of(kFlat, kUsual);
+    scene = doubled(scene);
+  });
+  add("a floor", 0, 0.075, [](Simulation& scene) {
+    scene.ground = mesh_of(kFlat, kUsual);
+    scene = split(scene);
+  });
   return all;
 }
 

@@ -33,6 +33,7 @@ Courses static_at(double rate);  // the same, pushed, at another rate than usual
 Courses drops();                 // falls 0.2 m
 Courses leaves();                // begins touching and goes up
 Courses obstacles();             // slides over a ridge, a step, a thin plate
+Courses meetings();              // over and onto floors of faces that meet in more ways than those of a plain mesh
 Courses all_courses();
 
 // The floor on which a sphere rests on the inside of a triangle, with something else in its mesh.

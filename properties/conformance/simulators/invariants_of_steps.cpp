@@ -149,6 +149,7 @@ std::vector<StepInvariant> step_invariants() {
            force_in_the_air},
           {"the ground never pulls", all_courses(), From::beginning, false, pull},
           {"nothing sinks into the ground or passes through it", all_courses(), From::beginning, false, sunk},
+          {"nothing passes where faces meet", meetings(), From::beginning, false, sunk},
           {"there is no energy out of nothing", all_courses(), From::beginning, false, energy_gained}};
 }
 

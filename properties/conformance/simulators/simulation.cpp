@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -84,6 +85,28 @@ Simulation renumbered(Simulation scene) {
     other.triangles[i] = triangle;
   }
   *mesh = std::move(other);
+  return scene;
+}
+
+Simulation doubled(Simulation scene) {
+  auto& triangles = std::get<GroundMesh>(scene.ground).triangles;
+  scene.name += ", each triangle twice";
+  triangles.reserve(2 * triangles.size());
+  std::copy_n(triangles.begin(), triangles.size(), std::back_inserter(triangles));
+  return scene;
+}
+
+Simulation split(Simulation scene) {
+  auto& [vertices, triangles] = std::get<GroundMesh>(scene.ground);
+  scene.name += ", every second triangle in two";
+  for (std::size_t i = triangles.size(); i > 0; --i) {
+    if (i % 2 == 0) continue;
+    const auto [a, b, c] = triangles[i - 1];
+    const auto middle = static_cast<std::uint32_t>(vertices.size());
+    vertices.push_back((vertices[a] + vertices[c]) / 2);
+    triangles[i - 1] = {a, b, middle};
+    triangles.push_back({middle, b, c});
+  }
   return scene;
 }
 

@@ -48,4 +48,8 @@ Simulation transformed(Simulation scene, const Eigen::Matrix3d& by);
 // Other numbers of triangles and vertices, and each triangle begins at another of its corners.
 Simulation renumbered(Simulation scene);
 
+// Each triangle twice; or every second one in two, from the middle of a side that its neighbour keeps whole.
+Simulation doubled(Simulation scene);
+Simulation split(Simulation scene);
+
 }  // namespace forceshade::conformance::simulators
