@@ -25,7 +25,7 @@
 #include "forceshade/meshes.h"
 #include "forceshade/reference.h"
 #include "rendering/meshes/make.h"
-#include "rendering/meshes/predicates.h"
+#include "tests/meshes/passing.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade::tests {
@@ -84,27 +84,15 @@ std::vector<NamedMesh> meshes() {
   return all;
 }
 
-// 1 where the segment goes through the inside of the triangle from behind, -1 from in front, 0 where it does not; nothing where
-// it meets its border or its plane's ends.
-std::optional<int> crossing(const mesh::TrianglePoints& t, const Vertex& from, const Vertex& to) {
-  const int begin = mesh::side_of(t[0], t[1], t[2], from), end = mesh::side_of(t[0], t[1], t[2], to);
-  if (begin == end) return begin == 0 ? std::nullopt : std::optional(0);
-  std::array<int, 3> turns{};
-  for (std::size_t i = 0; i < 3; ++i) turns[i] = mesh::side_of(from, to, t[i], t[(i + 1) % 3]);
-  const auto [least, most] = std::ranges::minmax(turns);
-  if (least < 0 && most > 0) return 0;
-  if (least == 0 || most == 0 || begin == 0 || end == 0) return std::nullopt;
-  return end > begin ? 1 : -1;
-}
-
 class Judge {
  public:
-  Judge(const mesh::TriangleMesh& mesh, mesh::Sides sides, std::uint64_t seed) : mesh_(mesh), sides_(sides), random_(seed) {
-    for (const mesh::Triangle& triangle : mesh.triangles)
-      if (mesh::has_area(points(triangle))) used_.push_back(triangle);
+  Judge(const mesh::TriangleMesh& mesh, mesh::Sides sides, std::uint64_t seed) : sides_(sides), random_(seed) {
+    for (const auto& [a, b, c] : mesh.triangles)
+      if (const mesh::TrianglePoints points{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}; mesh::has_area(points))
+        used_.push_back(points);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = std::ranges::minmax(
-          used_ | std::views::transform([&](const mesh::Triangle& t) { return mesh.vertices[t[0]][axis]; }));
+      const auto [low, high] =
+          std::ranges::minmax(used_ | std::views::transform([&](const mesh::TrianglePoints& t) { return t[0][axis]; }));
       low_[axis] = low, high_[axis] = high;
     }
   }
@@ -114,7 +102,7 @@ class Judge {
 
   // A position at a triangle, so far in front of it, and a direction.
   std::pair<std::array<double, 3>, std::array<double, 3>> at_a_triangle(double height) {
-    const mesh::TrianglePoints t = points(used_[random_() % used_.size()]);
+    const mesh::TrianglePoints& t = used_[random_() % used_.size()];
     const double a = uniform(0, 1), b = uniform(0, 1 - a);
     std::array<double, 3> u{}, v{}, n{}, at{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -127,42 +115,13 @@ class Judge {
     return {at, n};
   }
 
-  // The number of times that a closed surface winds around a point; nothing where the point is on it.
-  std::optional<int> winding(const Vertex& x) {
-    for (int tries = 0; tries < 20; ++tries) {
-      Vertex far{};
-      for (float& coordinate : far) coordinate = static_cast<float>(uniform(-9000, 9000));
-      if (std::ranges::none_of(far, [](float coordinate) { return std::fabs(coordinate) > 5000; })) continue;
-      int total = 0;
-      bool is_decided = true;
-      for (const mesh::Triangle& triangle : used_) {
-        const auto crosses = crossing(points(triangle), x, far);
-        is_decided = is_decided && crosses.has_value();
-        if (!is_decided) break;
-        total += *crosses;
-      }
-      if (is_decided) return total;
-    }
-    return std::nullopt;
-  }
-
-  // The straight way goes through a triangle from a side that blocks.
-  bool passes(const Vertex& from, const Vertex& to) const {
-    return std::ranges::any_of(used_, [&](const mesh::Triangle& triangle) {
-      const int crosses = crossing(points(triangle), from, to).value_or(0);
-      return crosses == -1 || (crosses == 1 && sides_ == mesh::Sides::both);
-    });
-  }
+  std::optional<int> winding(const Vertex& x) { return tests::winding(used_, x, random_); }
+  bool passes(const Vertex& from, const Vertex& to) const { return tests::passes(used_, sides_, from, to); }
 
  private:
-  mesh::TrianglePoints points(const mesh::Triangle& t) const {
-    return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
-  }
-
-  const mesh::TriangleMesh& mesh_;
   mesh::Sides sides_;
   std::mt19937_64 random_;
-  std::vector<mesh::Triangle> used_;
+  std::vector<mesh::TrianglePoints> used_;
   Vertex low_{}, high_{};
 };
 
