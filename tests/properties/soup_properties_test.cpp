@@ -262,7 +262,9 @@ std::set<std::string> refuted(const Open& open, int cases, Counts& counts, bool 
   for (const auto& [name, property] : kProperties) {
     const PropertyResult result = tests::run_with_rapidcheck(
         name, cases, 4, [&, check = property](Chooser& choose) { return check(choose(soup_case()), open, counts); });
-    if (is_told) EXPECT_TRUE(result.held) << name << ": " << result.counterexample;
+    if (is_told) {
+      EXPECT_TRUE(result.held) << name << ": " << result.counterexample;
+    }
     if (!result.held) names.insert(name);
   }
   return names;
