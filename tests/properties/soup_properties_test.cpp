@@ -35,7 +35,7 @@ namespace {
 
 using Part = std::vector<mesh::TrianglePoints>;  // a tetrahedron, or one triangle
 
-// On a lattice, so that parts cross, touch, stand on each other and coincide.
+// Most on a lattice, so that parts cross, touch, stand on each other and coincide.
 struct SoupCase {
   std::vector<Part> parts;
   bool is_closed = false;  // of tetrahedra
@@ -67,6 +67,7 @@ class SoupDraws : private Draws {
     SoupCase its;
     step_ = std::array{4.0F, 3.0F, 1.0F, 0.1F}[below(4)];
     span_ = std::array{1, 1, 2}[below(3)];
+    is_general_ = below(3) == 0;
     its.is_closed = below(3) != 0;
     its.sides = below(2) == 0 ? mesh::Sides::front : mesh::Sides::both;
     for (std::size_t left = its.is_closed ? 1 + below(4) : 2 + below(9); left > 0; --left)
@@ -77,7 +78,7 @@ class SoupDraws : private Draws {
       its.path.push_back(last);
     }
     its.beside = last;
-    const float reach = std::array{0x1p-22F, 0x1p-10F, 0.01F, 0.1F}[below(4)] * step_;
+    const float reach = std::array{0x1p-23F, 0x1p-20F, 0.01F, 0.3F}[below(4)] * step_;
     for (float& c : its.beside) c += around(reach);
     return its;
   }
@@ -93,17 +94,23 @@ class SoupDraws : private Draws {
       c = step_ * static_cast<float>(static_cast<int>(below(static_cast<std::size_t>(2 * most + 1))) - most);
     return node;
   }
+  mesh::Vertex vertex() {
+    mesh::Vertex its = node(span_);
+    if (is_general_)
+      for (float& c : its) c += around(step_);
+    return its;
+  }
   mesh::TrianglePoints triangle() {
     mesh::TrianglePoints points{};
     do
-      for (mesh::Vertex& corner : points) corner = node(span_);
+      for (mesh::Vertex& corner : points) corner = vertex();
     while (!mesh::has_area(points));
     return points;
   }
   Part tetrahedron() {
     const auto [a, b, c] = triangle();
-    mesh::Vertex d = node(span_);
-    while (mesh::side_of(a, b, c, d) == 0) d = node(span_);
+    mesh::Vertex d = vertex();
+    while (mesh::side_of(a, b, c, d) == 0) d = vertex();
     if (mesh::side_of(a, b, c, d) > 0) return {{{a, c, b}, {a, b, d}, {b, c, d}, {a, d, c}}};
     return {{{a, b, c}, {a, d, b}, {b, d, c}, {a, c, d}}};
   }
@@ -132,7 +139,7 @@ class SoupDraws : private Draws {
         for (float& c : at) c = around(2 * step_ * static_cast<float>(span_));
         return at;
       default: {
-        const float reach = std::array{0.3F, 0.1F, 0x1p-22F}[below(3)] * step_;
+        const float reach = std::array{0.3F, 0.1F, 0x1p-20F, 0x1p-24F}[below(4)] * step_;
         for (float& c : at) c += around(reach);
         return at;
       }
@@ -141,6 +148,7 @@ class SoupDraws : private Draws {
 
   float step_ = 1;
   int span_ = 1;
+  bool is_general_ = false;  // no lattice
 };
 
 Generator<SoupCase> soup_case() {
