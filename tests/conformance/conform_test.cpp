@@ -26,6 +26,19 @@ Description ball(mesh::Sides sides, mesh::Shading shading, mesh::Contact contact
   return {"ball", rendering};
 }
 
+// Two with a common side, so that the mesh is not regular.
+Description cubes() {
+  mesh::TriangleMesh both = mesh::cube(20);
+  const mesh::TriangleMesh one = both;
+  for (const mesh::Vertex& v : one.vertices) both.vertices.push_back({v[0] + 20, v[1] + 2, v[2]});
+  const auto first = static_cast<std::uint32_t>(one.vertices.size());
+  for (const auto& [a, b, c] : one.triangles) both.triangles.push_back({first + a, first + b, first + c});
+  return {"cubes", MeshRendering{.checked = std::get<mesh::CheckedMesh>(mesh::check_any(std::move(both))),
+                                 .sides = mesh::Sides::front,
+                                 .shading = mesh::Shading::none,
+                                 .stiffness = 0.5F}};
+}
+
 std::set<std::string> looked_at(const Conformance& its) {
   std::set<std::string> names;
   for (const Invariant& invariant : its.invariants)
@@ -41,6 +54,7 @@ TEST(conform, holds_of_the_own_renderer_on_every_kind_of_scene) {
       if (mesh::Shading{static_cast<int>(shading)} != mesh::Shading::texture_scheme)
         scenes.push_back(ball(sides, mesh::Shading{static_cast<int>(shading)}));
   scenes.push_back(ball(mesh::Sides::front, mesh::Shading::none, mesh::Contact::sub_goal));
+  scenes.push_back(cubes());
   std::set<std::string> names;
   for (const Description& scene : scenes) {
     const Conformance its = conform(scene, own_renderer(scene), {.points = 3000});
