@@ -12,6 +12,7 @@ except ImportError:
     print("skipped: python3-clang-14 is not installed")
     sys.exit(77)
 from instrumented import Mutant, rendered
+from listed import listed_sites
 from sites import sites_of
 
 TEXT = """// A comment, in whose place the switch is included.
@@ -47,6 +48,12 @@ EXPECTED = {  # line: what may stand there
     16: {"false", "true", "( kRoom ) + ( used )", "kRoom", "kRoom + 1", "used"},
     18: {"false", "true", "( a ) <= ( 0 )", "( a ) > ( 0 )", "1", "Place :: behind", "Place :: before"},
 }
+
+LISTED = """# file | original => changed
+room.cpp | ++count; =>
+room.cpp | a < 0 => a <= 0
+room.cpp | if («i == 1») continue => i == 0
+"""
 
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name).resolve()
@@ -87,3 +94,20 @@ with tempfile.TemporaryDirectory() as name:
     assert printed(active=[one[10, "std :: min ( used - kRoom , 0 )"]])[0] == "2 0 3 1\n"
     assert printed(active=[one[18, "( a ) > ( 0 )"], one[14, ""]])[0] == "2 2 2 0\n"
     assert reached[one[11, ""].number] == 1 and reached[one[16, "used"].number] == 0
+
+    listed = listed_sites(LISTED, folder)["room.cpp"]
+    of_list = [(site, [Mutant(number, site, site.changed[0])]) for number, site in enumerate(listed)]
+    assert [(site.line, site.original, site.is_statement) for site in listed] == [(13, "i == 1", False), (14, "++count", True),
+                                                                                  (18, "a < 0", False)], listed
+    text = rendered(TEXT.encode(), of_list, 0, len(TEXT)).decode()
+    chosen = "::forceshade_mutants::chosen"
+    for changed in (f"({chosen}(0) ? (i == 0) : (i == 1))", f"if ({chosen}(1)) {{ ; }} else {{ ++count; }};",
+                    f"({chosen}(2) ? (a <= 0) : (a < 0))"):
+        assert changed in text, text
+    for wrong in ("room.cpp | used => 1", "room.cpp | unused => 1"):
+        try:
+            listed_sites(wrong, folder)
+        except ValueError as error:
+            assert "exactly one place" in str(error), error
+        else:
+            raise AssertionError(f"{wrong}: expected to be refused")
