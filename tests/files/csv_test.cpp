@@ -125,6 +125,7 @@ TEST(csv, names_the_place_of_what_is_wrong) {
            {"a,b\n\"1\"2,3\n", "2: column 1: " + quote},
            {"a,b\n1,\xFF\n", "2: byte 3: expected UTF-8 text, got 0xff"},
            {std::string("a,b\n1\0,2\n", 9), "2: byte 2: expected text, got the control character 0x00"},
+           {"a,b\n1,2\x7F\n", "2: byte 4: expected text, got the control character 0x7f"},
            {"a,b\r1,2\r", "1: byte 4: expected text, got the control character 0x0d"},
            {"a,b\n1,\xC2\x9B"
             "31mred\n",

@@ -63,7 +63,8 @@ TEST(decimal, is_exact) {
                                               {"1e-9", "1e-9", "1/1000000000"},
                                               {"-0", "-0", "-0/1"},
                                               {"120e7", "12e8", "1200000000/1"},
-                                              {".5", "0.5", "5/10"}}) {
+                                              {".5", "0.5", "5/10"},
+                                              {"0e9", "0", "0/1"}}) {
     EXPECT_EQ(of(text).text(), shown) << text;
     EXPECT_EQ(of(text).fraction(), fraction) << text;
     EXPECT_EQ(of(of(text).text().c_str()), of(text));
@@ -109,7 +110,7 @@ TEST(angle, reads_degrees_or_radians) {
   EXPECT_EQ(parse_angle("A", "-0.1 deg"), -0.1);
   EXPECT_EQ(parse_angle("A", "0.5rad"), 28.64788975654116);  // 0.5·180/π in bc, with 60 digits
   EXPECT_EQ(parse_angle("A", "0rad"), 0);
-  for (const char* text : {"", "rad", "30mm", "1e999", "nan", "30°", "30degrees"})
+  for (const char* text : {"", "rad", "30mm", "1e999", "1e308rad", "nan", "30°", "30degrees"})
     EXPECT_THROW(parse_angle("--turn", text), Error) << text;
 }
 

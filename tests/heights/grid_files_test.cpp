@@ -177,6 +177,21 @@ TEST(grid_files, of_npy_are_loaded_in_three_versions_only) {
     }
 }
 
+// Each byte of the length counts.
+TEST(grid_files, of_npy_have_a_header_of_64_KiB_at_most) {
+  const std::string second = corpus("npy/version2.npy");
+  const std::size_t end = second.find('\n') + 1;
+  for (const auto& [length, is_loaded] : {std::pair{1U << 16, true}, {(1U << 16) + 1, false}, {1U << 24, false}}) {
+    std::string file = second.substr(0, 8);
+    for (int shift = 0; shift < 32; shift += 8) file += static_cast<char>(length >> shift & 0xFF);
+    file += second.substr(12, end - 13);
+    file.resize(12 + (1U << 16) - (is_loaded ? 1 : 0), ' ');
+    const Loaded got = of_bytes(file + '\n' + second.substr(end));
+    EXPECT_EQ(got.heights, is_loaded ? kHeights : std::vector<float>()) << length << got.refusal;
+    EXPECT_EQ(got.refusal, is_loaded ? "" : "has no NPY header") << length;
+  }
+}
+
 // Bytes behind a whole file are refused. A TIFF's parts lie anywhere, so it has no end.
 TEST(grid_files, with_bytes_left_over_are_refused) {
   std::mt19937 random(11);

@@ -55,6 +55,10 @@ def test_a_plan_gives_the_certificate_of_one_process(wall, tmp_path):
     for key, value in alone.contents["subjects"][0].items():
         if key not in ("options", "subject_file"):
             assert whole.contents["subjects"][0][key] == value, key
+    other = folder / "results" / "0" / "1.differs-0123456789abcdef.json"
+    other.write_text("the result of a machine that computes wrongly")
+    assert forceshade.plan_state(folder).alarms == [str(other)]
+    refused(forceshade.Error, f"there is no certificate; {other} differ from the results beside them", forceshade.merged_plan, folder)
 
 
 def test_a_certificate_of_python_drives_a_device_with_the_command_and_no_other_subject(wall, tmp_path):

@@ -251,7 +251,8 @@ def test_other_arguments_are_refused(wall):
     for call in (lambda **its: OIL.steps(at, forces, **its), forceshade.Session(wall, damping=OIL).steps):
         where = () if call.__name__ == "<lambda>" else (at,)
         refused(TypeError, "periods are of type float64; expected integers", call, *where, periods=[1.0, 1.0])
-        refused(ValueError, "periods: expected numbers from 0 to 4294967295", call, *where, periods=-1)
+        for number in (-1, 2**32):
+            refused(ValueError, "periods: expected numbers from 0 to 4294967295", call, *where, periods=number)
         refused(ValueError, "periods have the shape (3,); expected (2,), or one number", call, *where, periods=[1, 1, 1])
     refused(TypeError, "damping: expected a Damping, got 0.002", forceshade.Session, wall, damping=0.002)
     refused(TypeError, "damping: expected a Damping, got 0.002", forceshade.Scene, [wall], damping=0.002)
@@ -261,3 +262,6 @@ def test_other_arguments_are_refused(wall):
     refused(TypeError, "damping_state: expected none without damping", forceshade.Scene([wall]).resume_damping, DampingState())
     for bad in (DampingState((1, 2)), DampingState((1, 2, 3), ("a", 0, 0)), DampingState((1, 2, 3), periods=1.5)):
         refused(TypeError, "damping_state: expected one that a session gave", session.resume, session.state, bad)
+    for periods, its in ((-1, DampingState()), (17, DampingState((1, 2, 3), periods=17)), (18, DampingState()), (2**40, DampingState())):
+        session.resume(session.state, DampingState((1, 2, 3), periods=periods))  # one that no tick leaves is that of a beginning
+        assert session.damping_state == its

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sessions, files, identities, and the examples of the documentation."""
 
+import contextlib
 import doctest
 import importlib
 import json
+import sqlite3
 import subprocess
+import sys
 import threading
+import types
 from fractions import Fraction
 
 import numpy as np
@@ -148,7 +152,7 @@ def test_a_gaussian_beyond_all_decimals_is_no_fraction(tmp_path):
     assert exact.x.startswith("1.") and exact.x.endswith("e-217145") and exact.y == 0
 
 
-def test_recordings_are_read(tmp_path):
+def recorded(tmp_path):
     path = tmp_path / "run.fsr"
     ran = subprocess.run(
         [command(), "drive", "--law", "wall", "--device", "simulated", "--seconds", "0.2", "--certificate", "none", "--out", path],
@@ -156,6 +160,21 @@ def test_recordings_are_read(tmp_path):
         text=True,
     )
     assert path.exists(), ran.stderr
+    return path
+
+
+def test_what_is_wrong_with_a_recording_is_said_beside_an_array_and_a_frame(tmp_path, monkeypatch):
+    path = recorded(tmp_path)
+    with contextlib.closing(sqlite3.connect(path)) as database, database:
+        database.execute("UPDATE metadata SET value = '3' WHERE key = 'lost'")
+    monkeypatch.setitem(sys.modules, "pandas", types.SimpleNamespace(DataFrame=list))  # a stand-in, where there is none
+    for frame in (False, True):
+        lost, changed = forceshade.read_recording(path, frame=frame).problems
+        assert lost.endswith("3 samples were lost while recording") and changed.endswith("are not what was written")
+
+
+def test_recordings_are_read(tmp_path):
+    path = recorded(tmp_path)
     recording = forceshade.read_recording(path)
     samples = recording.samples
     assert len(samples) >= 200 and samples["tick"][0] == 0 and "law" in json.dumps(recording.metadata)

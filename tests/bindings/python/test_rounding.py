@@ -26,6 +26,7 @@ def places(bump):
     yield lambda rounding: bump.forces(OFF, rounding=rounding)
     yield lambda rounding: bump.forces([[0, 0, 1], [0.1, 0, 0]], rounding=rounding)
     yield lambda rounding: bump.forces(np.array([[0, 0, 2**60 + 1]]), rounding=rounding)
+    yield lambda rounding: bump.forces(np.array([[0, 0, -(2**60) - 1]]), rounding=rounding)
     yield lambda rounding: bump.forces(OFF.astype(np.longdouble), rounding=rounding)
     yield lambda rounding: bump.answers(OFF, rounding=rounding)
     yield lambda rounding: bump.advance(states, OFF, rounding=rounding)
@@ -40,7 +41,7 @@ def places(bump):
     yield lambda rounding: forceshade.Mesh(TETRAHEDRON[0].astype(np.float64) + 0.1, TETRAHEDRON[1], rounding=rounding)
 
 
-@pytest.mark.parametrize("index", range(18))
+@pytest.mark.parametrize("index", range(19))
 def test_every_place_says_so_once_in_the_line_that_calls(bump, index):
     call = list(places(bump))[index]
     with warnings.catch_warnings(record=True) as said:
