@@ -73,6 +73,12 @@ TEST(c_materials, may_be_longer_than_this_header_has_them) {
     longer[i].known.size = sizeof(Longer);
   }
   EXPECT_EQ(texts_of(with_materials(&longer[0].known, 2)).digest, texts_of(with_materials(kRoughAndStiff.data(), 2)).digest);
+  longer[1].known.size = sizeof(forceshade_material);  // all are as long as the first says
+  const forceshade_mesh mesh = with_materials(&longer[0].known, 2);
+  forceshade_subject made{};
+  EXPECT_EQ(forceshade_mesh_new(&mesh, &made), FORCESHADE_BAD_SIZE);
+  EXPECT_EQ(std::string(forceshade_message()), "forceshade_material.size is " + std::to_string(sizeof(forceshade_material)) +
+                                                   "; expected sizeof(forceshade_material), " + std::to_string(sizeof(Longer)));
 }
 
 TEST(c_materials, that_are_wrong_are_refused_in_words) {

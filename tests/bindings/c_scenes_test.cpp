@@ -60,9 +60,12 @@ TEST(c_scenes, refuse_what_is_wrong_with_the_reason) {
 
   const Force position{0, 0, -1};
   Force force{};
-  const std::array poses{kUnmoved, kOnItsSide};
-  EXPECT_EQ(forceshade_scene_step(scene, position.data(), poses.data(), 2, force.data(), nullptr), FORCESHADE_BAD_VALUE);
-  EXPECT_EQ(std::string(forceshade_message()), "count: expected one pose for each object of the scene");
+  std::array<forceshade_pose, 33> poses{};
+  poses.fill(kUnmoved);
+  for (const std::size_t count : {2, 31, 33}) {
+    EXPECT_EQ(forceshade_scene_step(scene, position.data(), poses.data(), count, force.data(), nullptr), FORCESHADE_BAD_VALUE);
+    EXPECT_EQ(std::string(forceshade_message()), "count: expected one pose for each object of the scene") << count;
+  }
   EXPECT_EQ(forceshade_scene_step(scene, position.data(), nullptr, 32, force.data(), nullptr), FORCESHADE_NULL_POINTER);
   EXPECT_EQ(forceshade_scene_object(scene, 32, force.data(), nullptr), FORCESHADE_BAD_VALUE);
   EXPECT_EQ(forceshade_scene_object(scene, 0, nullptr, nullptr), FORCESHADE_NULL_POINTER);

@@ -10,6 +10,7 @@
 #include "forceshade/certify.h"
 #include "forceshade/heights.h"
 #include "properties/height_map_subject.h"
+#include "properties/rendered.h"
 #include "reference/enclosure.h"
 #include "report/report.h"
 #include "tests/properties/subject_wrapper.h"
@@ -89,25 +90,36 @@ TEST(height_certificate, says_what_kind_of_force_each_map_is) {
   }
 }
 
-// A map whose loops no interval encloses.
-class Unenclosed final : public SubjectWrapper {
+// A map whose loops no interval encloses, or whose renderer throws along one.
+class WithoutEnergy final : public SubjectWrapper {
  public:
-  using SubjectWrapper::SubjectWrapper;
-  std::vector<LoopEnergy> energies(const Monitor&) const override { throw reference::NotEnclosed("too steep"); }
+  WithoutEnergy(std::shared_ptr<const Subject> its, bool throws) : SubjectWrapper(std::move(its)), throws_(throws) {}
+  std::vector<LoopEnergy> energies(const Monitor&) const override {
+    if (throws_) throw RendererThrew(Eigen::Vector3f(1, 2, 3), "no such place");
+    throw reference::NotEnclosed("too steep");
+  }
+
+ private:
+  bool throws_;
 };
 
-TEST(height_certificate, fails_in_words_where_the_energy_of_a_loop_is_not_enclosed) {
+TEST(height_certificate, fails_in_words_where_the_energy_of_a_loop_is_not_known) {
   const std::atomic<bool> never{false};
-  const auto certificate = certify(
-      {{std::make_shared<Unenclosed>(subject_of(cone()))}, 4000, 200, 3, 2}, [](std::string_view, double) {}, never);
-  ASSERT_TRUE(certificate);
-  const SubjectResult& map = certificate->subjects.at(0);
-  EXPECT_FALSE(map.held());
-  EXPECT_TRUE(map.energy.empty());
-  for (const PropertyResult& property : map.properties) {
-    EXPECT_EQ(property.held, property.name != "passivity") << property.name;
-    if (!property.held) {
-      EXPECT_EQ(property.counterexample, "the energy that a loop can give is not enclosed: too steep");
+  for (const auto& [throws, words] :
+       {std::pair{false, std::string("the energy that a loop can give is not enclosed: too steep")},
+        {true, RendererThrew(Eigen::Vector3f(1, 2, 3), "no such place").what()}}) {
+    const auto certificate = certify(
+        {{std::make_shared<WithoutEnergy>(subject_of(cone()), throws)}, 4000, 200, 3, 2}, [](std::string_view, double) {},
+        never);
+    ASSERT_TRUE(certificate);
+    const SubjectResult& map = certificate->subjects.at(0);
+    EXPECT_FALSE(map.held());
+    EXPECT_TRUE(map.energy.empty());
+    for (const PropertyResult& property : map.properties) {
+      EXPECT_EQ(property.held, property.name != "passivity") << property.name;
+      if (!property.held) {
+        EXPECT_EQ(property.counterexample, words);
+      }
     }
   }
 }

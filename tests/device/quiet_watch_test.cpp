@@ -34,14 +34,14 @@ class Scripted final : public Device {
   std::optional<Fault> command(const Eigen::Vector3f& force) noexcept override {
     commanded = force;
     most = std::max(most, force.norm());
-    return std::nullopt;
+    return refusal_;
   }
   State state() const noexcept override { return state_; }
 
   Eigen::Vector3f commanded{0, 0, 0};
   float most = 0;
   int waits = 0;
-  std::optional<Fault> fault_;
+  std::optional<Fault> fault_, refusal_;
   State state_;
 
  private:
@@ -227,6 +227,15 @@ TEST(quiet_watch, ends_with_the_words_of_a_fault) {
   Scripted refuses(kDevice, lost);
   refuses.fault_ = Fault{"no power"};
   expect(check("readings", observe_without_force(refuses, kRate, 0.1, kNever)), Grade::wrong, "no power");
+  // The zero at the end is refused; what went wrong before it is said instead.
+  for (const auto& [cable_is_out, words] : {std::pair{false, "no zero was sent"}, {true, "the cable is out"}}) {
+    Scripted closed(kDevice, [&, is_fault = cable_is_out](std::size_t k) -> ReadResult {
+      if (k < 20) return Reading{.time = at(k)};
+      closed.refusal_ = Fault{"no zero was sent"};
+      return is_fault ? ReadResult(Fault{"the cable is out"}) : EndOfData{};
+    });
+    expect(check("readings", observe_without_force(closed, kRate, 0.1, kNever)), Grade::wrong, words);
+  }
   const Observed over = observed([](std::size_t) -> ReadResult { return EndOfData{}; });
   expect(check("readings", over), Grade::wrong, "gave none");
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "device/quiet_watch.h"
 #include "tests/device/servo_loop_fixture.h"
 #include "tests/world/world.h"
 
@@ -246,6 +247,25 @@ TEST(servo_loop, follows_its_own_clock_where_it_is_told_to_or_where_nothing_is_p
     EXPECT_EQ(device.waits, 0);
     EXPECT_EQ(run.ticks, 10U);
   }
+}
+
+// Each is waited for 0.1 s, and there should be a thousand.
+TEST(quiet_watch, waits_for_frames_that_do_not_come_for_twice_its_time_and_a_second) {
+  struct Frameless final : Pushing {
+    Capabilities capabilities() const noexcept override {
+      Capabilities can = Pushing::capabilities();
+      can.paces = true;
+      return can;
+    }
+    std::int64_t wait_for_frame(std::int64_t deadline) noexcept override {
+      system::sleep_until(deadline);
+      return deadline;
+    }
+  } device;
+  World clock;
+  const std::int64_t begin = clock.now();
+  observe_without_force(device, 1000, 1, kNeverStop);
+  EXPECT_EQ(clock.now() - begin, 3000 * kMillisecond);
 }
 
 TEST(servo_loop, waits_no_longer_for_a_frame_once_it_is_stopped) {

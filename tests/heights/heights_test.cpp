@@ -68,6 +68,17 @@ TEST_F(Heights, of_a_png_run_from_black_to_white) {
     EXPECT_EQ(load(path(name))->values, (std::vector<float>{0.8F, 1.2F, 1.6F, 0, 0.4F, 2})) << name;
 }
 
+// A spike's spline ebbs away by a quarter each sample: beyond some 16 samples there is nothing.
+TEST_F(Heights, have_no_coefficients_below_the_least_but_0) {
+  std::vector<float> spike(64 * 64);
+  spike[0] = 1;
+  write("spike.npy", npy_of("<f4", "(64, 64)", bytes(spike)));
+  const auto grid = load(path("spike.npy"), Interpolant::cubic_spline);
+  EXPECT_EQ(std::ranges::count_if(grid->values, [](float value) { return value != 0 && std::fabs(value) < 0x1p-30F; }), 0);
+  EXPECT_GT(std::ranges::count(grid->values, 0.0F), 64 * 32);
+  EXPECT_LT(std::ranges::count(grid->values, 0.0F), 64 * 64 - 64);
+}
+
 TEST_F(Heights, lie_on_the_spline) {
   std::mt19937 random(4);
   std::uniform_real_distribution<float> uniform(-3, 3);

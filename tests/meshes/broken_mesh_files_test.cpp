@@ -178,6 +178,8 @@ TEST(broken_mesh_files, of_ply_are_refused_in_words) {
       {"a.ply", ply("ascii", kXyz + kOneFace, kThree + "3 0 1 -1\n"),
        "line 13: expected the index of a vertex, 2 at most, got \"-1\""},
       {"a.ply", ply("ascii", kXyz + kOneFace, kThree + "2 0 1\n"), "line 13: has a face of 2 corners; expected 3 or more"},
+      {"a.ply", ply("ascii", kXyz + kOneFace + "property list uchar float texcoord\n", kThree + "3 0 1 2 5 0 0 0 0 0\n"),
+       "line 14: has an odd number of numbers for the points of the texture"},
       {"a.ply", ply("ascii", kXyz + kOneFace, kThree + "3 0 1 2 0\n"), "line 13: expected the end of the line, got \"0\""},
       {"a.ply", ply("ascii", kXyz + kOneFace, kThree + "4000000000 0 1 2\n"),
        "line 13: expected the index of a vertex, 2 at most, got the end of the line"},

@@ -118,6 +118,14 @@ TEST(mesh_check, lists_the_first_of_many_faults_and_counts_the_rest) {
   EXPECT_TRUE(findings.words().ends_with("face 19 has vertex 1 twice\nand 80 more of this kind\n"));
 }
 
+TEST(mesh_check, names_the_lines_of_faces_once_each) {
+  const auto checked = check({kSix, {{0, 1, 2}, {0, 1, 3}}});
+  const auto& findings = std::get<Findings>(checked);
+  for (const auto& [lines, place] : {std::pair{std::array<std::uint64_t, 2>{7, 9}, "lines 7 and 9: faces 0 and 1 run "},
+                                     {{7, 7}, "line 7: faces 0 and 1 run "}})
+    EXPECT_TRUE(findings.words(lines).starts_with(place)) << findings.words(lines);
+}
+
 // The tree of boxes must leave out no pair, and give none twice: against every pair, on loose triangles of very different
 // sizes.
 TEST(mesh_check, finds_each_pair_that_meets) {

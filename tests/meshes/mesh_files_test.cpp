@@ -210,6 +210,7 @@ TEST(mesh_files, of_ply_may_have_strips_of_triangles) {
   EXPECT_EQ(triangles_of("4 1 2 0 3\n"), (std::vector<Triangle>{{1, 2, 0}, {0, 2, 3}}));
   EXPECT_EQ(triangles_of("8 1 2 0 3 -1 1 2 0\n"), (std::vector<Triangle>{{1, 2, 0}, {0, 2, 3}, {1, 2, 0}}));
   EXPECT_EQ(triangles_of("6 0 1 2 2 3 0\n"), (std::vector<Triangle>{{0, 1, 2}, {3, 2, 0}}));
+  EXPECT_EQ(triangles_of("6 0 1 2 1 3 0\n"), (std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {3, 1, 0}}));
   for (const std::endian order : {std::endian::little, std::endian::big})
     for (const std::string type : {"int", "uint"}) {
       std::string body;

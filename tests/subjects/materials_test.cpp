@@ -48,6 +48,7 @@ TEST_F(Materials, of_the_whole_mesh_have_one_coefficient_or_two) {
   EXPECT_EQ(material_of("0.3"), (mesh::Material{{}, 0.3F, 0.3F}));
   EXPECT_EQ(material_of("0.4,0.3"), (mesh::Material{{}, 0.4F, 0.3F}));
   EXPECT_EQ(material_of("0.4, 0"), (mesh::Material{{}, 0.4F, 0}));
+  EXPECT_FALSE(std::signbit(material_of("0.4,-0").dynamic_friction)) << "-0 is 0, to the bit, in the identity too";
   EXPECT_EQ(material_of("inf,1024"), (mesh::Material{{}, HUGE_VALF, 1024}));
   EXPECT_EQ(material_of("0.0009765625"), (mesh::Material{{}, 0x1p-10F, 0x1p-10F}));
 }

@@ -71,6 +71,11 @@ def test_a_map_is_equal_whatever_file_it_came_from(tmp_path):
         np.save(tmp_path / name, MILD)
     one, two = (forceshade.HeightMap(tmp_path / name, pitch=1, scale=1) for name in ("one.npy", "two.npy"))
     assert one == two and one.identity != two.identity
+    spike = np.zeros((65, 65), np.float32)
+    spike[32, 32] = 1  # far from it the spline's coefficients are below the least and so 0, wherever they are made
+    np.save(tmp_path / "spike.npy", spike)
+    usual = dict(pitch=1, stiffness=0.5, interpolant="cubic-spline", edge="clamp", render="height-map")
+    assert forceshade.HeightMap(tmp_path / "spike.npy", scale=1, **usual) == forceshade.HeightMap(spike, **usual)
 
 
 def test_coordinates_have_names(bump, tetrahedron):
