@@ -185,6 +185,16 @@ TEST(certificate_reader, refuses_counts_that_do_not_fit_together) {
               100);
 }
 
+TEST(certificate_reader, refuses_points_that_no_scalar_code_was_compared_at) {
+  EXPECT_GT(refused_everywhere([](Json& json, const Place& place) -> std::string {
+              if (place.empty() || place.back() != "points_by_instruction_set") return "";
+              EXPECT_GT(json[place].size(), 1U) << "another set is left";
+              json[place].erase("scalar");
+              return "for each set that was compared, scalar and ";
+            }),
+            3);
+}
+
 TEST(certificate_reader, refuses_a_verdict_that_the_rest_does_not_bear_out) {
   EXPECT_GT(refused_everywhere([](Json& json, const Place& place) -> std::string {
               if (!json[place].is_boolean()) return "";
@@ -322,6 +332,10 @@ TEST(certificate_reader, ends_with_clear_words_on_hostile_text) {
   }
   EXPECT_NE(message(hostile[12]).find("17825792 bytes; expected at most 16777216"), std::string::npos) << message(hostile[12]);
   EXPECT_NE(message(hostile[11]).find("more than 16 levels"), std::string::npos) << message(hostile[11]);
+  for (const std::size_t levels : {16U, 17U})
+    EXPECT_EQ(
+        message(std::string(levels, '[') + '1' + std::string(levels, ']')).find("more than 16 levels") == std::string::npos,
+        levels == 16);
 }
 
 // Every byte of a certificate changed to each of a few others: it is refused, or reads as one that says the same of the laws.

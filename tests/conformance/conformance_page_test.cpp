@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "forceshade/subjects.h"
+#include "properties/conformance/tolerance.h"
 #include "report/conformance/figures.h"
 #include "report/conformance/page.h"
 #include "tests/conformance/made_judgement.h"
@@ -156,6 +157,9 @@ TEST(conformance_page, says_each_number_of_a_judgement_where_it_belongs) {
   found.identity = properties::subject_of(kBump)->identity();
   found.judgement = made_judgement();
   const std::string page = page_of(found, kBump, Pictures::all);
+  Circumstances tolerant{{.points = 3000, .seed = 7}, "0.1.0", "forceshade conform"};
+  tolerant.options.tolerance = *tolerance_of("4 ulp");
+  EXPECT_TRUE(has(to_html(found, kBump, tolerant, Pictures::none), ", and 50 are within the tolerance, 4 ulp."));
   for (const char* part :
        {"Of 100 answers, 40 are the exact force rounded to binary32",
         "3 answers at positions that the definition did not decide are not judged. 1 answer for which the definition’s "

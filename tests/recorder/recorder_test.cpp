@@ -136,6 +136,16 @@ TEST_IN_THE_WORLD(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
   }
 }
 
+// SQLite goes on writing, and nobody will ever read it.
+TEST_IN_THE_WORLD(recorder, says_that_its_file_was_deleted) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  Recorder recorder(path, {});
+  push(recorder, 0, 10);
+  std::filesystem::remove(path);
+  expect_result(recorder, 0, 10, path + ": the recording was deleted while it was made");
+}
+
 // Before the first tick the file reaches the disk, so that a loss of power leaves its metadata, and at the end all of it does.
 TEST_IN_THE_WORLD(recorder, syncs_the_file_at_its_beginning_and_at_its_end) {
   const TemporaryDirectory directory;

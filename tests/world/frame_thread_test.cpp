@@ -289,6 +289,22 @@ TEST(framed_device, passes_on_what_its_device_says_of_itself) {
   });
 }
 
+TEST(framed_device, sends_no_more_than_its_highest_force) {
+  in_world([] {
+    Listener attendant(false);
+    Journal journal;
+    const auto device = opened({}, journal, attendant);
+    ASSERT_FALSE(device->start(1000));
+    for (int tick = 0; tick < 1000; ++tick) {
+      device->command({0, 0, 5});
+      system::sleep_for(milliseconds(1));
+    }
+    const double most = *std::ranges::max_element(journal.forces);
+    EXPECT_LE(most, 3);
+    EXPECT_GT(most, 2.999);
+  });
+}
+
 // An answer that comes after 24 ms counts; after 27 ms it never does.
 TEST(framed_device, has_a_fault_once_no_frame_came_for_as_long_as_its_watchdog_allows) {
   for (const auto& [ms, is_fault] : {std::pair{23.0, false}, {27.0, true}})

@@ -13,6 +13,7 @@
 #include "device/dhd/usb.h"
 #include "forceshade/device.h"
 #include "forceshade/fast.h"
+#include "system/system.h"
 #include "tests/device/dhd/fake.h"
 #include "tests/support/set_control_words.h"
 #include "tests/support/temporary_directory.h"
@@ -64,6 +65,13 @@ TEST_F(dhd_arm, has_the_axes_of_the_laws) {
   EXPECT_EQ(fake.calls, (Calls{"force -2 1 3"}));
   EXPECT_EQ(state.buttons, 5);
   EXPECT_TRUE(state.calibrated && state.forces_on);
+}
+
+// A frame that took too long before its force was to be sent.
+TEST_F(dhd_arm, sends_no_force_once_its_time_is_up) {
+  begin();
+  arm.exchange({1, 2, 3}, system::now());
+  EXPECT_EQ(fake.calls, (Calls{"force 0 0 0"}));
 }
 
 TEST_F(dhd_arm, begins_and_ends_in_this_order) {
