@@ -127,9 +127,15 @@ TEST(merge_points, refuses_the_same_points_twice_and_what_contradicts) {
   CertificateFile b = file_of("b.json", 2);
   b.certificate.subjects[0].jumps.clear();
   expect(b, "bump-2p: expected the same parts and jumps");
-  b = file_of("b.json", 2);
-  b.certificate.subjects[0].energy[0].measured_mJ = 0.3;
-  expect(b, "bump-2p: expected the same energies per loop");
+  using Change = void (*)(std::vector<LoopEnergy>&);
+  for (const Change change :
+       {Change([](auto& its) { its[0].depth_mm += 1; }), Change([](auto& its) { its[0].bound_mJ[0] -= 1; }),
+        Change([](auto& its) { its[0].bound_mJ[1] += 1; }), Change([](auto& its) { its[0].witness_mJ -= 0.125; }),
+        Change([](auto& its) { its[0].measured_mJ = 0.3; }), Change([](auto& its) { its.pop_back(); })}) {
+    b = file_of("b.json", 2);
+    change(b.certificate.subjects[0].energy);
+    expect(b, "bump-2p: expected the same energies per loop");
+  }
   b = file_of("b.json", 2);
   b.certificate.build.flags = "-O1";
   EXPECT_NE(answer_to_merging({file_of("a.json", 1), b}).find("b.json: expected the build of a.json"), std::string::npos);

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "forceshade/device.h"
+#include "forceshade/fast.h"
+#include "rendering/control_words.h"
 #include "tests/device/servo_loop_fixture.h"
 
 namespace forceshade::device {
@@ -152,6 +154,24 @@ TEST(servo_loop, reads_nothing_when_stopped_before_it_starts) {
   EXPECT_EQ(result.ticks, 0U);
   EXPECT_EQ(device.commands.size(), 1U);
   EXPECT_TRUE(std::isnan(result.samples.back().position[2]));
+  expect_ends_at_zero_force(result);
+}
+
+// The code of a device, or of its driver, runs in the loop's thread.
+TEST(servo_loop, ends_where_its_device_has_changed_the_arithmetic) {
+  struct Meddling final : Still {
+    ReadResult at(std::size_t reading) noexcept override {
+      ControlWords words = control_words();
+      if (reading == 5) words.mxcsr |= 0x6000;  // towards 0
+      set_control_words(words);
+      return here();
+    }
+  } device;
+  const KeptControlWords before;
+  const Kept result(device, wall(), {.max_seconds = 0.01, .paced = false});
+  EXPECT_EQ(result.ticks, 5U);
+  EXPECT_EQ(result.end_reason, EndReason::device_fault);
+  EXPECT_STREQ(result.fault, fast::arithmetic_fault());
   expect_ends_at_zero_force(result);
 }
 
