@@ -379,6 +379,13 @@ TEST(c_soups, take_any_state_and_begin_again_from_one_that_they_do_not_have) {
   EXPECT_GT(refused, 800U);
   EXPECT_GT(nowhere, 800U);
   EXPECT_GT(taken, 800U);
+  // A position of less than the quantum, which no tick leaves.
+  forceshade_state tiny = beginning(), held = beginning();
+  tiny.place = FORCESHADE_IN_THE_OPEN;
+  tiny.position[2] = 1e-40F;
+  ASSERT_EQ(forceshade_session_resume(session, &tiny), FORCESHADE_OK);
+  ASSERT_EQ(forceshade_session_state(session, &held), FORCESHADE_OK);
+  EXPECT_TRUE(is_same(held, beginning()));
   forceshade_session_close(session);
   forceshade_subject_free(subject);
 }
