@@ -209,9 +209,9 @@ TEST(soups_on_both_sides, every_column_of_drawn_paths_is_the_same) {
   EXPECT_GT(touching, ticks / 8);
 }
 
-// The last place of a path that both sides go.
-std::string last_place(const mesh::TriangleMesh& mesh, const std::vector<Position>& path) {
-  const std::vector sides{mesh::Sides::both};
+// The state at the end of a path that both sides go.
+fast::soups::State last_state(const mesh::TriangleMesh& mesh, const std::vector<Position>& path,
+                              const std::vector<mesh::Sides>& sides = {mesh::Sides::both}) {
   const exact::Soup exact_soup(mesh, sides);
   const auto soup = std::make_shared<const fast::soups::Soup>(mesh, sides);
   fast::soups::Session session(soup, 1, false);
@@ -222,7 +222,10 @@ std::string last_place(const mesh::TriangleMesh& mesh, const std::vector<Positio
     const fast::soups::Tick its = session.tick(p);
     EXPECT_EQ(text_of(its, its), text_of(made, 1, {}));
   }
-  return tests::words(session.state().place);
+  return session.state();
+}
+std::string last_place(const mesh::TriangleMesh& mesh, const std::vector<Position>& path) {
+  return tests::words(last_state(mesh, path).place);
 }
 
 // Two valleys lead down from a vertex, with a ridge between them: of their edges, which lead to the hand alike, the one with
@@ -248,6 +251,23 @@ TEST(soups_on_both_sides, a_line_may_be_met_by_a_triangle_in_the_plane_of_either
     EXPECT_NE(last_place({vertices, {level, upright, third}}, path), "");
     EXPECT_NE(last_place({vertices, {upright, level, third}}, path), "");
   }
+}
+
+// The ray in which they cross is in the middle of one, far from its sides.
+TEST(soups_on_both_sides, triangles_may_cross_from_a_common_corner) {
+  const std::vector<mesh::Vertex> vertices{{0, 0, 0}, {4, 3, 0}, {4, -3, 0}, {4, 0, 1}, {4, 0, -1}};
+  const std::vector<Position> path{{0, 0, 0},        {2, 0.25F, -0.5F}, {2, -0.25F, -0.5F},
+                                   {2, 0.5F, 0.25F}, {0, 0, 0},         {1, -0.25F, 0.125F}};
+  EXPECT_NE(last_place({vertices, {{0, 1, 2}, {0, 3, 4}}}, path), "");
+}
+
+// A flight in the plane of a level triangle ends at its border. An upright one there lets it go above the level one, whose
+// front that is; but below it is where the flight came from.
+TEST(soups_on_both_sides, a_flight_along_the_surface_ends_on_the_side_that_it_came_from) {
+  const mesh::TriangleMesh mesh{{{0, -4, 0}, {8, 0, 0}, {0, 4, 0}, {0, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}};
+  const fast::soups::State state = last_state(mesh, {{-1, 0.5F, 0}, {2, 0.5F, 0}}, {mesh::Sides::both, mesh::Sides::front});
+  EXPECT_EQ(state.cell.triangle, 0U);
+  EXPECT_TRUE(state.cell.is_behind);
 }
 
 }  // namespace

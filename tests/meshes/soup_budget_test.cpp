@@ -135,6 +135,9 @@ TEST(soup_budget, ends_the_same_ticks_on_both_sides) {
   EXPECT_EQ(unfinished(planes(12)), 0U);
   CostlyMesh needles = tests::needles(30);
   EXPECT_EQ(unfinished(needles), 0U);
+  // Through all of them, of which each way looks at every one.
+  needles.positions = {{280.131F, 279.697F, 279.703F}, {-461.192F, -384.264F, -464.904F}};
+  EXPECT_EQ(unfinished(needles), 1U);
 }
 
 // A point in more triangles is not entered, neither by the first position nor by a flight, which also looks at the rounded
