@@ -135,15 +135,16 @@ void Segment::add_in_plane(const Face& f, const Star::Held* held, const Add& add
   add(last);
 }
 
-void Segment::look(std::span<const Face* const> near, Time most, bool is_included, bool is_first_enough,
-                   std::vector<Time>& times) const {
+// Only the first time is kept without a list of those along it.
+void Segment::look(std::span<const Face* const> near, Time most, bool is_included, std::vector<Time>& times,
+                   std::vector<const Face*>* along) const {
   times.clear();
   const Scaled<Ball>& from = from_->get<Ball>();
   const Vector3<Ball>& d = along_.about;
   Vector3<Ball> to = from.x + most.about * d;
   const auto add = [&](const Time& t) {
     if (const int sign = compare(t, most); sign > 0 || (sign == 0 && !is_included)) return;
-    if (is_first_enough) {
+    if (along == nullptr) {
       times.clear();
       most = t;
       is_included = false;
@@ -151,10 +152,14 @@ void Segment::look(std::span<const Face* const> near, Time most, bool is_include
     }
     times.push_back(t);
   };
+  const auto look_in_plane = [&](const Face& f, const Star::Held* held) {
+    if (along != nullptr) along->push_back(&f);
+    add_in_plane(f, held, add);
+  };
   for (const Face* const face : near) {
     const Face& f = *face;
     if (const Star::Held* const held = star_ == nullptr ? nullptr : star_->held(f); held != nullptr) {
-      if (star_->across(held->plane, along_) == 0) add_in_plane(f, held, add);
+      if (star_->across(held->plane, along_) == 0) look_in_plane(f, held);
       continue;
     }
     const Corners<Ball> c = corners<Ball>(f);
@@ -179,7 +184,7 @@ void Segment::look(std::span<const Face* const> near, Time most, bool is_include
       height = -side_of_plane(f, *from_);
       slope = sign_of([&]<class N>() { return dot(normal<N>(f), along_.get<N>()); });
       if (slope == 0) {
-        if (height == 0) add_in_plane(f, nullptr, add);
+        if (height == 0) look_in_plane(f, nullptr);
         continue;
       }
       if (height != slope) continue;
@@ -191,16 +196,14 @@ void Segment::look(std::span<const Face* const> near, Time most, bool is_include
 
 void Segment::find_first(std::span<const Face* const> near, const Time& most, bool is_included,
                          std::vector<Time>& times) const {
-  look(near, most, is_included, true, times);
+  look(near, most, is_included, times, nullptr);
 }
 
-void Segment::find_changes(std::span<const Face* const> near, const Time& most, bool is_included,
-                           std::vector<Time>& times) const {
-  look(near, most, is_included, false, times);
-  if (times.size() < 2) return;
-  std::sort(times.begin(), times.end(), [&](const Time& a, const Time& b) { return compare(a, b) < 0; });
-  times.erase(std::unique(times.begin(), times.end(), [&](const Time& a, const Time& b) { return compare(a, b) == 0; }),
-              times.end());
+void Segment::find_changes(std::span<const Face* const> near, const Time& most, bool is_included, std::vector<Time>& times,
+                           std::vector<const Face*>& along) const {
+  along.clear();
+  look(near, most, is_included, times, &along);
+  if (times.size() > 1) std::sort(times.begin(), times.end(), [&](const Time& a, const Time& b) { return compare(a, b) < 0; });
 }
 
 }  // namespace forceshade::fast::soups

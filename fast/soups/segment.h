@@ -54,10 +54,11 @@ class Segment {
   int compare(const Time& a, const Time& b) const noexcept;
   Point point(const Time& t) const noexcept;
 
-  // The times after 0 and before `most`, or at it if it is included, at which the set of triangles changes; in order, each
-  // once. near: triangles among which are all that the segment meets.
-  void find_changes(std::span<const Face* const> near, const Time& most, bool is_included, std::vector<Time>& times) const;
-  // Only the first of them.
+  // The times after 0 and before `most`, or at it if it is included, at which the set of triangles changes: in order, with each
+  // triangle. near: triangles among which are all that the segment meets. along: those in whose plane it is.
+  void find_changes(std::span<const Face* const> near, const Time& most, bool is_included, std::vector<Time>& times,
+                    std::vector<const Face*>& along) const;
+  // The first of them.
   void find_first(std::span<const Face* const> near, const Time& most, bool is_included, std::vector<Time>& times) const;
 
  private:
@@ -68,8 +69,8 @@ class Segment {
   template <class Add>
   void add_in_plane(const Face& f, const Star::Held* held, const Add& add) const;
   std::uint32_t known_end(const Time& t) const noexcept;
-  void look(std::span<const Face* const> near, Time most, bool is_included, bool is_first_enough,
-            std::vector<Time>& times) const;
+  void look(std::span<const Face* const> near, Time most, bool is_included, std::vector<Time>& times,
+            std::vector<const Face*>* along) const;
 
   const Point* from_;
   const Star* star_;

@@ -51,6 +51,8 @@ Session::Session(std::shared_ptr<const Soup> soup, float stiffness, bool is_shad
   held_.reserve(kUsual);
   near_.reserve(kUsual);
   near_end_.reserve(kUsual);
+  along_.reserve(kUsual);
+  near_at_.reserve(2 * kUsual);
   times_.reserve(kUsual);
 }
 
@@ -102,10 +104,19 @@ bool Session::make_on_surface(At& at, const Point& x) {
   return !at.star->is_empty();
 }
 
+const Session::Near& Session::near_at(const Segment& segment, std::size_t& time) {
+  near_at_ = along_;
+  const Time& t = times_[time];
+  do near_at_.push_back(times_[time].f);
+  while (++time < times_.size() && segment.compare(t, times_[time]) == 0);
+  return near_at_;
+}
+
 bool Session::is_stopped(const Segment& segment, const Time& most, const Direction& w, const Near& near) {
-  segment.find_changes(near, most, false, times_);
-  for (const Time& t : times_) {
-    make_end(*stop_, segment.point(t), near, -segment.along(), w);
+  segment.find_changes(near, most, false, times_, along_);
+  for (std::size_t i = 0; i < times_.size();) {
+    const Time& t = times_[i];
+    make_end(*stop_, segment.point(t), near_at(segment, i), -segment.along(), w);
     if (is_exhausted()) return true;
     const std::optional<Cell> ahead = stop_->star->cell(segment.along(), &w);
     if (!ahead || !stop_->star->is_reached(stop_->cell, *ahead)) return true;
@@ -119,8 +130,9 @@ Session::End Session::flight(const Point& g) {
   look_along(g, p_, near_);
   const Segment segment(g, is_on_ ? on_->star : nullptr, u);
   const Time most = segment.at_target(p_);
-  segment.find_changes(near_, most, true, times_);
-  for (const Time& t : times_) {
+  segment.find_changes(near_, most, true, times_, along_);
+  for (std::size_t i = 0; i < times_.size();) {
+    const Time& t = times_[i];
     const bool is_at_p = segment.compare(t, most) == 0;
     Point x = segment.point(t);
     if (is_at_p) {
@@ -132,7 +144,7 @@ Session::End Session::flight(const Point& g) {
     }
     At& at = *end_;
     at.x = x;
-    at.star = &star_at(x, near_);
+    at.star = &star_at(x, near_at(segment, i));
     look_at(*at.star);
     if (is_exhausted()) return {&at, false};
     at.cell = at.star->cell(-u).value_or(0);

@@ -77,6 +77,8 @@ class Session {
   void make_end(At& at, const Point& x, const Near& near, const Direction& back, const Direction& w);
   bool make_on_surface(At& at, const Point& x);
   // Into *stop_.
+  // The triangles among which are all that hold the way's point at the first of these times; it moves on to the next one.
+  const Near& near_at(const Segment& segment, std::size_t& time);
   bool is_stopped(const Segment& segment, const Time& most, const Direction& w, const Near& near);
 
   At* rounded(At* at);
@@ -105,9 +107,9 @@ class Session {
   std::vector<Star::Held> held_;
   std::array<At, 5> ats_;
   At *on_ = &ats_[0], *end_ = &ats_[1], *next_ = &ats_[2], *stop_ = &ats_[3], *spare_ = &ats_[4];
-  std::optional<Place> kept_;           // of *on_, where it is known
-  std::optional<Place> rounded_place_;  // of a triangle's grid that gave what was rounded, where it is strictly inside
-  Near near_, near_end_;
+  std::optional<Place> kept_;               // of *on_, where it is known
+  std::optional<Place> rounded_place_;      // of a triangle's grid that gave what was rounded, where it is strictly inside
+  Near near_, near_end_, along_, near_at_;  // of a way; of its end; those in whose plane a way is; at a time
   std::vector<Time> times_;
   std::size_t looks_ = 0, points_ = 0;  // of the tick; at the points of a move or a rest
 };
