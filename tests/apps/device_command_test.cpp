@@ -298,6 +298,22 @@ TEST(drive, says_in_summary_and_recording_where_the_law_lies) {
   expect_holds(refused.err, {"--place: expected an axis and a multiple of 90 degrees, such as z90 or x-90,z180, got \"z45\""});
 }
 
+// Outside of a wall there is no force, whatever is said to be the reason.
+TEST(recording_check, finds_another_status_beside_the_same_force) {
+  for (const Status status : {Status::free, Status::contact, Status::invalid}) {
+    const TemporaryDirectory here;
+    recorder::Recorder recorder(here.file("run.fsr"), {{"law", "wall"}, {"stiffness_N_per_mm", "0.5"}});
+    for (std::uint64_t tick = 0; tick < 3; ++tick)
+      recorder.push(
+          {.tick = tick, .position = {0, 0, 1}, .status = static_cast<std::uint8_t>(tick == 1 ? status : Status::free)});
+    recorder.close("time up");
+    const CommandRun check = run_command(here, words_of("recording check run.fsr --law wall"));
+    EXPECT_EQ(check.code, status == Status::free ? 0 : 1) << check.err;
+    expect_holds(check.out,
+                 {"computed again: 3 ticks, 0 in contact, " + std::string(status == Status::free ? "0" : "1") + " differ"});
+  }
+}
+
 TEST(drive, says_that_a_simulated_device_has_no_buttons_where_there_is_no_terminal) {
   const TemporaryDirectory here;
   // In a session of its own, which has no terminal.

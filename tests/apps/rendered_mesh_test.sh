@@ -171,6 +171,9 @@ expect 2 "wall.off: has no texture coordinates" -- "$forceshade" force --mesh wa
 expect 2 "--shading: expected one of vertex, edge, none, texture:FILE; got \"texture\"" -- "$forceshade" force $mesh \
   --shading texture above.csv
 expect 2 "none.toml" -- "$forceshade" force above.csv --mesh wall.obj --unit mm --shading texture:none.toml --texture-scale 1
+printf '[[surface]]\nshape = "plane"\nslope_x = 0.5\n' | cat ramp.toml - > deep.toml
+expect 2 "deep.toml: has a surface to measure the depth from; expected none" -- "$forceshade" force above.csv --mesh wall.obj \
+  --unit mm --shading texture:deep.toml --texture-scale 1
 sed 's/^vt .*/vt 1 1/' wall.obj > flat.obj
 expect 2 "flat.obj: cannot be textured: face 0 has no area in the texture" -- "$forceshade" force --mesh flat.obj --unit mm \
   --shading texture:ramp.toml --texture-scale 1 above.csv
