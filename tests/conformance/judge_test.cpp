@@ -123,6 +123,26 @@ TEST(judgement, of_parts_put_together_is_that_of_all_cases) {
   EXPECT_EQ(text_of(json_of(parts, identity, {Unit::ulp, 2})), text_of(json_of(whole, identity, {Unit::ulp, 2})));
 }
 
+TEST(judgement, of_parts_counts_what_is_not_judged) {
+  Judgement its, later;
+  its.undecided = 1;
+  its.unfinished = 2;
+  later.undecided = 4;
+  later.unfinished = 8;
+  its.append(later);
+  EXPECT_EQ(its.undecided, 5U);
+  EXPECT_EQ(its.unfinished, 10U);
+}
+
+// A hand that is fast on one path begins the next one at rest.
+TEST(judge, begins_a_path_without_speed_where_the_case_says_so) {
+  const Description wall{"wall", DescribedLaw{LawId::wall, {.stiffness = 0.5F}}};
+  Judge judge(properties::subject_of(wall), {}, 0, damping::Parameters{.rate = 1000, .damping = 0.01F});
+  judge.add({{0, 0, 1}, true, {0, 0, 0}, "", "air"});
+  EXPECT_TRUE(judge.add({{0, 0, -1}, false, {0, 0, 0.5F}, "", "fast"})) << "which is damped";
+  EXPECT_FALSE(judge.add({{0, 0, -1.5F}, true, {0, 0, 0.75F}, "", "anew"}));
+}
+
 TEST(judge, holds_of_no_case_at_all_is_nothing) {
   EXPECT_FALSE(judged(kBump, {}, {}).held());
 }

@@ -34,7 +34,17 @@ Json hello_with(const Json& damping) {
           {"damping", damping}};
 }
 
-enum class Fault { none, pulls, no_limit, keeps_speed, unfiltered_sign, speed_outlives_pause, ignores_periods, other_rate };
+enum class Fault {
+  none,
+  pulls,
+  no_limit,
+  steps,
+  keeps_speed,
+  unfiltered_sign,
+  speed_outlives_pause,
+  ignores_periods,
+  other_rate
+};
 
 // A wall with damping along z, in binary64.
 class Damper : public RendererUnderTest {
@@ -70,7 +80,8 @@ class Damper : public RendererUnderTest {
     if (fault_ == Fault::unfiltered_sign) speed = std::copysign(speed, unfiltered_);
     double damped = spring - static_cast<double>(kDamping) * speed;
     if (fault_ != Fault::pulls) damped = std::max(damped, 0.0);
-    return spring == 0 ? 0 : static_cast<float>(std::min(damped, most));
+    if (spring == 0) return 0;
+    return static_cast<float>(std::min(damped, most) + (fault_ == Fault::steps ? 0.1 : 0));
   }
 
   void move_to(double z) {
@@ -122,6 +133,7 @@ TEST(damping_under_conform, a_renderer_without_faults_holds) {
 TEST(damping_under_conform, each_fault_is_found_by_the_check_that_looks_for_it) {
   EXPECT_TRUE(failures(Fault::pulls).contains(kLeaving));
   EXPECT_TRUE(failures(Fault::no_limit).contains(kLanding));
+  EXPECT_TRUE(failures(Fault::steps).contains(kLanding)) << "one of a tenth of a newton is felt, too";
   EXPECT_TRUE(failures(Fault::keeps_speed).contains(kRest));
   EXPECT_EQ(failures(Fault::speed_outlives_pause), Names{kPauses});
   EXPECT_TRUE(failures(Fault::ignores_periods).contains(kMissed));
