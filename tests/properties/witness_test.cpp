@@ -92,7 +92,10 @@ TEST(witness, is_a_simple_loop_no_deeper_than_asked_that_generates_99_percent_of
       EXPECT_LE(deepest(law, loop), static_cast<long double>(depth)) << what;
       // The ridge of the largest bump is at the end of the domain, where the two sides of the loop touch.
       EXPECT_TRUE((id == LawId::bump_2p_shaded && p.width == 2e4F) || is_simple(loop)) << what;
-      for (const PathPoint& corner : loop) EXPECT_LE(std::max(std::fabs(corner.x), std::fabs(corner.z)), 1e4F) << what;
+      for (const PathPoint& corner : loop) {
+        EXPECT_LE(std::max(std::fabs(corner.x), std::fabs(corner.z)), 1e4F) << what;
+        for (const float x : {corner.x, corner.z}) EXPECT_FALSE(x == 0 && std::signbit(x)) << what << ": -0";
+      }
       longest = std::max(longest, loop.size());
       worst = std::min(worst, Multiprecision(generated.low / bound.anywhere.high).convert_to<double>());
     }
