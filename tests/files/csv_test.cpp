@@ -140,6 +140,8 @@ TEST(csv, names_the_place_of_what_is_wrong) {
 TEST(csv, refuses_an_endless_row) {
   EXPECT_EQ(error_of("a,b\n" + std::string(Reader::kLongestRow + 1, '1')),
             "f.csv:2: expected at most 1048576 bytes in a row, got more");
+  for (const std::size_t more : {0, 1})
+    EXPECT_EQ(error_of("a,b,note\n1,2," + std::string(Reader::kLongestRow - 4 + more, 'x') + '\n').empty(), more == 0);
   std::string text = "a,b\n1,\"";
   for (std::size_t line = 0; line < Reader::kLongestRow / 8; ++line) text += "1234567\n";
   EXPECT_EQ(error_of(text), "f.csv:2: expected at most 1048576 bytes in a row, got more: is a quote left open?");

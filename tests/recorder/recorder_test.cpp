@@ -43,7 +43,7 @@ TEST_IN_THE_WORLD(recorder, gives_back_every_sample_to_the_bit) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("run.fsr");
   {
-    Recorder recorder(path, {{"law", "wall"}, {"device", "null"}});
+    Recorder recorder(path, {{"law", "wall"}, {"device", std::string("null\0, of no kind", 17)}});
     push(recorder, 0, 10'000);
     expect_result(recorder, 10'000, 0);
   }
@@ -54,7 +54,7 @@ TEST_IN_THE_WORLD(recorder, gives_back_every_sample_to_the_bit) {
   EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
   const Metadata& metadata = recording.metadata();
   EXPECT_EQ(metadata.at("law"), "wall");
-  EXPECT_EQ(metadata.at("device"), "null");
+  EXPECT_EQ(metadata.at("device"), std::string("null\0, of no kind", 17));
   EXPECT_EQ(metadata.at("end_reason"), "time up");
   EXPECT_EQ(metadata.at("started").size(), std::strlen("2026-01-31T12:00:00Z"));
 }
@@ -132,6 +132,7 @@ TEST_IN_THE_WORLD(recorder, counts_every_chunk_that_waits_for_a_full_disk) {
     const std::uint64_t written = gets_room ? kWritten + kWaiting : kWritten;
     expect_result(recorder, written, gets_room ? 0 : kWaiting, gets_room ? "" : path + ": database or disk is full");
     expect_samples(path, written);
+    EXPECT_EQ(Recording(path).extent().samples, written);
     EXPECT_EQ(Recording(path).ended(), gets_room);
   }
 }
