@@ -76,6 +76,20 @@ TEST(supervisor, allows_the_peak_shortly_and_the_continuous_force_for_ever) {
   EXPECT_EQ(always.supervisor.count(Rule::continuous_force), 0U);
 }
 
+// A device whose thermometer gives no number may be as hot as can be.
+TEST(supervisor, gives_motors_of_an_unknown_temperature_no_more_than_the_hottest) {
+  SupervisorLimits limits = lenient();
+  limits.peak_force = 8.5;
+  limits.continuous_force = 1.4;
+  Hand unknown(limits), hottest(limits), cold(limits);
+  unknown.state.temperature = kNan;
+  hottest.state.temperature = 2;
+  const Verdict verdict = unknown.supervise({0, 0, 5});
+  expect_only(verdict, Rule::warm_motors);
+  EXPECT_EQ(verdict.force, hottest.supervise({0, 0, 5}).force);
+  EXPECT_EQ(cold.supervise({0, 0, 5}).force.z(), 5);
+}
+
 // A millimetre to and fro at 50 Hz, under a force that the device reports to have sent; the commanded one is constant.
 double swing(Hand& hand, int ticks, float sent) {
   float lowest = 1;

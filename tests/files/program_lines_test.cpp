@@ -122,6 +122,11 @@ TEST(program_lines, show_the_last_words_of_a_program_to_the_reason_behind_a_long
   lines.complained(reason + '\n');
   EXPECT_EQ(result_of(lines, 10 * kMillisecond),
             "the program did not answer within 0.01 s; it wrote last on standard error: \"" + reason + '"');
+  Lines talker = asked();
+  for (int i = 0; i < 300; ++i) talker.complained("warming up\n");
+  talker.complained("no arm is connected\n");
+  EXPECT_EQ(result_of(talker, 10 * kMillisecond),
+            "the program did not answer within 0.01 s; it wrote last on standard error: \"no arm is connected\"");
 }
 
 TEST(program_lines, wait_until_the_time_of_an_answer_is_up_and_no_longer) {
