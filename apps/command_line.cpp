@@ -59,6 +59,7 @@ constexpr std::array kFormer{
     FormerWords{"--cpu", "taskset -c 0-N forceshade drive", ", whose loop takes the last of these processors"},
     FormerWords{"device list", "forceshade device"},
     FormerWords{"mesh info", "forceshade mesh check FILE"},
+    FormerWords{"--self-intersecting", "", ": faces may cross in every mesh and scene"},
     FormerWords{"experiment", "forceshade-study experiment", ", a program that is built in clients/study"},
     FormerWords{"analyze", "forceshade-study analyze", ", a program that is built in clients/study"},
 };

@@ -111,7 +111,9 @@ void print_energy(const MeshVerdict& verdict) {
 void print(const MeshVerdict& verdict) {
   print_energy(verdict);
   std::printf("%s\n", words_of(verdict.changes, verdict.hand()).c_str());
-  if (!verdict.changes.is_own) std::printf("the mesh has too many triangles for bounds of its own: these are of any mesh\n");
+  if (!verdict.changes.is_own)
+    std::printf("the mesh %s: these bounds between ticks are of any mesh\n",
+                verdict.rendering.checked.is_regular() ? "has too many triangles for its own" : "is not regular");
 }
 
 }  // namespace

@@ -80,7 +80,6 @@ void add_force(CLI::App& app, int& result) {
   const auto options = std::make_shared<ForceOptions>();
   CLI::App* command = app.add_subcommand("force", "Read positions as CSV (x_mm, y_mm, z_mm), write forces as CSV or NPY");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::one);
-  subject->accept_any_mesh();
   command
       ->add_option_function<std::string>(
           "--digits",

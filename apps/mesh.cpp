@@ -3,8 +3,6 @@
 
 #include "subjects/mesh.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -35,7 +33,6 @@ using Json = nlohmann::ordered_json;
 
 struct MeshFileOptions {
   std::string file, unit, out, json, length;  // of cracks that are looked for or joined; empty: none
-  bool self_intersecting = false;
 
   // Throws Error.
   std::optional<float> length_named(const char* name) const {
@@ -49,7 +46,6 @@ struct MeshFileOptions {
 // A mesh, which is a ground without objects, or the ground of a scene.
 struct Input {
   mesh::Ground ground;
-  bool may_cross = false;
 
   bool is_scene() const { return !ground.objects.empty(); }
   std::string words(const mesh::Findings& findings) const {
@@ -60,16 +56,14 @@ struct Input {
 Input read(const MeshFileOptions& options) {
   if (files::format_ending(options.file) != ".toml") {
     if (options.unit.empty()) throw CLI::RequiredError("--unit");
-    return {{load_mesh(options.file, subjects::unit_named(options.unit)), {}}, options.self_intersecting};
+    return {{load_mesh(options.file, subjects::unit_named(options.unit)), {}}};
   }
   if (!options.unit.empty())
     throw Error("--unit: expected none beside a scene, whose objects have units of their own, got \"" + options.unit + '"');
-  subjects::Options given{{"scene", options.file}};
-  if (options.self_intersecting) given.add({"self-intersecting", "true"});
-  subjects::Scene scene = subjects::load_scene(given);
+  subjects::Scene scene = subjects::load_scene({{"scene", options.file}});
   if (scene.ground.objects.empty())
     throw Error(options.file + ": expected an object without a motion, whose mesh can be looked at, got none");
-  return {std::move(scene.ground), scene.options.is_true("self-intersecting")};
+  return {std::move(scene.ground)};
 }
 
 Input load(const MeshFileOptions& options) {
@@ -77,10 +71,6 @@ Input load(const MeshFileOptions& options) {
   Input input = read(options);
   if (interrupted()) throw Interrupted("nothing was found out about " + options.file);
   return input;
-}
-
-mesh::SelfIntersections self_intersections(const Input& input) {
-  return input.may_cross ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused;
 }
 
 // One for each finding.
@@ -110,12 +100,6 @@ void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {
 
 constexpr const char kFailedHeading[] = "FAILED: no regular mesh; faces and vertices are counted from 0";
 
-// True if the faults leave a set of triangles that docs/soups.md is about.
-bool is_any_set(const mesh::Findings& findings) {
-  const auto is_found = [&](mesh::Fault fault) { return findings.counts[static_cast<std::size_t>(fault)] > 0; };
-  return std::ranges::none_of(std::array{mesh::Fault::empty, mesh::Fault::index, mesh::Fault::coordinate}, is_found);
-}
-
 // Notes a vertex that has so many triangles that a tick there may be late.
 void note_large_fan(const Input& input, const mesh::TriangleMesh& triangles, std::vector<std::string>& notes) {
   const mesh::LargestFan fan = mesh::largest_fan(triangles);
@@ -124,15 +108,6 @@ void note_large_fan(const Input& input, const mesh::TriangleMesh& triangles, std
                   " has " + std::to_string(fan.triangles) +
                   " faces: each move of a tick from there looks at all of them, which can take longer than 0.1 ms "
                   "(docs/speed.md, \"Vertices of many triangles\")");
-}
-
-// Borders that lie on each other, between which a hand goes.
-void note_seams(const mesh::TriangleMesh& triangles, std::vector<std::string>& notes) {
-  const std::uint64_t edges = mesh::coinciding_rim_edges(triangles);
-  if (edges == 0) return;
-  notes.push_back(std::to_string(edges) +
-                  " edges at a rim lie on others with equal ends, so that borders coincide there and a hand goes between the "
-                  "faces: 'forceshade mesh repair' joins equal vertices");
 }
 
 // The file's notes, and what of it no command renders.
@@ -189,7 +164,7 @@ std::string words_of(const Counted& counted) {
 
 // As it is rendered where no option is given.
 properties::WorstTick worst_tick(mesh::CheckedMesh& checked) {
-  const mesh::Sides sides = mesh::facts_of(checked).is_closed() ? mesh::Sides::front : mesh::Sides::both;
+  const mesh::Sides sides = mesh::usual_sides(checked);
   MeshRendering rendering{std::move(checked), {}, sides, mesh::Shading::none, 1};
   const properties::WorstTick worst = properties::worst_tick(rendering);
   checked = std::move(rendering.checked);
@@ -240,36 +215,35 @@ int check(const MeshFileOptions& options) {
   std::vector<std::string> notes = notes_of(input.ground.loaded);
   const bool has_normals = !input.ground.loaded.normals.empty(), has_texture = !input.ground.loaded.texture.empty();
   const mesh::TriangleMesh& triangles = input.ground.loaded.mesh;
-  auto checked = checked_with_progress(options.file, triangles, self_intersections(input));
+  auto checked = checked_with_progress(options.file, triangles);
   auto* held = std::get_if<mesh::CheckedMesh>(&checked);
   const std::vector<std::string> faults =
       held != nullptr ? std::vector<std::string>{} : lines_of(input.words(std::get<mesh::Findings>(checked)));
-  Json json{{"file", options.file}, {"held", held != nullptr}, {"self_intersections", input.may_cross ? "allowed" : "refused"},
+  Json json{{"file", options.file}, {"held", held != nullptr}, {"self_intersections", "refused"},
             {"faults", faults},     {"normals", has_normals},  {"texture", has_texture}};
   std::optional<properties::WorstTick> worst;
   std::optional<mesh::Facts> facts;
   std::vector<Row> rows;
   if (held != nullptr) {
     note_large_fan(input, held->mesh(), notes);
-    if (input.may_cross) note_seams(held->mesh(), notes);
     worst = worst_tick(*held);
-    json["worst_tick"] = {{"looks", worst->looks}, {"moves", worst->moves}, {"unfinished", worst->is_unfinished}};
     facts = mesh::facts_of(*held);
     add_facts(json, *facts);
-  } else if (is_any_set(std::get<mesh::Findings>(checked))) {
+  } else if (auto any = mesh::check_any(triangles); auto* set = std::get_if<mesh::CheckedMesh>(&any)) {
+    worst = worst_tick(*set);
     const mesh::Irregularities found = irregularities_with_progress(options.file, triangles);
     rows = rows_of(found);
     json["irregularities"] = apps::json_of(found);
     notes.emplace_back(
-        "any set of triangles is rendered exactly by 'forceshade force' and 'plot' (docs/soups.md), but not by a device yet: "
-        "each "
-        "face blocks, what coincides feels like one, and a gap is a gap");
+        "any set of triangles is rendered exactly (docs/soups.md): "
+        "each face blocks, what coincides feels like one, and a gap is a gap");
   }
   if (held != nullptr || !rows.empty()) {
     const mesh::Borders borders = mesh::borders_of(triangles, nearer_than);
     for (Row& row : rows_of(borders, nearer_than)) rows.push_back(std::move(row));
     json["borders"] = apps::json_of(borders, nearer_than);
   }
+  if (worst) json["worst_tick"] = {{"looks", worst->looks}, {"moves", worst->moves}, {"unfinished", worst->is_unfinished}};
   json["notes"] = notes;
   for (const auto& [name, counted] : names_in(input)) json[name] = json_of(counted);
   write_json(options.json, json);
@@ -283,16 +257,13 @@ int check(const MeshFileOptions& options) {
     for (const auto& [name, counted] : names_in(input)) print_row(name.c_str(), files::printable(words_of(counted)));
   }
   print(notes);
+  if (worst) print({properties::words_of(*worst)});
   if (held == nullptr) {
     std::printf("%s\n", kFailedHeading);
     print_faults(options.file, faults);
     return code;
   }
-  print({properties::words_of(*worst)});
-  std::printf("held: a %s of %zu faces%s\n", input.is_scene() ? "scene" : "mesh", held->mesh().triangles.size(),
-              held->self_intersections() == mesh::SelfIntersections::refused
-                  ? ""
-                  : "; whether faces without a common vertex cross was not checked");
+  std::printf("held: a %s of %zu faces\n", input.is_scene() ? "scene" : "mesh", held->mesh().triangles.size());
   return code;
 }
 
@@ -314,7 +285,7 @@ int repair(const MeshFileOptions& options) {
   }();
   done.insert(done.end(), repaired.done.begin(), repaired.done.end());
   write_mesh(options.out, repaired.mesh);
-  const auto checked = checked_with_progress(options.out, std::move(repaired.mesh), self_intersections(input));
+  const auto checked = checked_with_progress(options.out, std::move(repaired.mesh));
   const auto* findings = std::get_if<mesh::Findings>(&checked);
   const std::vector<std::string> faults = findings == nullptr ? std::vector<std::string>{} : lines_of(findings->words());
   Json moved = Json::array();
@@ -355,21 +326,16 @@ void add_mesh(CLI::App& app, int& result) {
     verb->callback([options, run, &result] { result = run(*options); });
     return std::pair(verb, options);
   };
-  const auto allow_self_intersections = [](CLI::App& verb, MeshFileOptions& options) {
-    verb.add_flag("--self-intersecting", options.self_intersecting, "allow faces without a common vertex to cross");
-  };
   const auto [check_verb, check_options] = add("check",
                                                "Check that a mesh is regular: exit code 0 and its faces, edges, parts and "
                                                "size; or 1, what kind of mesh it is, and what is "
                                                "wrong, with the numbers of faces",
                                                check);
-  allow_self_intersections(*check_verb, *check_options);
   add_length(*check_verb, "--cracks", check_options->length,
              "also name borders that are nearer to each other than this without touching, between which a hand can pass");
   add_json(*check_verb, check_options->json, "the same");
   const auto [repair_verb, repair_options] = add(
       "repair", "Join equal vertices, drop faces without area or twice there, turn faces over; lists what was done", repair);
-  allow_self_intersections(*repair_verb, *repair_options);
   add_length(
       *repair_verb, "--join", repair_options->length,
       "also move each vertex of a border onto the nearest one within this length that stays, and split faces whose edges have "

@@ -103,11 +103,9 @@ auto with_progress_of(const std::string& what, const std::string& file, const Wo
 
 }  // namespace
 
-std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
-                                                                      mesh::SelfIntersections self_intersections) {
-  return with_progress_of("check of ", file, [&](const Monitor& monitor) {
-    return mesh::check(std::move(triangles), self_intersections, monitor);
-  });
+std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles) {
+  return with_progress_of("check of ", file,
+                          [&](const Monitor& monitor) { return mesh::check(std::move(triangles), monitor); });
 }
 
 mesh::Irregularities irregularities_with_progress(const std::string& file, const mesh::TriangleMesh& triangles) {

@@ -14,8 +14,7 @@ namespace forceshade::apps {
 mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit);
 
 // mesh::check() with its progress on standard error. file: what the progress is called by.
-std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles,
-                                                                      mesh::SelfIntersections self_intersections);
+std::variant<mesh::CheckedMesh, mesh::Findings> checked_with_progress(const std::string& file, mesh::TriangleMesh triangles);
 
 // mesh::irregularities_of() in the same way.
 mesh::Irregularities irregularities_with_progress(const std::string& file, const mesh::TriangleMesh& triangles);

@@ -245,7 +245,6 @@ void add_plot(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand(
       "plot", "Draw a law or a height map: force profile, directions, nominal geometry, energy map; or a mesh or scene");
   const auto subject = std::make_shared<SubjectOption>(*command, subjects::Laws::several);
-  subject->accept_any_mesh();
   const auto options = std::make_shared<PlotOptions>();
   const auto of_mesh = std::make_shared<MeshPlot>();
   command

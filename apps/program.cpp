@@ -70,7 +70,8 @@ std::string fault_of_former_words(const CLI::App& app, std::span<const FormerWor
       const bool is_listed =
           is_of_any && its.starts_with("--") && (std::string(its) + ' ').find(word + ' ') != std::string::npos;
       if (is_listed || its == name + word)
-        return '"' + (is_listed ? word : name + word) + "\" is '" + std::string(now) + "' now" + std::string(remark);
+        return '"' + (is_listed ? word : name + word) + "\" is " +
+               (now.empty() ? "not needed" : "'" + std::string(now) + "' now") + std::string(remark);
     }
   }
   return "";

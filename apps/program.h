@@ -17,8 +17,8 @@ struct Command {
   void (*add)(CLI::App&, int& result);  // runs through `result` when the user calls it
 };
 
-// A command, or a command and its option or verb, that has other words now, and what else to say of them; or options
-// ("--at --from") of every command that has none of the name.
+// A command, or a command and its option or verb, that has other words now, or none where it is not needed, and what else to
+// say of them; or options ("--at --from") of every command that has none of the name.
 struct FormerWords {
   std::string_view words, now, remark = {};
 };

@@ -100,6 +100,10 @@ struct Recomputed {
 
 // Throws Error where something else was recorded. damping: off where none was named.
 void expect_recorded(const recorder::Recording& recording, const Identity& identity, const damping::Described& damping) {
+  if (recording.metadata().contains("self_intersections"))
+    throw Error(recording.path() +
+                ": was recorded with --self-intersecting, by another rule than that of docs/soups.md; "
+                "expected the version of forceshade that it names");
   recorder::Metadata all = run::metadata_of(identity);
   if (!damping.parameters.is_off()) {
     const auto recorded = recorder::damping_in(recording.metadata(), recording.path());

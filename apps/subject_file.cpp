@@ -20,10 +20,7 @@ void append(const std::string& file, bool damps, ExpandedLine& line) {
       continue;
     }
     line.places.emplace(option, place);
-    if (!subjects::is_flag(key))
-      line.words.push_back(option + '=' + value);
-    else if (value == "true")
-      line.words.push_back(option);
+    line.words.push_back(option + '=' + value);
   }
   if (is_left_out) tell(file + kDampingLeftOut);
 }

@@ -81,9 +81,6 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, bool damps)
   add("texture-scale", "LENGTH",
       "of a textured mesh: the length of one unit of the texture coordinates in its file, which no format says")
       ->needs(mesh);
-  options_["self-intersecting"] = command.add_flag(
-      "--self-intersecting", is_self_intersecting_,
-      "of a mesh or scene: faces without a common vertex may cross; each way is tested against the whole mesh");
   add("crease", "ANGLE (0 to 180)", "of a mesh or scene: an edge that turns by more is not shaded over");
   if (damps) {
     add(std::string(subjects::kDamping), "DAMPING[,MOST]",
@@ -108,9 +105,8 @@ bool SubjectOption::is_given() const {
 
 subjects::Options SubjectOption::options() const {
   subjects::Options given;
-  if (accepts_any_mesh_) given.accept_any_mesh();
   for (const auto& [key, option] : options_)
-    if (!option->empty()) given.add({key, subjects::is_flag(key) ? "true" : values_.at(key)});
+    if (!option->empty()) given.add({key, values_.at(key)});
   if (is_given()) return given;
   if (laws_ == subjects::Laws::one) throw CLI::RequiredError(subjects::words_of_kinds("or"));
   given.add({"law", "all"});

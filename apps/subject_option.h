@@ -22,9 +22,6 @@ class SubjectOption {
   // damping; else that of a file is left out, and said so.
   SubjectOption(CLI::App& command, subjects::Laws laws, bool damps = false);
 
-  // For a command that renders meshes that are not regular, too (docs/soups.md).
-  void accept_any_mesh() { accepts_any_mesh_ = true; }
-
   // Returns true if a subject option was given.
   bool is_given() const;
 
@@ -46,7 +43,6 @@ class SubjectOption {
   subjects::Laws laws_;
   bool damps_;
   std::map<std::string, std::string> values_;
-  bool is_self_intersecting_ = false, accepts_any_mesh_ = false;
   std::map<std::string, CLI::Option*> options_;  // by their keys
 };
 

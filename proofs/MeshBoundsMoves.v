@@ -75,10 +75,10 @@ Proof.
     apply scaled_no_larger; [rewrite Rabs_pos_eq; lra|exact L].
 Qed.
 
-(* ---- A landing among sheets, on an edge of a triangle in whose plane the flight lies (Flight::remaining(), Sheets::is_apart()). e is
-   the edge, n the triangle's normal, g the flight's start and p its end. At the landing x, m/d of the flight is left, and d x is
-   d p - m (p - g). The way from x to a point of the grid is tested against the edge (s, t) of another triangle
-   (Segment::opposite()). Where d < 0, the code takes -m and -d, which changes none of these products. ---- *)
+(* ---- A landing among sheets, on an edge of a triangle in whose plane the flight lies (Flight::remaining(); the rest is of a former
+   rule). e is the edge, n the triangle's normal, g the flight's start and p its end. At the landing x, m/d of the flight is left, and
+   d x is d p - m (p - g). The way from x to a point of the grid is tested against the edge (s, t) of another triangle.
+   Where d < 0, the code takes -m and -d, which changes none of these products. ---- *)
 
 Definition under_landing (a b c g p : vector) := dot (cross (minus b a) (minus p g)) (normal a b c).  (* d *)
 Definition over_landing (a b c p : vector) := dot (cross (minus b a) (minus p a)) (normal a b c).  (* m *)

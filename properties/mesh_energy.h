@@ -17,7 +17,7 @@ std::string why_no_energy_bound(const MeshRendering& rendering);
 
 // Upper bounds of what the vertex scheme turns a force by, as chords, 0 to √2, by where the god-object rests, in the limit of
 // small steps and of a fine grid of its state. Each contains the error of its own arithmetic. At the rim it never rests with a
-// force.
+// force. On a mesh that is not regular, `edges` and `vertices` are √2, and inside is where no triangle of another plane is.
 struct LargestTurns {
   std::vector<double> of_triangle;  // inside of each
   double inside = 0;                // of all triangles

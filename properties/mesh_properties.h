@@ -25,6 +25,9 @@ struct Ticked {
 // The god-object's point by its state, mm; a free one is at its own position.
 Eigen::Vector3d point_of(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
 
+// Decided exactly.
+bool has_area(const mesh::TriangleMesh& mesh, std::uint32_t triangle);
+
 // The most that the point of the state is away from the point that gave the force: two steps of the grid, mm.
 double grid_reach(const mesh::TriangleMesh& mesh, const mesh::GodObject& state);
 
@@ -48,16 +51,16 @@ UnitNormal unit_normal(const mesh::TriangleMesh& mesh, std::uint32_t triangle);
 
 // The most by which the vertex scheme turns the force of a rest inside this triangle, as a chord: |N/|N| - n/|n|| is at most
 // this, for every N that is interpolated between the corners' normals. A normal at a right angle to n, or beyond, gives the
-// root of 2, because no N with N·D <= 0 is used. It contains the error of its own arithmetic.
+// root of 2, because no N with N·D <= 0 is used. It contains the error of its own arithmetic. 0 of a triangle without area.
 double largest_turn(const MeshRendering& rendering, std::uint32_t triangle);
 
 // Along a path of valid positions the god-object never moves away from the position: from tick to tick its distance to the new
 // one is at most what it would be had it not moved. So an unshaded force gives no more energy than sampling does: over one tick
 // F·(p' - p) <= (F² - F'²)/2K + K/2 |p' - p|², which is checked of the forces, too. A shaded force is as long as the spring's
 // and gives at most t |F| |p' - p| more, where t is largest_turn() at a rest inside a triangle, else the root of 2
-// (docs/energy.md). Where materials have a stiffness of their own, F is
-// that of the place before and F' counts by the length of its spring. By the contact rule sub-goal, after a rest inside a
-// triangle, that distance may be 1 + 2t times as long, and F' counts for F'/(1 + 2t).
+// (docs/energy.md); on a mesh that is not regular it is the root of 2 everywhere. Where materials have a stiffness of their
+// own, F is that of the place before and F' counts by the length of its spring. By the contact rule sub-goal, after a rest
+// inside a triangle, that distance may be 1 + 2t times as long, and F' counts for F'/(1 + 2t).
 Violation spring_gives_no_energy(const MeshRendering& rendering, std::span<const Ticked> path);
 
 }  // namespace forceshade::properties

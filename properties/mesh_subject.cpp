@@ -165,8 +165,9 @@ std::vector<std::string> MeshSubject::parts() const {
     for (std::uint32_t i = 0; i < mesh_->mesh().triangles.size(); ++i) turn = std::max(turn, largest_turn(*mesh_, i));
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4f", std::ceil(turn * 1e4) / 1e4);
-    words.push_back(std::string("at a rest inside a triangle the shading gives at most ") + text.data() +
-                    " mJ more for each mm of path and N of force");
+    words.push_back(std::string("at a rest inside a triangle") +
+                    (mesh_->checked.is_regular() ? "" : ", where no other plane's is,") +
+                    std::string(" the shading gives at most ") + text.data() + " mJ more for each mm of path and N of force");
   }
   if (why_no_energy_bound(*mesh_).empty()) words.push_back(words_of(tick_changes(*mesh_, HandStep(), {}), HandStep()));
   words.push_back(words_of(worst_tick(*mesh_)));
@@ -257,6 +258,7 @@ std::vector<FurtherProperty> MeshSubject::further_properties() const {
 
 Expected MeshSubject::expected() const {
   std::vector<std::string> words{"where the god-object leaves a rim, a wide edge or a vertex"};
+  if (!mesh_->checked.is_regular()) words.emplace_back("where it leaves a line or a point in which triangles meet");
   if (mesh_->shading != mesh::Shading::none) words.emplace_back("where the shading is given up");
   if (mesh_->contact == mesh::Contact::sub_goal) words.emplace_back("where the sub-goal leaves the surface");
   if (mesh_->shading == mesh::Shading::texture_scheme) {

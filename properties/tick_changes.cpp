@@ -267,8 +267,12 @@ std::string four_digits(double value) {
 
 TickChanges tick_changes(const MeshRendering& rendering, const HandStep& hand, const Monitor& monitor) {
   TickChanges changes;
-  Pairs pairs(rendering, hand);
-  changes.is_own = pairs.run(changes, monitor.part(0, 0.8));
+  std::vector<SuspectPair> suspects;
+  if (rendering.checked.is_regular()) {
+    Pairs pairs(rendering, hand);
+    changes.is_own = pairs.run(changes, monitor.part(0, 0.8));
+    suspects = pairs.suspects();
+  }
   // The god-object never moves away from the hand, so that of any mesh.
   const double of_any = 2 * hand.depth + hand.step;
   changes.force.bound = changes.is_own ? std::min(of_any, changes.force.bound) : of_any;
@@ -277,7 +281,7 @@ TickChanges tick_changes(const MeshRendering& rendering, const HandStep& hand, c
   const double off = 2 * (kGridAngle + kOfForce);
   changes.force.bound = static_cast<double>(rendering.stiffness) * (changes.force.bound + off * hand.depth);
   changes.turn.bound = std::min(180.0, (changes.turn.bound + off) * 180 / std::numbers::pi);
-  search_changes(rendering, hand, pairs.suspects(), changes, monitor.part(0.8, 1));
+  search_changes(rendering, hand, suspects, changes, monitor.part(0.8, 1));
   return changes;
 }
 

@@ -27,7 +27,8 @@ struct TickChanges {
   Change force;         // N: the length of the difference of both forces
   Change turn;          // degrees, the angle between both
   unsigned moves = 0;   // the most of one tick that was found, in all that was tried
-  bool is_own = false;  // whether the bounds are this mesh's; else it has too many triangles, and they are those of any mesh
+  bool is_own = false;  // whether the bounds are this mesh's; else it has too many triangles, or is not regular, and they are
+                        // those of any mesh
 };
 
 // rendering: with a bound of its energy (why_no_energy_bound() in mesh_energy.h). The same for the same input. Throws

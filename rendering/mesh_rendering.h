@@ -63,10 +63,10 @@ inline std::optional<ParameterError> error_of_materials(const mesh::Materials& m
   return std::nullopt;
 }
 
-// The reason for refusal, but for those that the texture's height map has itself: the stiffness; the materials, and friction
-// where a regular mesh may cross itself; on a mesh that is not regular, a shading or contact rule that docs/soups.md does not
-// have; normals that are not one for each corner, with components in [-2, 2], where the shading or the contact rule uses them;
-// the same of a texture, with points within 10^4 mm and gradients of 0 or of 2^-30 to 1000 mm/mm.
+// The reason for refusal, but for those that the texture's height map has itself: the stiffness; the materials; on a mesh that
+// is not regular, a shading or contact rule that docs/soups.md does not have; normals that are not one for each corner, with
+// components in [-2, 2], where the shading or the contact rule uses them; the same of a texture, with points within 10^4 mm and
+// gradients of 0 or of 2^-30 to 1000 mm/mm.
 inline std::optional<ParameterError> first_error_of_any(const MeshRendering& rendering) {
   const auto outside = [](const char* name, const char* unit, float value, float most) -> std::optional<ParameterError> {
     if (std::fabs(value) <= most) return std::nullopt;
@@ -90,11 +90,6 @@ inline std::optional<ParameterError> first_error_of_any(const MeshRendering& ren
   if (!is_regular && is_shaded_otherwise)
     return ParameterError{"shading of a mesh that is not regular, by its number,", "", static_cast<float>(rendering.shading), 0,
                           1};
-  if (is_frictional && is_regular && rendering.checked.self_intersections() == mesh::SelfIntersections::allowed)
-    for (const mesh::Material& material : rendering.materials.list)
-      if (material.static_friction > 0)
-        return ParameterError{"static coefficient of friction of a mesh that may cross itself", "", material.static_friction, 0,
-                              0};
   if (!rendering.has_corner_normals()) return std::nullopt;
   if (const auto error = other_count("number of triangles with normals", rendering.normals.size())) return error;
   for (const auto& corners : rendering.normals)

@@ -26,6 +26,7 @@ constexpr std::size_t kLargestFile = 1 << 16;
 Options options_of(const files::TomlDocument& document, const fs::path& file) {
   Options options;
   for (const auto& [key, node] : document.root()) {
+    if (is_former(key.str(), node, file)) continue;
     if (key.str() != kDamping) {
       options.add(option_of(std::string(key.str()), node, document, file, names_of_keys(), "subject"));
       continue;
@@ -37,20 +38,14 @@ Options options_of(const files::TomlDocument& document, const fs::path& file) {
   return options;
 }
 
-// A subject file with these keys and values, in this order. A value is written as a text, but for "true".
+// A subject file with these keys and values, in this order.
 std::string file_of(const Entries& entries) {
   std::string text;
   for (const auto& [key, value] : entries) {
     if (value.empty()) continue;
-    text += key + " = ";
-    if (value == "true") {
-      text += value;
-    } else {
-      text += '"';
-      for (const char c : files::printable(value)) text += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
-      text += '"';
-    }
-    text += '\n';
+    text += key + " = \"";
+    for (const char c : files::printable(value)) text += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+    text += "\"\n";
   }
   return text;
 }
@@ -109,8 +104,7 @@ std::string written_for_shell(const Options& options) {
   entries.emplace_back("stiffness", written_stiffness(options));
   std::string words;
   for (const auto& [key, value] : entries)
-    if (!value.empty())
-      words += (words.empty() ? "--" : " --") + key + (value == "true" ? "" : ' ' + files::quoted_for_shell(value));
+    if (!value.empty()) words += (words.empty() ? "--" : " --") + key + ' ' + files::quoted_for_shell(value);
   return words;
 }
 

@@ -90,23 +90,17 @@ std::optional<files::Decimal> texture_scale(const Options& options) {
 
 mesh::CheckedMesh checked(const Options& options, Unchecked& unchecked, const Monitor& monitor) {
   const std::string file = options.value(options.has("scene") ? "scene" : "mesh");
-  const bool may_cross = options.is_true("self-intersecting");
   const auto result = [&] {
     try {
-      if (options.accepts_any_mesh() && !may_cross) return mesh::check_any(std::move(unchecked.loaded.mesh), monitor);
-      return mesh::check(std::move(unchecked.loaded.mesh),
-                         may_cross ? mesh::SelfIntersections::allowed : mesh::SelfIntersections::refused, monitor);
+      return mesh::check_any(std::move(unchecked.loaded.mesh), monitor);
     } catch (const Interrupted&) {
       throw Interrupted("the check of " + fs::path(file).filename().string() + " was not finished");
     }
   }();
   if (const auto* found = std::get_if<mesh::CheckedMesh>(&result)) return *found;
   const auto& findings = std::get<mesh::Findings>(result);
-  const bool crosses = findings.counts[static_cast<std::size_t>(mesh::Fault::meeting)] > 0;
   throw Error(files::printable(file) + ": cannot be rendered:\n" + unchecked.words(findings) +
-                  "'forceshade mesh repair' mends some of this" +
-                  (crosses && !may_cross ? "; with --self-intersecting, faces without a common vertex may cross" : "") +
-                  (options.has("scene") ? "" : "; 'forceshade force' and 'plot' take any set of triangles (docs/soups.md)"),
+                  "'forceshade mesh repair' mends some of this",
               Error::Lines::several);
 }
 
@@ -145,9 +139,6 @@ mesh::Unit unit_named(const std::string& word, const std::string& name) {
 mesh::Contact contact_beside(const mesh::Materials& materials, const Options& options) {
   const auto named = value_named<mesh::Contact>(contact_of(options), mesh::kContactNames);
   if (!has_friction(materials)) return named;
-  if (options.is_true("self-intersecting"))
-    throw Error(options.name("self-intersecting") +
-                ": expected without friction, which is not defined where faces cross, got both");
   const std::string_view source = options.has("scene") ? "scene" : options.has("friction") ? "friction" : "materials";
   if (options.has("contact") && named != mesh::Contact::friction)
     throw Error(options.name("contact") + ": expected friction, or no coefficient above 0 of " + options.name(source) +
@@ -208,7 +199,6 @@ std::vector<std::pair<std::string, std::string>> written_mesh(const Options& opt
           {"friction", options.has("friction") ? words_of_friction(options) : ""},
           {"materials", file_name(options.value("materials"))},
           {"texture-scale", scale ? scale->text() + "mm" : ""},
-          {"self-intersecting", options.is_true("self-intersecting") ? "true" : ""},
           {"crease", has_crease ? shortest(crease_degrees(options)) + "deg" : ""}};
 }
 

@@ -62,10 +62,6 @@ void expect_companions(const Options& options, const Key& key) {
 
 }  // namespace
 
-bool is_flag(std::string_view key) {
-  return std::ranges::any_of(kKeys, [&](const Key& one) { return one.name == key && one.is_flag; });
-}
-
 const Option* Options::find(std::string_view key) const {
   const auto found = std::ranges::find(options_, key, &Option::key);
   return found == options_.end() ? nullptr : &*found;

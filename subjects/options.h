@@ -16,7 +16,7 @@
 namespace forceshade::subjects {
 
 struct Option {
-  std::string key, value;  // "radius", "600mil"; a flag has the value "true" or "false"
+  std::string key, value;  // "radius", "600mil"
   std::string name = {};   // its name in messages: "bump.toml: line 3: radius"; "--radius" where it is empty
 };
 
@@ -29,12 +29,11 @@ inline constexpr std::string_view kDamping = "damping", kDrag = "drag", kDamping
 struct Key {
   std::string_view name;
   std::array<std::string_view, 2> of = {};  // the kinds that it can stand beside; none: all of them
-  bool is_flag = false;                     // it is true or false, and on a command line has no value
 
   bool is_of(std::string_view kind) const { return !kind.empty() && (of[0] == kind || of[1] == kind); }
 };
 // In the order in which an option of each is looked at.
-inline constexpr std::array<Key, 19> kKeys{{{"law"},
+inline constexpr std::array<Key, 18> kKeys{{{"law"},
                                             {"radius", {"law"}},
                                             {"width", {"law"}},
                                             {"stiffness"},
@@ -48,14 +47,10 @@ inline constexpr std::array<Key, 19> kKeys{{{"law"},
                                             {"friction", {"mesh"}},
                                             {"materials", {"mesh"}},
                                             {"texture-scale", {"mesh"}},
-                                            {"self-intersecting", {"mesh", "scene"}, true},
                                             {"crease", {"mesh", "scene"}},
                                             {kDamping},
                                             {kDrag},
                                             {kDampingFilter}}};
-
-// True if it is the key of a flag; false for a word that is no key.
-bool is_flag(std::string_view key);
 
 // The defaults: the thesis's bump of 600 and 1000 mil.
 inline constexpr const char *kUsualRadius = "15.24mm", *kUsualWidth = "25.4mm", *kUsualStiffness = "0.5N/mm";
@@ -75,19 +70,13 @@ class Options {
   }
   // Empty where it was not given.
   std::string value(std::string_view key) const;
-  bool is_true(std::string_view key) const { return value(key) == "true"; }
   std::string name(std::string_view key) const;
-
-  // Meshes that are not regular are read, too, for a command that can render them (docs/soups.md).
-  void accept_any_mesh() { accepts_any_mesh_ = true; }
-  bool accepts_any_mesh() const { return accepts_any_mesh_; }
 
   auto begin() const { return options_.begin(); }
   auto end() const { return options_.end(); }
 
  private:
   std::vector<Option> options_;
-  bool accepts_any_mesh_ = false;
 };
 
 enum class Laws { one, several };

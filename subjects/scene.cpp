@@ -55,7 +55,7 @@ class SceneReader {
     if (const toml::node* its = in_.root().get(kDamping))
       for (Option& one : options_of_damping(*its, in_.document(), in_.file())) all.add(std::move(one));
     for (const auto& [key, node] : in_.root())
-      if (key.str() != "object" && key.str() != "rate" && key.str() != kDamping)
+      if (key.str() != "object" && key.str() != "rate" && key.str() != kDamping && !is_former(key.str(), node, in_.file()))
         all.add(option_of(std::string(key.str()), node, in_.document(), in_.file(), keys, "scene"));
     for (const Option& one : given) all.add(one);
     expect_consistent(all, Laws::one);
@@ -110,7 +110,7 @@ class SceneReader {
     made.name = name_of(table);
     bool repeats = false;
     for (const auto& [key, node] : table) {
-      if (key.str() == "name" || key.str() == "motion") continue;
+      if (key.str() == "name" || key.str() == "motion" || is_former(key.str(), node, in_.file())) continue;
       if (key.str() != "repeats") {
         made.options.add(option_of(std::string(key.str()), node, in_.document(), in_.file(), keys, "subject"));
       } else if (const auto flag = node.value_exact<bool>()) {
@@ -221,7 +221,6 @@ Description read_scene(const Options& options, float stiffness, const Monitor& m
   SceneReader reader(options.value("scene"));
   Options all = reader.options(options);
   Scene scene = reader.read(all);
-  if (options.accepts_any_mesh() && scene.moving.empty()) all.accept_any_mesh();
   const std::string name = std::filesystem::path(options.value("scene")).filename().string();
   const auto ground = [&] {
     const auto load = [&]() -> Unchecked {
@@ -245,8 +244,7 @@ std::vector<std::pair<std::string, std::string>> written_scene(const Options& op
   const std::string file = options.value("scene");
   std::vector<std::pair<std::string, std::string>> entries{
       {"scene", with_folders ? file : std::filesystem::path(file).filename().string()}};
-  for (const std::string& key : keys_of_options())
-    if (!is_flag(key) || options.is_true(key)) entries.emplace_back(key, options.value(key));
+  for (const std::string& key : keys_of_options()) entries.emplace_back(key, options.value(key));
   return entries;
 }
 

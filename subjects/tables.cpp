@@ -14,6 +14,14 @@ namespace forceshade::subjects {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::string place_of(const toml::node& node, const fs::path& file) {
+  return file.string() + ": line " + std::to_string(node.source().begin.line);
+}
+
+}  // namespace
+
 files::TomlDocument document_in(std::variant<files::TomlDocument, files::TomlFault> parsed, const std::string& file) {
   if (const auto* fault = std::get_if<files::TomlFault>(&parsed))
     throw Error(file + ": " + files::line_words(fault->line) + fault->reason);
@@ -24,20 +32,22 @@ std::string beside(const fs::path& file, const std::string& name) {
   return (file.parent_path() / name).string();
 }
 
+bool is_former(std::string_view key, const toml::node& node, const fs::path& file) {
+  if (key != "self-intersecting") return false;
+  if (!node.is_boolean())
+    throw Error(place_of(node, file) + ": " + std::string(key) + ": expected true or false, got " +
+                files::words_of_value(node));
+  return true;
+}
+
 Option option_of(const std::string& key, const toml::node& node, const files::TomlDocument& document, const fs::path& file,
                  const std::vector<std::string>& keys, const std::string& whose) {
-  const std::string place = file.string() + ": line " + std::to_string(node.source().begin.line);
+  const std::string place = place_of(node, file);
   if (std::ranges::find(keys, key) == keys.end())
     throw Error(place + ": unknown key " + key + "; expected keys of a " + whose + files::suggestion(key, keys));
   Option option{key, document.words_of_scalars(node), place + ": " + key};
-  if (is_flag(key)) {
-    const auto flag = node.value_exact<bool>();
-    option.value = !flag ? "" : *flag ? "true" : "false";
-  }
   if (option.value.empty())
-    throw Error(option.name + ": expected " +
-                (is_flag(key) ? "true or false" : "a text in quotes, a number or a list of these") + ", got " +
-                files::words_of_value(node));
+    throw Error(option.name + ": expected a text in quotes, a number or a list of these, got " + files::words_of_value(node));
   option.value = with_file_placed(key, option.value, [&](const std::string& name) { return beside(file, name); });
   return option;
 }

@@ -26,6 +26,10 @@ std::string beside(const std::filesystem::path& file, const std::string& name);
 Option option_of(const std::string& key, const toml::node& node, const files::TomlDocument& document,
                  const std::filesystem::path& file, const std::vector<std::string>& keys, const std::string& whose);
 
+// True of a key of earlier versions that says nothing any more: self-intersecting, which is true or false. Throws Error for
+// another value.
+bool is_former(std::string_view key, const toml::node& node, const std::filesystem::path& file);
+
 // The options that the table [damping] of a file stands for. Throws Error as option_of() does, and where a number is out of its
 // range.
 std::vector<Option> options_of_damping(const toml::node& node, const files::TomlDocument& document,

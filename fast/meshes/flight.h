@@ -16,18 +16,6 @@ struct Hit {
   DoubleWithError remaining{};  // what is left of the flight there: 1 at g, 0 at p
 };
 
-// part: not none.
-inline FeatureKey key_at(const Mesh& mesh, std::uint32_t face, Hit::Part part, std::uint32_t corner) noexcept {
-  return key_of(mesh,
-                part == Hit::Part::triangle ? mesh::Place::triangle
-                : part == Hit::Part::edge   ? mesh::Place::edge
-                                            : mesh::Place::vertex,
-                3 * face + corner);
-}
-inline FeatureKey key_of(const Mesh& mesh, const Hit& hit) noexcept {
-  return key_at(mesh, hit.face, hit.part, hit.corner);
-}
-
 template <class Stages>
 class Flight {
  public:
@@ -81,15 +69,6 @@ class Flight {
     for (std::size_t i = 0; i < 3; ++i) cells[i] = passing.cell(i);
     return cells;
   }
-  // The same where p is, which is in the plane of the triangle.
-  std::array<Cell, 3> cells_at_end() const noexcept {
-    stages_.note(Stage::wide);
-    const ExactWeights weights(mesh_.face(end_.face), p_);
-    std::array<Cell, 3> cells{};
-    for (std::size_t i = 0; i < 3; ++i) cells[i] = exact_cell(weights.corner[i], weights.all);
-    return cells;
-  }
-
   // The part of the flight that is left at a hit, as num/den with den > 0.
   struct Fraction {
     FixedInteger<304> num, den;
@@ -245,8 +224,7 @@ class Flight {
     if (hit.part == Hit::Part::corner) passed_ = mesh_.start(3 * hit.face + hit.corner);
   }
 
-  // Keeps the hit if it comes before the one that is kept, and the flight may not go on there. Where sheets cross, of hits in
-  // one place the first feature counts.
+  // Keeps the hit if it comes before the one that is kept, and the flight may not go on there.
   void offer(Hit hit) noexcept {
     pass(hit);
     if (landing_.part != Hit::Part::none) {
@@ -254,7 +232,7 @@ class Flight {
         const Fraction a = remaining(hit), b = remaining(landing_);
         return (a.num * b.den).compare(b.num * a.den);
       });
-      if (nearer < 0 || (nearer == 0 && key_of(mesh_, hit) >= key_of(mesh_, landing_))) return;
+      if (nearer <= 0) return;
     }
     if (is_blocked(hit)) landing_ = hit;
   }
@@ -289,7 +267,7 @@ class Flight {
     Hit hit = part_at(mesh_, f, p_, stages_);
     if (hit.part == Hit::Part::none) return;
     pass(hit);
-    if (end_.part != Hit::Part::none && key_of(mesh_, hit) >= key_of(mesh_, end_)) return;
+    if (end_.part != Hit::Part::none) return;
     if (hit.part == Hit::Part::triangle) {
       hit.side = sign_of({dot(FaceNumbers(mesh_.face(f)).n, U_.U), HUGE_VAL}, stages_,
                          [&] { return dot(ExactFace(mesh_.face(f)).n, exact_offset_from(g_, p_)).sign(); }) > 0

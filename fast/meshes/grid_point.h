@@ -35,25 +35,6 @@ inline GridPoint grid_point_in_triangle(const Mesh& mesh, std::uint32_t face, st
   return {mesh::Place::triangle, side, 3 * face, {k, l}, {}};
 }
 
-// A vertex, an edge or a triangle by the file's numbers, in the order in which they count where sheets meet: vertices, edges by
-// their lower and their higher vertex, triangles.
-struct FeatureKey {
-  mesh::Place place = mesh::Place::nowhere;
-  std::array<std::uint32_t, 2> index{};
-
-  auto operator<=>(const FeatureKey&) const = default;
-};
-inline FeatureKey key_of(const Mesh& mesh, mesh::Place place, HalfEdge h) noexcept {
-  const std::uint32_t a = mesh.start(h);
-  if (place == mesh::Place::vertex) return {place, {a, 0}};
-  if (place == mesh::Place::triangle) return {place, {mesh.face(face_of(h)).index(), 0}};
-  const std::uint32_t b = mesh.start(next(h));
-  return {place, a < b ? std::array{a, b} : std::array{b, a}};
-}
-inline FeatureKey key_of(const Mesh& mesh, const GridPoint& grid_point) noexcept {
-  return key_of(mesh, grid_point.place, grid_point.half);
-}
-
 inline bool is_touching(const GridPoint& grid_point) noexcept {
   return grid_point.place != mesh::Place::nowhere && grid_point.place != mesh::Place::free;
 }

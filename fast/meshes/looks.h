@@ -6,9 +6,26 @@
 #include <array>
 #include <cmath>
 
-#include "fast/meshes/segment.h"
+#include "fast/meshes/flight.h"
 
 namespace forceshade::fast {
+
+// A point in units of 2^-77 mm.
+using GridPlace = Vector3<FixedInteger<92>>;
+
+inline GridPlace place_of(const Point& g) noexcept {
+  const auto coordinate = [&](std::size_t axis) {
+    FixedInteger<92> sum;
+    for (int c = 0; c < g.count; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      // No partial sum exceeds 2^24 times the largest coordinate: the weights add up to 2^24.
+      const auto next = sum + in_units(g.corner[i][axis]) * FixedInteger<25>(static_cast<std::int64_t>(g.weight[i]));
+      sum = FixedInteger<92>(next.words());
+    }
+    return sum;
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
 
 class Looks {
  public:

@@ -29,7 +29,6 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
     result.texture_map_ = std::make_shared<const HeightMapField>(std::get<HeightMapField>(std::move(map)));
   }
   result.sides_ = rendering.sides;
-  result.has_sheets_ = rendering.checked.self_intersections() == mesh::SelfIntersections::allowed;
   const std::vector<std::uint32_t> order = curve_order(triangles);
   result.faces_.resize(order.size());
   result.face_of_file_.resize(order.size());

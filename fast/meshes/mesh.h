@@ -100,7 +100,6 @@ class Mesh {
   bool is_at_rim(std::uint32_t vertex) const noexcept { return twin(first_around_[vertex]) == kRim; }
 
   mesh::Sides sides() const noexcept { return sides_; }
-  bool has_sheets() const noexcept { return has_sheets_; }  // which may cross
   const BoxTree& tree() const noexcept { return tree_; }
   float largest_coordinate() const noexcept { return largest_coordinate_; }
   bool has_friction() const noexcept { return has_friction_; }
@@ -146,7 +145,6 @@ class Mesh {
   std::shared_ptr<const HeightMapField> texture_map_;
   BoxTree tree_;
   mesh::Sides sides_ = mesh::Sides::front;
-  bool has_sheets_ = false;
   bool has_friction_ = false, has_stiffness_ = false;
   std::vector<mesh::Material> materials_;
   std::vector<std::uint32_t> material_of_face_;

@@ -33,7 +33,6 @@ struct Arrival {
   Offset to_hand{};          // 2^24(p - g) there, where it is at hand
   double error_to_hand = 0;  // of a component of it; 0 where it is from offset_from()
   int looks = 0;             // triangles that the tick has looked at: those of docs/god-object.md, or more
-  int tries = 0;             // that the tick's detours and landings have taken: where sheets may cross
 };
 
 // Between what a god-object remembers and the file's numbering. A state is one of the contact rule.

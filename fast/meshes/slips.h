@@ -29,17 +29,14 @@ class Slips : protected Rests<Stages> {
   // The beginning of a flight, as far as it and the next moves depend on it.
   struct Beginning {
     GridPoint grid_point;
-    int moves, looks, tries;
+    int moves, looks;
     bool is_slipping;
   };
-  FORCESHADE_INLINE Beginning beginning() const noexcept {
-    return {grid_point_, at_.moves, at_.looks, at_.tries, at_.is_slipping};
-  }
+  FORCESHADE_INLINE Beginning beginning() const noexcept { return {grid_point_, at_.moves, at_.looks, at_.is_slipping}; }
   void begin_again(const Beginning& from) noexcept {
     grid_point_ = from.grid_point;
     at_.moves = from.moves;
     at_.looks = from.looks;
-    at_.tries = from.tries;
     at_.is_slipping = from.is_slipping;
     at_.pull = {};
     at_.to_hand = {};
@@ -138,14 +135,6 @@ class Slips : protected Rests<Stages> {
     const Direction direction{w, size_of(w), &corner, p_.data(), false};
     return Headings<Stages>(mesh_, direction, stages_)
         .is_better({Slide::Along::triangle, mesh_.twin(h), false}, {Slide::Along::triangle, h, false});
-  }
-  // The triangle beside the edge that comes first in the file.
-  std::uint32_t first_beside(HalfEdge h) const noexcept {
-    const std::uint32_t f = face_of(h), other = mesh_.twin(h) == kRim ? f : face_of(mesh_.twin(h));
-    return mesh_.face(other).index() < mesh_.face(f).index() ? other : f;
-  }
-  const GridPoint* grid_point_if_touching() const noexcept {
-    return grid_point_.place == mesh::Place::free ? nullptr : &grid_point_;
   }
   FORCESHADE_INLINE static DoubleWithError times(std::uint32_t weight, const DoubleWithError& a) noexcept {
     return fast::times(static_cast<double>(weight), a);

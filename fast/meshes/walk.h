@@ -2,20 +2,15 @@
 #pragma once
 // One tick of the god-object: the descent of docs/god-object.md, rule by rule.
 
-#include <optional>
-
 #include "fast/meshes/glide.h"
-#include "fast/meshes/sheets.h"
 #include "fast/meshes/slips.h"
 
 namespace forceshade::fast {
 
-// kHasSheets: whether ways are tested against the whole mesh, whose sheets may cross. kHasFriction: whether slides may be held.
-template <class Stages, bool kHasSheets = false, bool kHasFriction = false>
+// kHasFriction: whether slides may be held.
+template <class Stages, bool kHasFriction = false>
 class Walk : Slips<Stages> {
  public:
-  static constexpr int kMostTries = 256;  // with these, no further detour or landing of the tick begins
-
   // Moves `at`, from where its grid point is, towards p: the hand's position, or what a contact rule puts in its place. p: mm,
   // in the domain and quantised. Both have to outlive the walk.
   FORCESHADE_INLINE Walk(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p, const Stages& stages = {}) noexcept
@@ -28,7 +23,6 @@ class Walk : Slips<Stages> {
         if (other != kRim) mesh_.fetch_neighbours(face_of(other));
     at_.moves = 0;
     at_.looks = 0;
-    if constexpr (kHasSheets) at_.tries = 0;
     at_.is_finished = true;
     if constexpr (kHasFriction) {
       at_.pull = {};
@@ -46,12 +40,12 @@ class Walk : Slips<Stages> {
  private:
   using typename Slips<Stages>::Facing, typename Slips<Stages>::Beginning;
   using Slips<Stages>::at_, Slips<Stages>::kMostLooks, Slips<Stages>::most_moves, Slips<Stages>::inward, Slips<Stages>::times,
-      Slips<Stages>::integer, Slips<Stages>::landed_, Slips<Stages>::landed_at_, Slips<Stages>::grid_point_if_touching;
+      Slips<Stages>::integer, Slips<Stages>::landed_, Slips<Stages>::landed_at_;
   using Slips<Stages>::beginning, Slips<Stages>::begin_again, Slips<Stages>::count_looks, Slips<Stages>::note_landing,
       Slips<Stages>::first_flight_, Slips<Stages>::has_doubt_, Slips<Stages>::counts_exactly_;
   using Slips<Stages>::slip_in, Slips<Stages>::slip_quickly_in, Slips<Stages>::slip_along, Slips<Stages>::stay,
       Slips<Stages>::exhausted, Slips<Stages>::steepest;
-  using Slips<Stages>::is_second_nearer, Slips<Stages>::first_beside, Slips<Stages>::is_own;
+  using Slips<Stages>::is_second_nearer, Slips<Stages>::is_own;
   using Rests<Stages>::mesh_, Rests<Stages>::grid_point_, Rests<Stages>::p_, Rests<Stages>::stages_;
   using Rests<Stages>::put, Rests<Stages>::grid_point_at_position, Rests<Stages>::rest_on_edge, Rests<Stages>::rest_in_triangle;
   using Rests<Stages>::is_nearest_already, Rests<Stages>::rounded_on_edge, Rests<Stages>::is_nearer,
@@ -76,38 +70,9 @@ class Walk : Slips<Stages> {
     put(to);
     return Step::onward;
   }
-  // The same after a slide in the triangle f, or along an edge of it.
-  FORCESHADE_INLINE Step slid(RestKind how, const GridPoint& at, std::uint32_t f) noexcept {
-    if constexpr (kHasSheets)
-      if (const auto other = diverted(at, f)) return *other;
-    return rest(how, at);
-  }
-  FORCESHADE_INLINE Step slid_onward(const GridPoint& to, std::uint32_t f) noexcept {
-    if constexpr (kHasSheets)
-      if (const auto other = diverted(to, f)) return *other;
+  FORCESHADE_INLINE Step slid_onward(const GridPoint& to) noexcept {
     if constexpr (kHasFriction) at_.is_slipping = true;
     return onward(to);
-  }
-  // The step around a sheet that is in the way; nothing where it is clear. The move is counted already.
-  [[gnu::noinline]] std::optional<Step> diverted(const GridPoint& to, std::uint32_t f) noexcept {
-    const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
-    const auto block = sheets.block(grid_point_, to, f);
-    if (!block) return std::nullopt;
-    return arrive_instead([&](Tries& tries) { return sheets.detour(grid_point_, to, f, *block, tries); });
-  }
-  // find(tries): a point to go to instead.
-  template <class Find>
-  Step arrive_instead(const Find& find) noexcept {
-    if (at_.tries < kMostTries) {
-      Tries tries;
-      const std::optional<GridPoint> other = find(tries);
-      at_.tries += tries.taken();
-      if (other) return onward(*other);
-      --at_.moves;
-      return grid_point_.place == mesh::Place::free ? Step::exhausted : rest(RestKind::at_grid_point);
-    }
-    --at_.moves;
-    return Step::exhausted;
   }
   FORCESHADE_INLINE Step be_free() noexcept {
     grid_point_.place = mesh::Place::free;
@@ -117,13 +82,13 @@ class Walk : Slips<Stages> {
   }
 
   [[gnu::noinline]] Step start() noexcept {
-    Hit hit;  // the first of the features that are there
+    Hit hit;
     const Vector3<double> place{static_cast<double>(p_[0]), static_cast<double>(p_[1]), static_cast<double>(p_[2])};
     mesh_.tree().along(place, place, [&](std::uint32_t f) {
       if (side_of(mesh_.face(f), p_.data(), stages_) != 0) return;
       const Hit found = Flight<Stages>::part_at(mesh_, f, p_.data(), stages_);
       if (found.part == Hit::Part::none) return;
-      if (hit.part == Hit::Part::none || key_of(mesh_, found) < key_of(mesh_, hit)) hit = found;
+      if (hit.part == Hit::Part::none) hit = found;
     });
     if (hit.part == Hit::Part::none) return be_free();
     if (is_rough(hit)) return onward(rounded_position(hit));
@@ -240,11 +205,11 @@ class Walk : Slips<Stages> {
         if (const auto step = slip_along(way, foot, is_towards_start, is_foot_inside, of)) return *step;
     if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
-    if (is_foot_inside) return slid(RestKind::on_edge, rest_on_edge(h, grid_point_.side), first_beside(h));
+    if (is_foot_inside) return rest(RestKind::on_edge, rest_on_edge(h, grid_point_.side));
     const HalfEdge end = is_towards_start ? h : next(h);
     const GridPoint vertex = grid_point_at_vertex(mesh_, end, grid_point_.side);
-    if (is_position(mesh_.start_point(end))) return slid(RestKind::at_goal, vertex, first_beside(h));
-    return slid_onward(vertex, first_beside(h));
+    if (is_position(mesh_.start_point(end))) return rest(RestKind::at_goal, vertex);
+    return slid_onward(vertex);
   }
   // From the grid point, through the triangle, towards p's nearest point q of its plane.
   FORCESHADE_INLINE Step slide_in(std::uint32_t f, const Facing& facing) noexcept {
@@ -267,7 +232,7 @@ class Walk : Slips<Stages> {
     if (at_.moves == most_moves()) return Step::exhausted;
     ++at_.moves;
     at_.plane = {facing.numbers.n, dot(facing.numbers.n, facing.w), weights.all.value, facing.numbers.area, size_of(facing.w)};
-    return slid(facing.side == 0 ? RestKind::at_goal : RestKind::in_triangle, to, f);
+    return rest(facing.side == 0 ? RestKind::at_goal : RestKind::in_triangle, to);
   }
   // The same where q is not strictly inside.
   FORCESHADE_INLINE Step slide_out(std::uint32_t f, const Facing& facing, const std::array<int, 3>& inside) noexcept {
@@ -290,17 +255,17 @@ class Walk : Slips<Stages> {
       if (first == 0) {
         const HalfEdge corner = 3 * f + (3 - i - j);
         const GridPoint vertex = grid_point_at_vertex(mesh_, corner, grid_point_.side);
-        if (is_position(mesh_.start_point(corner))) return slid(RestKind::at_goal, vertex, f);
-        return slid_onward(vertex, f);
+        if (is_position(mesh_.start_point(corner))) return rest(RestKind::at_goal, vertex);
+        return slid_onward(vertex);
       }
       if (first < 0) i = j;
     }
     const HalfEdge edge = 3 * f + after(i);
     if (facing.side == 0 && inside[i] == 0 && !is_rough(edge))
-      return slid(RestKind::at_goal, rest_on_edge(edge, grid_point_.side), f);
+      return rest(RestKind::at_goal, rest_on_edge(edge, grid_point_.side));
     const std::uint32_t j = before(i);  // the edge's end
     const DoubleWithError along = num(j), whole = times(G[i], weights.all) - shifted<24>(weights.corner[i]);
-    if constexpr (!kHasSheets && !kHasFriction)  // whose slides have to be tested one by one
+    if constexpr (!kHasFriction)  // whose slides have to be tested one by one
       if (inside[i] < 0 && facing.side == (grid_point_.side == mesh::Side::front ? -1 : 1) && at_.moves >= glide_from_ &&
           glide<Stages>(*this, at_, edge, along, whole, static_cast<double>(G[i]), weights.all, most_moves(), glide_from_))
         return Step::rest;
@@ -314,7 +279,7 @@ class Walk : Slips<Stages> {
     if (stages_.sure(is_surely_nearer(static_cast<double>(G[i]), weights.all.value - weights.all.error,
                                       foot.length.value + foot.length.error)) ||
         is_nearer(to))
-      return slid_onward(to, f);
+      return slid_onward(to);
     return refuse({Slide::Along::triangle, 3 * f, false});
   }
   // A rest at the grid point instead of a move, which is counted already. way: the steepest.
@@ -345,32 +310,14 @@ class Walk : Slips<Stages> {
     if (landing.part == Hit::Part::none) {
       if (flight.end().part == Hit::Part::none) return be_free();
       if (is_rough(flight.end())) return arrive(rounded_position(flight.end()));
-      const GridPoint to = grid_point_at_position(flight.end());
-      if constexpr (kHasSheets) {
-        const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
-        if (!sheets.is_apart(g, flight.end(), {}, FixedInteger<304>(1), to))
-          return arrive_instead([&](Tries& tries) {
-            return sheets.landing(g, grid_point_if_touching(), sheets.bases(flight.end(), flight.cells_at_end()), tries);
-          });
-      }
-      return rest(RestKind::at_goal, to);
+      return rest(RestKind::at_goal, grid_point_at_position(flight.end()));
     }
     const HalfEdge h = 3 * landing.face + landing.corner;
     if (landing.part == Hit::Part::corner) note_landing(mesh_.start(h), flight.onward());
     const GridPoint to = landing.part == Hit::Part::corner ? grid_point_at_vertex(mesh_, h, landing.side)
                          : landing.part == Hit::Part::edge ? rounded_landing(h, flight.cell_on_edge(), landing.side)
                                                            : rounded_in_triangle(landing.face, flight.cells(), landing.side);
-    if constexpr (!kHasSheets) return arrive(to);
-    if (grid_point_.place != mesh::Place::free && !is_nearer(to)) return refuse_flight();
-    if constexpr (kHasSheets) {
-      const Sheets<Stages> sheets(mesh_, p_.data(), stages_);
-      const auto left = flight.left_at_landing();
-      if (!sheets.is_apart(g, landing, left.num, left.den, to))
-        return arrive_instead([&](Tries& tries) {
-          return sheets.landing(g, grid_point_if_touching(), sheets.bases(landing, flight.cells()), tries);
-        });
-    }
-    return onward(to);
+    return arrive(to);
   }
   // The moves from the first flight on whose looks are not counted exactly: they may be more than those of the definition, so
   // that it is not known yet that the tick is to end.

@@ -6,10 +6,10 @@
 //   const mesh::GodObject nowhere;  // the state at the beginning of a path
 //   const bool is_new = nowhere.place == mesh::Place::nowhere;
 //
-// Lengths are in mm, forces in N, the stiffness in N/mm. A mesh is checked once, by mesh::check() of meshes.h, and only what
-// it gives can be rendered: fast::GodObject of fast.h does it, reference::GodObject of reference.h defines it. The latter also
-// renders what mesh::check_any() gives, which is any set of triangles (docs/soups.md). All of these are values, which threads
-// may share while none changes them. Nothing here allocates but the vectors' copies, or throws but std::bad_alloc.
+// Lengths are in mm, forces in N, the stiffness in N/mm. A mesh is checked once, by mesh::check() or mesh::check_any() of
+// meshes.h, and only what they give can be rendered: fast::GodObject of fast.h does it, reference::GodObject of reference.h
+// defines it. All of these are values, which threads may share while none changes them. Nothing here allocates but the vectors'
+// copies, or throws but std::bad_alloc.
 //
 // Not promised: more enumerators or members may come in a new version (docs/versions.md).
 //
@@ -81,9 +81,6 @@ struct Materials {
 // The directions in which a triangle blocks motion: against its normal, or against and along it.
 enum class Sides { front, both };
 
-// Permission for triangles that have no vertex in common to meet or cross, if not in one plane.
-enum class SelfIntersections { refused, allowed };
-
 // The result of a check, instead of the mesh: include/forceshade/meshes.h.
 struct Findings;
 
@@ -107,19 +104,13 @@ class CheckedMesh {
   // True of what mesh::check() gives, whose triangles are joined. Otherwise it is any set of triangles, of which some may have
   // no area, and docs/soups.md defines the god-object on it.
   bool is_regular() const { return is_regular_; }
-  // `refused`: it has been found that no triangles meet beside their common vertices. `allowed`: that those with a common
-  // vertex do not, and that none meet in one plane; or it is not regular.
-  SelfIntersections self_intersections() const { return self_intersections_; }
 
  private:
-  friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections,
-                                                   const Monitor& monitor);
+  friend std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, const Monitor& monitor);
   friend std::variant<CheckedMesh, Findings> check_any(TriangleMesh mesh, const Monitor& monitor);
-  CheckedMesh(TriangleMesh mesh, SelfIntersections self_intersections, bool is_regular)
-      : mesh_(std::move(mesh)), self_intersections_(self_intersections), is_regular_(is_regular) {}
+  CheckedMesh(TriangleMesh mesh, bool is_regular) : mesh_(std::move(mesh)), is_regular_(is_regular) {}
 
   TriangleMesh mesh_;
-  SelfIntersections self_intersections_;
   bool is_regular_;
 };
 

@@ -83,10 +83,9 @@ enum class Fault {
   same_direction,  // two triangles run along their edge in the same direction
   several_fans,    // the triangles at a vertex are not one fan
   meeting,         // two triangles have more points in common than their common vertices say
-  in_one_plane,    // the same in one plane, of triangles that may cross elsewhere
   undecided        // too many pairs of triangles are near each other to decide the last in reasonable time
 };
-inline constexpr std::size_t kFaults = 12;
+inline constexpr std::size_t kFaults = 11;
 
 struct Finding {
   Fault fault{};
@@ -117,10 +116,8 @@ struct Findings {
 std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh);
 
 // Takes some 50 bytes a triangle beside the mesh, and as many threads as the machine has cores, 8 at most; what it finds does
-// not depend on their number. With self-intersections allowed, triangles with a common vertex still meet in what they share
-// alone, and those in one plane do not meet. Throws Interrupted.
-std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused,
-                                          const Monitor& monitor = {});
+// not depend on their number. Throws Interrupted.
+std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, const Monitor& monitor = {});
 
 // As check() where the mesh is regular; any other set of triangles is given, too, as it is. Findings are of coordinates,
 // indices and counts alone, or of the triangles where none has an area. Throws Interrupted.
@@ -198,10 +195,6 @@ struct Borders {
 
 // Each decided exactly. nearer_than: mm, 0 for none, or 2^-30 at least.
 Borders borders_of(TriangleMesh mesh, float nearer_than = 0);
-
-// The edges with one triangle that lie on another such edge, with equal ends: exporters give each side of a seam vertices of
-// its own. Only a mesh that may cross itself can have them; a hand goes between the two.
-std::uint64_t coinciding_rim_edges(const TriangleMesh& mesh);
 
 // The vertex with the most triangles, the first of several.
 struct LargestFan {

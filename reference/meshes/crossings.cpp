@@ -35,13 +35,12 @@ std::optional<Crossing> with_edge(const Vector& e, const Vector& a, std::size_t 
 
 // The point where the line passes through the plane inside the triangle. The weights of the corners a, b, c there are in the
 // ratio of the determinants of u with the sides opposite to them, as they are seen from g; these add up to normal·u.
-std::optional<Crossing> with_triangle(const Surface& surface, std::size_t index, const Vector& g, const Vector& u,
-                                      const Integer& scale) {
+std::optional<Crossing> with_triangle(const Surface& surface, std::size_t index, const Vector& g, const Vector& u) {
   const Triangle& triangle = surface.triangles()[index];
   const Integer descent = dot(triangle.normal, u);
   if (descent.is_zero()) return std::nullopt;
   const auto& [a, b, c] = triangle.vertices;
-  const auto corner = [&](std::uint32_t v) { return scale * surface.vertices()[v] - g; };
+  const auto corner = [&](std::uint32_t v) { return surface.vertices()[v] - g; };
   const Vector A = corner(a);
   Fraction s = fraction(dot(triangle.normal, A), descent);
   if (!is_between(s)) return std::nullopt;
@@ -75,22 +74,6 @@ std::vector<Box> triangle_boxes(const Surface& surface) {
 Crossings::Crossings(const Surface& surface)
     : surface_(surface), vertices_(vertex_boxes(surface)), edges_(edge_boxes(surface)), triangles_(triangle_boxes(surface)) {}
 
-std::strong_ordering operator<=>(const Crossing& a, const Crossing& b) {
-  if (const auto order = a.s <=> b.s; order != 0) return order;
-  if (a.point.feature.place != b.point.feature.place) return a.point.feature.place <=> b.point.feature.place;
-  return a.point.feature.index <=> b.point.feature.index;
-}
-
-std::vector<Crossing> Crossings::between(const Vector& g, const Vector& p) const {
-  return between(g, p, 1, Reach(g, p));
-}
-
-bool Crossings::is_alone(const Vector& over, const Integer& scale, const Vector& e, const std::array<Vector, 2>& ends) const {
-  const Reach reach(Box(ends[0]).join(Box(ends[1])).join(Box(e)));
-  const Vector end = scale * e;
-  return features_at(over, scale, reach).size() == 1 && (over == end || between(over, end, scale, reach).empty());
-}
-
 // A segment and a box are apart only if one of these shows it: an axis, or what is seen along it.
 std::size_t Crossings::looks(const Vector& g, const Vector& p, const Fraction& s) const {
   const Vector u = p - g, stop = s.under * g + s.over * u;
@@ -118,52 +101,42 @@ std::size_t Crossings::looks(const Vector& g, const Vector& p, const Fraction& s
   return static_cast<std::size_t>(std::ranges::count_if(triangles_.met_by(Reach(g, p)), meets));
 }
 
-std::vector<Crossing> Crossings::between(const Vector& g, const Vector& p, const Integer& scale, const Reach& reach) const {
+std::vector<Crossing> Crossings::between(const Vector& g, const Vector& p) const {
   const Vector u = p - g;
+  const Reach reach(g, p);
   std::vector<Crossing> found;
   const auto keep = [&](std::optional<Crossing> crossing) {
     if (crossing) found.push_back(std::move(*crossing));
   };
-  for (const std::size_t i : triangles_.met_by(reach)) keep(with_triangle(surface_, i, g, u, scale));
+  for (const std::size_t i : triangles_.met_by(reach)) keep(with_triangle(surface_, i, g, u));
   for (const std::size_t i : edges_.met_by(reach)) {
     const Edge& edge = surface_.edges()[i];
-    keep(with_edge(scale * edge.along, scale * surface_.vertices()[edge.vertices[0]], i, g, u));
+    keep(with_edge(edge.along, surface_.vertices()[edge.vertices[0]], i, g, u));
   }
   for (const std::size_t i : vertices_.met_by(reach))
-    if (!surface_.fan(i).triangles.empty()) keep(with_vertex(scale * surface_.vertices()[i], i, g, u));
-  std::ranges::sort(found);
-  return found;
-}
-
-std::vector<Feature> Crossings::features_at(const Vector& p) const {
-  return features_at(p, 1, Reach(Box(p)));
-}
-
-std::vector<Feature> Crossings::features_at(const Vector& over, const Integer& scale, const Reach& reach) const {
-  std::vector<Feature> found;
-  const auto from = [&](std::size_t v) { return over - scale * surface_.vertices()[v]; };
-  for (const std::size_t i : vertices_.met_by(reach))
-    if (!surface_.fan(i).triangles.empty() && is_zero(from(i))) found.push_back({Place::vertex, i});
-  for (const std::size_t i : edges_.met_by(reach)) {
-    const Edge& edge = surface_.edges()[i];
-    const Vector w = from(edge.vertices[0]);
-    const Fraction t{dot(w, edge.along), scale * edge.length_squared};
-    if (is_zero(cross(w, edge.along)) && is_between(t)) found.push_back({Place::edge, i});
-  }
-  for (const std::size_t i : triangles_.met_by(reach)) {
-    const Triangle& triangle = surface_.triangles()[i];
-    bool is_inside = dot(triangle.normal, from(triangle.vertices[0])).is_zero();
-    for (std::size_t side = 0; side < 3 && is_inside; ++side)
-      is_inside = dot(triangle.inward[side], from(triangle.vertices[side])) > 0;
-    if (is_inside) found.push_back({Place::triangle, i});
-  }
+    if (!surface_.fan(i).triangles.empty()) keep(with_vertex(surface_.vertices()[i], i, g, u));
+  std::ranges::sort(found, {}, &Crossing::s);
   return found;
 }
 
 std::optional<SurfacePoint> Crossings::at(const Vector& p) const {
-  const std::vector<Feature> found = features_at(p);
-  if (found.empty()) return std::nullopt;
-  return foot(surface_, found.front(), p);
+  const Reach reach{Box(p)};
+  for (const std::size_t i : vertices_.met_by(reach))
+    if (!surface_.fan(i).triangles.empty() && surface_.vertices()[i] == p) return foot(surface_, {Place::vertex, i}, p);
+  for (const std::size_t i : edges_.met_by(reach)) {
+    const Edge& edge = surface_.edges()[i];
+    const Vector w = p - surface_.vertices()[edge.vertices[0]];
+    if (is_zero(cross(w, edge.along)) && is_between({dot(w, edge.along), edge.length_squared}))
+      return foot(surface_, {Place::edge, i}, p);
+  }
+  for (const std::size_t i : triangles_.met_by(reach)) {
+    const Triangle& triangle = surface_.triangles()[i];
+    const auto from = [&](std::size_t corner) { return p - surface_.vertices()[triangle.vertices[corner]]; };
+    bool is_inside = dot(triangle.normal, from(0)).is_zero();
+    for (std::size_t side = 0; side < 3 && is_inside; ++side) is_inside = dot(triangle.inward[side], from(side)) > 0;
+    if (is_inside) return foot(surface_, {Place::triangle, i}, p);
+  }
+  return std::nullopt;
 }
 
 }  // namespace forceshade::reference::meshes

@@ -26,7 +26,6 @@ struct Rested {  // at the point of the feature nearest to p
 struct Freed {};  // at p
 using End = std::variant<Stopped, Rested, Freed>;
 
-constexpr unsigned kMostTries = 256;          // with these, no further detour or landing of the tick begins
 constexpr std::size_t kMostLooks = 1U << 14;  // with these, no further move of the tick begins
 
 Side side_of(DirectionKind way) {
@@ -40,11 +39,9 @@ class Tick {
       : surface_(ground.surface),
         crossings_(ground.crossings),
         sides_(ground.sides),
-        has_sheets_(ground.self_intersections == mesh::SelfIntersections::allowed),
         materials_(ground.materials),
         p_(exact_point(goal)),
-        hand_(exact_point(position)),
-        sheets_(surface_, crossings_, sides_, p_) {
+        hand_(exact_point(position)) {
     for (std::size_t axis = 0; axis < 3; ++axis) quantised_[axis] = p_[axis].is_zero() ? 0.0F : goal[axis];
   }
 
@@ -53,7 +50,7 @@ class Tick {
     if (!point) return is_free();
     const End end = unless_rough(Rested{point->feature, Side::front});
     if (const auto* rested = std::get_if<Rested>(&end)) return rests_at_foot(*rested);
-    return from_surface(grid_point_of(end), Side::front, most_moves);
+    return from_surface(rounded_towards(surface_, std::get<Stopped>(end).x, p_), Side::front, most_moves);
   }
 
   Descended from_free(const std::array<float, 3>& position, unsigned most_moves) {
@@ -63,14 +60,6 @@ class Tick {
     if (std::holds_alternative<Freed>(end)) {
       ++moves_;
       return is_free();
-    }
-    if (has_sheets_ && !may_land(g, end)) {
-      Tries tries;
-      const auto landed = sheets_.landing(g, std::nullopt, point_of(end), tries);
-      tries_ += tries.taken();
-      if (!landed) return stays_free(position);
-      ++moves_;
-      return from_surface(landed->at, landed->side, most_moves);
     }
     ++moves_;
     if (const auto* rested = std::get_if<Rested>(&end)) return rests_at_foot(*rested);
@@ -101,38 +90,18 @@ class Tick {
         ++moves_;
         return is_free();
       }
-      const auto* rested = std::get_if<Rested>(&end);
-      if (rested != nullptr && !has_sheets_) {
+      if (const auto* rested = std::get_if<Rested>(&end)) {
         ++moves_;
         return rests_at_foot(*rested);
       }
-      Reached next{grid_point_of(end), side_at(end)};
-      if (rested == nullptr) {
-        const Vector rest = p_ - surface_.position(next.at);
-        if (dot(rest, rest) >= dot(u, u)) return rests_at(at, side, Status::contact);  // refused
-      }
-      if (has_sheets_) {
-        const Reached from{at, side};
-        const auto block = is_flight ? std::nullopt : sheets_.block(g, next.at);
-        const bool is_clear = is_flight ? may_land(g, end) : !block;
-        if (!is_clear) {
-          if (tries_ >= kMostTries) return rests_at(at, side, Status::unfinished);
-          Tries tries;
-          const auto other = is_flight ? sheets_.landing(g, from, point_of(end), tries)
-                                       : sheets_.detour(from, next.at, carrier(ways.along), *block, tries);
-          tries_ += tries.taken();
-          if (!other) return rests_at(at, side, Status::contact);
-          ++moves_;
-          at = other->at;
-          side = other->side;
-          continue;
-        }
-      }
+      const auto& stopped = std::get<Stopped>(end);
+      const GridPoint next = rounded_towards(surface_, stopped.x, p_);
+      const Vector rest = p_ - surface_.position(next);
+      if (dot(rest, rest) >= dot(u, u)) return rests_at(at, side, Status::contact);  // refused
       ++moves_;
       if (!is_flight) is_slipping_ = materials_.are_rough_somewhere();
-      if (rested != nullptr) return rests_at_foot(*rested);
-      at = next.at;
-      side = next.side;
+      at = next;
+      side = stopped.side;
     }
   }
 
@@ -148,12 +117,18 @@ class Tick {
     const Vector u = p_ - g;
     for (const Crossing& crossing : crossings_.between(g, p_)) {
       const Feature& feature = crossing.point.feature;
-      if (sheets_.is_blocked(feature, u))
-        return Stopped{crossing.point, side_of(directions(surface_, feature, -u).way), crossing.s};
+      if (is_blocked(feature, u)) return Stopped{crossing.point, side_of(directions(surface_, feature, -u).way), crossing.s};
     }
     if (const auto point = crossings_.at(p_))
       return Rested{point->feature, side_of(directions(surface_, point->feature, -u).way)};
     return Freed{};
+  }
+
+  // True if a flight in direction u may not go on at a point of the feature.
+  bool is_blocked(const Feature& feature, const Vector& u) const {
+    const DirectionKind A = directions(surface_, feature, -u).way, B = directions(surface_, feature, u).way;
+    const bool leaves = sides_ == Sides::front && A == DirectionKind::back && B == DirectionKind::front;
+    return B != DirectionKind::open && B != A && !leaves;
   }
 
   // Rule 2a, where u·v > 0: there the pull is not 0, and nothing but friction holds it.
@@ -208,34 +183,6 @@ class Tick {
     return Stopped{foot(surface_, rested->feature, p_), rested->side};
   }
 
-  // The triangle slid in; along an edge, the one of its triangles that comes first.
-  std::size_t carrier(const Feature& along) const {
-    return along.place == Place::edge ? surface_.edges()[along.index].triangles[0] : along.index;
-  }
-
-  // The point where a flight or a slide that does not end free meets the surface, its side, and the point its end is rounded
-  // to.
-  SurfacePoint point_of(const End& end) const {
-    if (const auto* stopped = std::get_if<Stopped>(&end)) return stopped->x;
-    return foot(surface_, std::get<Rested>(end).feature, p_);
-  }
-  static Side side_at(const End& end) {
-    const auto* stopped = std::get_if<Stopped>(&end);
-    return stopped != nullptr ? stopped->side : std::get<Rested>(end).side;
-  }
-  GridPoint grid_point_of(const End& end) const {
-    const SurfacePoint point = point_of(end);
-    return std::holds_alternative<Stopped>(end) ? rounded_towards(surface_, point, p_) : rounded_inside(point);
-  }
-
-  // True if no other sheet is between the point that a flight ends in and the point of the grid.
-  bool may_land(const Vector& g, const End& end) const {
-    const GridPoint c = grid_point_of(end);
-    const auto* stopped = std::get_if<Stopped>(&end);
-    if (stopped == nullptr) return sheets_.is_apart(g, p_, 1, c);
-    return sheets_.is_apart(g, stopped->s.under * g + stopped->s.over * (p_ - g), stopped->s.under, c);
-  }
-
   Side stored(Side side, const Feature& feature) const {
     return sides_ == Sides::front || surface_.is_at_rim(feature) ? Side::front : side;
   }
@@ -245,14 +192,6 @@ class Tick {
     after.place = Place::free;
     after.position = quantised_;
     return {Status::free, moves_, after, {}};
-  }
-
-  // Between sheets so near each other that no point of the grid is free to land on.
-  Descended stays_free(const std::array<float, 3>& position) const {
-    mesh::GodObject after;
-    after.place = Place::free;
-    after.position = position;
-    return {Status::unfinished, moves_, after, {}};
   }
 
   Descended rests_at(const GridPoint& at, Side side, Status status) {
@@ -313,13 +252,10 @@ class Tick {
   const Surface& surface_;
   const Crossings& crossings_;
   const Sides sides_;
-  const bool has_sheets_;
   const SurfaceMaterials& materials_;
   const Vector p_, hand_;
-  const Sheets sheets_;
   std::array<float, 3> quantised_{};
   unsigned moves_ = 0;
-  unsigned tries_ = 0;     // of its detours and landings
   std::size_t looks_ = 0;  // at triangles
   bool is_slipping_ = false;
 };

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "reference/meshes/crossings.h"
 #include "reference/meshes/friction.h"
-#include "reference/meshes/sheets.h"
 
 namespace forceshade::reference::meshes {
 
@@ -14,8 +14,7 @@ struct Ground {
   const Surface& surface;
   const Crossings& crossings;
   mesh::Sides sides;
-  mesh::SelfIntersections self_intersections;  // whether ways are tested against the whole surface
-  const SurfaceMaterials& materials;           // where ways are tested, none is rough
+  const SurfaceMaterials& materials;
 };
 
 // A rest of the god-object: r, exactly, and D = r - p, p being the hand's position. D = D_n + D_t, where D_t is along the

@@ -24,8 +24,7 @@ class RegularTicks final : public Ticks {
       : surface_(rendering.mesh()),
         crossings_(surface_),
         materials_(surface_, rendering.materials, rendering.stiffness),
-        contact_(
-            contact_of(rendering, {surface_, crossings_, rendering.sides, rendering.checked.self_intersections(), materials_})),
+        contact_(contact_of(rendering, {surface_, crossings_, rendering.sides, materials_})),
         scheme_(scheme_of(rendering, surface_)) {}
 
   std::optional<ParameterError> error() const {

@@ -55,9 +55,7 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   }
   // Leaves usual choices out, so that earlier certificates and recordings, from before such a choice, are still the same.
   const bool is_regular = rendering.checked.is_regular();
-  const bool has_sheets = is_regular && rendering.checked.self_intersections() == mesh::SelfIntersections::allowed;
   if (!is_regular) digest.line("any set of triangles");
-  if (has_sheets) digest.line("self-intersections allowed");
   const bool has_own_contact = rendering.contact != mesh::kUsualContact;
   if (has_own_contact) digest.line("contact " + std::string(name_of(rendering.contact)));
   const std::vector<mesh::Material>& materials = rendering.materials.list;
@@ -70,7 +68,6 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
                      {"stiffness_N_per_mm", rendering.stiffness}},
                     digest.hex()};
   if (!is_regular) identity.parameters.push_back({"triangles", std::string("any set")});
-  if (has_sheets) identity.parameters.push_back({"self_intersections", std::string("allowed")});
   if (has_own_contact) identity.parameters.push_back({"contact", std::string(name_of(rendering.contact))});
   if (has_friction(rendering.materials)) identity.parameters.push_back({"friction", words_of_friction(materials)});
   if (has_own_stiffness(rendering.materials) || (has_materials && materials.size() > 1))

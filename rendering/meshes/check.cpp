@@ -147,7 +147,7 @@ void check_fans(const TriangleMesh& mesh, const std::vector<std::uint32_t>& oppo
   }
 }
 
-void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, bool may_cross, Collector& found) {
+void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, Collector& found) {
   Triangle s = mesh.triangles[i], t = mesh.triangles[j];
   const std::size_t shared = shared_first(s, t);
   const TrianglePoints of_s = points_of(mesh, s), of_t = points_of(mesh, t);
@@ -155,16 +155,12 @@ void check_pair(const TriangleMesh& mesh, std::uint32_t i, std::uint32_t j, bool
                         : shared == 1 ? meet_beside_corner(of_s, of_t)
                                       : shared == 2 && meet_beside_edge(of_s, of_t);
   if (!is_wrong) return;
-  if (may_cross && shared == 0) {
-    if (are_in_one_plane(of_s, of_t)) found.add(Fault::in_one_plane, {i, j}, {});
-    return;
-  }
   std::vector<std::uint32_t> common(s.begin(), s.begin() + static_cast<std::ptrdiff_t>(shared));
   std::sort(common.begin(), common.end());
   found.add(Fault::meeting, {i, j}, std::move(common));
 }
 
-void check_meetings(const TriangleMesh& mesh, bool may_cross, const Monitor& monitor, Collector& found) {
+void check_meetings(const TriangleMesh& mesh, const Monitor& monitor, Collector& found) {
   const BoxTree tree(mesh);
   const std::uint64_t most = most_pairs(mesh.triangles.size());
   std::atomic<std::size_t> task = 0;
@@ -178,7 +174,7 @@ void check_meetings(const TriangleMesh& mesh, bool may_cross, const Monitor& mon
     bool goes_on = true;
     std::size_t begun = 0;
     const auto pair = [&](std::uint32_t i, std::uint32_t j) {
-      check_pair(mesh, i, j, may_cross, of_thread);
+      check_pair(mesh, i, j, of_thread);
       constexpr std::uint64_t kMany = std::uint64_t{1} << 16;
       if (++uncounted < kMany) return true;
       uncounted = 0;
@@ -266,7 +262,6 @@ std::string words_of(const Finding& finding) {
       if (finding.vertices.size() == 1)
         return "faces " + faces + " have vertex " + vertices + " in common, but meet elsewhere, too";
       return "faces " + faces + " are folded onto each other at their edge, of vertices " + vertices;
-    case Fault::in_one_plane: return "faces " + faces + " meet in one plane, but have no vertex in common";
     case Fault::undecided: return "it cannot be decided in reasonable time whether faces meet: too many are near each other";
   }
   return "";
@@ -300,19 +295,19 @@ std::variant<JoinedMesh, Findings> check_joints(TriangleMesh mesh) {
   return JoinedMesh(std::move(mesh));
 }
 
-std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, SelfIntersections self_intersections, const Monitor& monitor) {
+std::variant<CheckedMesh, Findings> check(TriangleMesh mesh, const Monitor& monitor) {
   Collector found;
   check_joints(mesh, found);
   const auto is_found = [&](Fault fault) { return found.has(fault); };
   if (std::ranges::none_of(std::array{Fault::empty, Fault::index, Fault::vertex_twice, Fault::coordinate, Fault::no_area},
                            is_found))
-    check_meetings(mesh, self_intersections == SelfIntersections::allowed, monitor, found);
+    check_meetings(mesh, monitor, found);
   if (Findings findings = found.take(); !findings.empty()) return findings;
-  return CheckedMesh(std::move(mesh), self_intersections, true);
+  return CheckedMesh(std::move(mesh), true);
 }
 
 std::variant<CheckedMesh, Findings> check_any(TriangleMesh mesh, const Monitor& monitor) {
-  std::variant<CheckedMesh, Findings> checked = check(mesh, SelfIntersections::refused, monitor);
+  std::variant<CheckedMesh, Findings> checked = check(mesh, monitor);
   const auto* findings = std::get_if<Findings>(&checked);
   if (findings == nullptr) return checked;
   const auto is_found = [&](Fault fault) { return findings->counts[static_cast<std::size_t>(fault)] > 0; };
@@ -320,7 +315,7 @@ std::variant<CheckedMesh, Findings> check_any(TriangleMesh mesh, const Monitor& 
   quantise(mesh);
   if (std::ranges::none_of(mesh.triangles, [&](const Triangle& triangle) { return has_area(points_of(mesh, triangle)); }))
     return checked;
-  return CheckedMesh(std::move(mesh), SelfIntersections::allowed, false);
+  return CheckedMesh(std::move(mesh), false);
 }
 
 }  // namespace forceshade::mesh

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "forceshade/meshes.h"
 #include "rendering/half_edges.h"
@@ -85,19 +84,6 @@ Facts facts_of(const CheckedMesh& checked) {
   }
   if (!facts.is_closed()) facts.volume = 0;
   return facts;
-}
-
-std::uint64_t coinciding_rim_edges(const TriangleMesh& mesh) {
-  const std::vector<std::uint32_t> opposite = opposite_half_edges(mesh);
-  std::map<std::array<Vertex, 2>, std::uint64_t> rims;
-  for (std::uint32_t h = 0; h < opposite.size(); ++h) {
-    if (opposite[h] != kNoEdge) continue;
-    const auto [low, high] = std::minmax(mesh.vertices[start_of(mesh, h)], mesh.vertices[end_of(mesh, h)]);
-    ++rims[{low, high}];
-  }
-  std::uint64_t edges = 0;
-  for (const auto& [ends, count] : rims) edges += count > 1 ? count : 0;
-  return edges;
 }
 
 LargestFan largest_fan(const TriangleMesh& mesh) {

@@ -68,12 +68,11 @@ std::string Ground::words_of_vertex(std::uint32_t vertex) const {
 
 // Objects have no vertex in common, so that only two faces that meet can be of two of them.
 std::string Ground::words(const Finding& finding) const {
-  const auto& [fault, triangles, vertices] = finding;
+  const std::vector<std::uint32_t>&triangles = finding.triangles, &vertices = finding.vertices;
   if (triangles.empty() && vertices.empty()) return words_of(finding);
   const GroundObject& object = triangles.empty() ? object_of_vertex(vertices[0]) : object_of_triangle(triangles[0]);
   if (triangles.size() == 2 && &object_of_triangle(triangles[1]) != &object)
-    return words_of_face(triangles[0]) + ", and " + words_of_face(triangles[1]) + ", meet" +
-           (fault == Fault::in_one_plane ? " in one plane" : "") + ", but have no vertex in common";
+    return words_of_face(triangles[0]) + ", and " + words_of_face(triangles[1]) + ", meet, but have no vertex in common";
   Finding its = finding;
   for (std::uint32_t& triangle : its.triangles) triangle -= object.first_triangle;
   for (std::uint32_t& vertex : its.vertices) vertex -= object.first_vertex;

@@ -198,7 +198,7 @@ same "flat.ply: line 13: face 0 has no area: its vertices 0, 1 and 2 lie on a li
 printf 'solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 2 0 0\nendloop\nendfacet\nendsolid one\n' > flat.stl
 same "flat.stl: line 2: face 0 has no area: its vertices 0, 1 and 2 lie on a line" \
   "$("$forceshade" mesh check flat.stl --unit mm | grep line)"
-expect 2 "flat.obj: cannot be rendered:
-line 5: face 0 has no area" -- "$forceshade" properties --mesh flat.obj --unit mm
+expect 2 "flat.ply: cannot be rendered:
+line 13: face 0 has no area" -- "$forceshade" properties --mesh flat.ply --unit mm
 
 echo "$checks checks"

@@ -72,17 +72,11 @@ fi
 
 # Faults of a scene.
 sed 's/"0.1mm"/-1/' scenes/table.toml > scenes/crossing.toml
-for command in "mesh check scenes/crossing.toml" "properties --scene scenes/crossing.toml"; do
-  code=2; [ "${command%% *}" = properties ] || code=1
-  expect $code "object board, face 0 (line 7), and object knob, face 0 (line 19), meet, but have no vertex in common" -- \
-    "$forceshade" $command
-done
-expect 2 "--self-intersecting: expected without friction" -- "$forceshade" force --scene scenes/crossing.toml --self-intersecting
-expect 2 "--self-intersecting: expected without friction" -- "$forceshade" mesh check scenes/crossing.toml --self-intersecting
-sed -i '/^friction/d; /^materials/d' scenes/crossing.toml
-expect 0 "held: a scene of 42 faces; whether faces without a common vertex cross was not checked" -- \
-  "$forceshade" mesh check scenes/crossing.toml --self-intersecting
-expect 0 "contact" -- "$forceshade" force stroke.csv --scene scenes/crossing.toml --self-intersecting
+expect 1 "object board, face 0 (line 7), and object knob, face 0 (line 19), meet, but have no vertex in common" -- \
+  "$forceshade" mesh check scenes/crossing.toml
+expect 0 "states        held" -- "$forceshade" properties --scene scenes/crossing.toml --cases 20
+expect 0 "contact" -- "$forceshade" force stroke.csv --scene scenes/crossing.toml
+sed -i '1i self-intersecting = true' scenes/crossing.toml
 expect 0 "contact" -- "$forceshade" force stroke.csv --scene scenes/crossing.toml
 expect 2 "scenes/table.toml: line 2: shading: expected once, got several times" -- "$forceshade" force $table --shading edge
 expect 2 "--scene" -- "$forceshade" force $table --mesh scenes/knob.obj --unit mm

@@ -14,7 +14,7 @@ printf 'mesh = "ball.off"\nunit = "mm"\nsides = "both"\nshading = "edge"\ncontac
   > inputs/mesh.toml
 law="--law bump-2p --radius 1000mil --width 30 --stiffness 250N/m"
 map="--height-map inputs/groove.toml --stiffness 0.25"
-mesh="--mesh inputs/ball.off --unit mm --sides both --shading edge --contact sub-goal --crease 40deg --self-intersecting --stiffness 0.25"
+mesh="--mesh inputs/ball.off --unit mm --sides both --shading edge --contact sub-goal --crease 40deg --stiffness 0.25"
 
 for kind in law map mesh; do
   options=${!kind} file=inputs/$kind.toml

@@ -107,7 +107,7 @@ void run(const Stroke& stroke, const std::shared_ptr<const fast::Mesh>& mesh, me
 }
 
 void run(const MeshWorkload& workload, const Scale& scale) {
-  MeshRendering rendering = unshaded_rendering(workload, mesh::SelfIntersections::refused);
+  MeshRendering rendering = unshaded_rendering(workload);
   rendering.normals = mesh::corner_normals(rendering.checked).normals;
   rendering.shading = mesh::Shading::vertex_scheme;
   rendering.contact = mesh::Contact::friction;

@@ -237,7 +237,7 @@ void run_shaded(const MeshWorkload& workload, bool is_seen_from_above, const Sca
 void run(const MeshWorkload& workload, const Scale& scale) {
   double seconds = HUGE_VAL;
   Rendering rendering;
-  const MeshRendering unshaded = unshaded_rendering(workload, mesh::SelfIntersections::refused);
+  const MeshRendering unshaded = unshaded_rendering(workload);
   for (int i = 0; i < 3; ++i) {
     const auto start = Clock::now();
     auto built = fast::Mesh::build(unshaded);
@@ -249,33 +249,6 @@ void run(const MeshWorkload& workload, const Scale& scale) {
               static_cast<double>(rendering.mesh->bytes()) / triangles);
   run_exact(workload, rendering, scale);
   run_naive(workload, scale);
-}
-
-// Measures crossing sheets. These ticks are long enough that other programs interrupt one in some hundred of them, so each
-// counts with the shortest of its times.
-void run_crossing(const MeshWorkload& workload, const Scale& scale) {
-  const Rendering rendering{std::make_shared<const fast::Mesh>(
-      value_of(fast::Mesh::build(unshaded_rendering(workload, mesh::SelfIntersections::allowed)), workload))};
-  std::vector<double> times, shortest(workload.contact.size(), HUGE_VAL);
-  std::size_t allocated = 0;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    fast::MeshSession session = rendering.session(workload);
-    allocated += measure(workload.contact, scale, times, [&](const auto& p) { keep(session.tick(p)); }).allocations;
-    for (std::size_t i = 0; i < times.size(); ++i) shortest[i] = std::min(shortest[i], times[i]);
-  }
-  std::size_t touching = 0, moves = 0, most = 0;
-  fast::MeshSession session = rendering.session(workload);
-  for (const auto& p : workload.contact) {
-    const mesh::Tick tick = session.tick(p);
-    touching += tick.status == Status::contact;
-    moves += tick.moves;
-    most = std::max<std::size_t>(most, tick.moves);
-  }
-  const std::size_t ticks = workload.contact.size();
-  std::printf("%s: %zu triangles\n", workload.name.c_str(), workload.mesh.triangles.size());
-  print("exact, shortest of five", summary(shortest, allocated));
-  std::printf("  %zu of %zu ticks in contact, %.2f moves a tick, at most %zu\n", touching, ticks,
-              static_cast<double>(moves) / static_cast<double>(ticks), most);
 }
 
 }  // namespace
@@ -301,8 +274,4 @@ int main(int argc, char** argv) {
     run(workload, clock);
     if (n == kShadedBump) run_shaded(workload, true, clock);
   }
-  constexpr std::size_t kCrossing = 10000;
-  for (const int n : {4, 32, 256})
-    if (is_in_range(2.0 * n * n + 2))
-      for (const bool is_along_wall : {false, true}) run_crossing(crossing_workload(n, is_along_wall, kCrossing), clock);
 }

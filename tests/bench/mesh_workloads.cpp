@@ -74,43 +74,8 @@ MeshWorkload bump_workload(int n, std::size_t contact_ticks, std::size_t free_ti
   return workload;
 }
 
-MeshWorkload crossing_workload(int n, bool is_along_wall, std::size_t contact_ticks) {
-  constexpr double kHalf = 20;  // mm
-  static constexpr auto kWall = [](double y) { return 0.13 + 0.07 * y; };
-  MeshWorkload workload;
-  workload.name =
-      std::string("crossing sheets, ") + (is_along_wall ? "along" : "beside") + " the wall, n = " + std::to_string(n);
-  auto& [vertices, triangles] = workload.mesh;
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) vertices.push_back(to_float({kHalf * (2.0 * i / n - 1), kHalf * (2.0 * j / n - 1), 0}));
-  const auto across = static_cast<std::uint32_t>(n), row = across + 1;
-  for (std::uint32_t j = 0; j < across; ++j)
-    for (std::uint32_t i = 0; i < across; ++i) {
-      const std::uint32_t a = j * row + i;
-      triangles.push_back({a, a + 1, a + row + 1});
-      triangles.push_back({a, a + row + 1, a + row});
-    }
-  const std::uint32_t wall = row * row;
-  for (const auto& [y, z] : {std::array{-19.0, -7.0}, {19.0, -7.0}, {19.0, 9.0}, {-19.0, 9.0}})
-    vertices.push_back(to_float({kWall(y), y, z}));  // its front towards +x
-  triangles.push_back({wall, wall + 1, wall + 2});
-  triangles.push_back({wall, wall + 2, wall + 3});
-  const auto place = [is_along_wall](double t, double z) -> std::array<double, 3> {
-    const double y = 15 * std::sin(2 * kPi * 0.131 * t);
-    const double off = is_along_wall ? -(1.5 + 0.5 * std::sin(2 * kPi * 1.30 * t)) : 9 + 5 * std::sin(2 * kPi * 0.30 * t);
-    return {kWall(y) + off, y, z};
-  };
-  const auto above = [&](double t) {
-    const auto p = place(t, kApproachFrom);
-    return std::array<double, 3>{kApproachFrom, p[1], p[2]};  // in front of the wall
-  };
-  const auto in_contact = [&](double t) { return place(t, -1); };
-  add_paths(workload, contact_ticks, 0, in_contact, above);
-  return workload;
-}
-
-MeshRendering unshaded_rendering(const MeshWorkload& workload, mesh::SelfIntersections allowed) {
-  auto checked = mesh::check(workload.mesh, allowed);
+MeshRendering unshaded_rendering(const MeshWorkload& workload) {
+  auto checked = mesh::check(workload.mesh);
   if (const auto* findings = std::get_if<mesh::Findings>(&checked)) {
     std::printf("%s: %s\n", workload.name.c_str(), findings->words().c_str());
     std::exit(1);

@@ -47,6 +47,6 @@ T value_of(std::variant<T, ParameterError> made, const MeshWorkload& workload) {
 }
 
 // Its mesh from the front and without shading, or the program's end with what is wrong with the mesh.
-MeshRendering unshaded_rendering(const MeshWorkload& workload, mesh::SelfIntersections allowed);
+MeshRendering unshaded_rendering(const MeshWorkload& workload);
 
 }  // namespace forceshade::bench

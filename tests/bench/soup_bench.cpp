@@ -115,7 +115,7 @@ void run_soup(const Set& set, const Scale& clock) {
 
 void run_mesh(const MeshWorkload& workload, const Scale& clock) {
   const auto mesh = std::make_shared<const fast::Mesh>(
-      value_of(fast::Mesh::build(unshaded_rendering(workload, mesh::SelfIntersections::refused)), workload));
+      value_of(fast::Mesh::build(unshaded_rendering(workload)), workload));
   std::vector<double> times;
   Times best = kNone;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -139,7 +139,7 @@ void run_build(int f) {
     std::printf("  %-28s built in %.3f s of a processor, %.1f bytes a triangle\n", name,
                 static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, static_cast<double>(built.bytes()) / triangles);
   };
-  const MeshRendering rendering = unshaded_rendering(workload, mesh::SelfIntersections::refused);
+  const MeshRendering rendering = unshaded_rendering(workload);
   report("a mesh", [&] { return value_of(fast::Mesh::build(rendering), workload); });
   report("any set of triangles", [&] { return fast::soups::Soup(workload.mesh, std::vector{mesh::Sides::front}); });
 }

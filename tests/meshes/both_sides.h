@@ -88,7 +88,6 @@ class BothSides {
   const mesh::GodObject& state() const { return state_; }
   const reference::GodObjectSession& definition() const { return definition_; }
   fast::MeshSession& session() { return session_; }
-  int tries() const { return at_.tries; }
   // The number of decisions of the last tick, in binary64 and in integers.
   const std::array<std::size_t, 2>& decisions() const { return decisions_; }
 

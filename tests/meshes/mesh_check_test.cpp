@@ -20,8 +20,8 @@ namespace forceshade::mesh {
 namespace {
 
 // The words about a mesh; empty if it is one.
-std::string words(TriangleMesh mesh, SelfIntersections self_intersections = SelfIntersections::refused) {
-  const auto checked = check(std::move(mesh), self_intersections);
+std::string words(TriangleMesh mesh) {
+  const auto checked = check(std::move(mesh));
   const auto* findings = std::get_if<Findings>(&checked);
   return findings == nullptr ? "" : findings->words();
 }
@@ -80,30 +80,17 @@ TEST(mesh_check, refuses_two_parts_at_one_vertex_and_neighbours_that_cross) {
   // A fan whose last face goes through the first one.
   const TriangleMesh fan{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {-2, 1, 1}, {5, 1, -1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}};
   EXPECT_EQ(words(fan), "faces 0 and 2 have vertex 0 in common, but meet elsewhere, too\n");
-  EXPECT_EQ(words(fan, SelfIntersections::allowed), words(fan));
   EXPECT_TRUE(std::holds_alternative<JoinedMesh>(check_joints(fan)));
   EXPECT_TRUE(std::holds_alternative<Findings>(check_joints(fans)));
 }
 
-TEST(mesh_check, allows_faces_without_a_common_vertex_to_cross_but_not_to_meet_in_one_plane) {
-  const TriangleMesh crossing{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, -1}, {2, 1, 1}, {6, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}};
-  EXPECT_EQ(words(crossing), "faces 0 and 1 meet, but have no vertex in common\n");
-  EXPECT_EQ(words(crossing, SelfIntersections::allowed), "");
-  const TriangleMesh flat{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 0}, {2, 5, 0}, {6, 1, 0}}, {{0, 1, 2}, {3, 4, 5}}};
-  EXPECT_EQ(words(flat, SelfIntersections::allowed), "faces 0 and 1 meet in one plane, but have no vertex in common\n");
-  EXPECT_EQ(words({kSix, {{0, 1, 2}, {1, 0, 5}}}, SelfIntersections::allowed),
-            "faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1\n");
-}
-
-TEST(mesh_check, gives_a_mesh_that_says_what_was_looked_for) {
+TEST(mesh_check, gives_the_mesh_as_it_is_read) {
   const TriangleMesh one{{{0, 0, 0}, {0x1p-31F, 4, 0}, {2, 3, -0.0F}}, {{0, 1, 2}}};
-  for (const SelfIntersections allowed : {SelfIntersections::refused, SelfIntersections::allowed}) {
-    const auto checked = std::get<CheckedMesh>(check(one, allowed));
-    EXPECT_EQ(checked.self_intersections(), allowed);
-    EXPECT_EQ(checked.mesh().triangles, one.triangles);
-    EXPECT_EQ(checked.mesh().vertices, (std::vector<Vertex>{{0, 0, 0}, {0, 4, 0}, {2, 3, 0}}));
-    EXPECT_FALSE(std::signbit(checked.mesh().vertices[2][2]));
-  }
+  const auto checked = std::get<CheckedMesh>(check(one));
+  EXPECT_TRUE(checked.is_regular());
+  EXPECT_EQ(checked.mesh().triangles, one.triangles);
+  EXPECT_EQ(checked.mesh().vertices, (std::vector<Vertex>{{0, 0, 0}, {0, 4, 0}, {2, 3, 0}}));
+  EXPECT_FALSE(std::signbit(checked.mesh().vertices[2][2]));
 }
 
 TEST(mesh_check, lists_the_first_of_many_faults_and_counts_the_rest) {
@@ -221,10 +208,9 @@ TEST(mesh_check, reports_within_a_task_that_has_many_pairs_and_can_be_stopped_th
   const std::size_t tasks = BoxTree(fan).tasks();
   std::atomic<bool> stop = false;
   std::size_t reports = 0;
-  EXPECT_TRUE(
-      std::holds_alternative<CheckedMesh>(check(fan, SelfIntersections::refused, Monitor([&](double) { ++reports; }, stop))));
+  EXPECT_TRUE(std::holds_alternative<CheckedMesh>(check(fan, Monitor([&](double) { ++reports; }, stop))));
   EXPECT_GE(reports, tasks + 4000 * 3999 / 2 / 65536);
-  EXPECT_THROW(check(fan, SelfIntersections::refused, Monitor([&](double) { stop = true; }, stop)), Interrupted);
+  EXPECT_THROW(check(fan, Monitor([&](double) { stop = true; }, stop)), Interrupted);
 }
 
 // On one thread and on several.
@@ -239,10 +225,10 @@ TEST(mesh_check, reports_how_far_it_is_and_can_be_stopped) {
           last = done;
         },
         stop);
-    EXPECT_TRUE(std::holds_alternative<CheckedMesh>(check(mesh, SelfIntersections::refused, monitor)));
+    EXPECT_TRUE(std::holds_alternative<CheckedMesh>(check(mesh, monitor)));
     EXPECT_EQ(last, 1);
     stop = true;
-    EXPECT_THROW(check(mesh, SelfIntersections::refused, monitor), Interrupted);
+    EXPECT_THROW(check(mesh, monitor), Interrupted);
   }
 }
 

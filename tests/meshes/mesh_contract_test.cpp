@@ -17,9 +17,9 @@ namespace {
 
 // A mesh is checked, or it has another type.
 template <class Checked>
-constexpr bool is_made_by_its_check_alone = !std::is_default_constructible_v<Checked> && !std::is_aggregate_v<Checked> &&
-                                            !std::is_constructible_v<Checked, mesh::TriangleMesh> &&
-                                            !std::is_constructible_v<Checked, mesh::TriangleMesh, mesh::SelfIntersections>;
+constexpr bool is_made_by_its_check_alone =
+    !std::is_default_constructible_v<Checked> && !std::is_aggregate_v<Checked> &&
+    !std::is_constructible_v<Checked, mesh::TriangleMesh> && !std::is_constructible_v<Checked, mesh::TriangleMesh, bool>;
 static_assert(is_made_by_its_check_alone<mesh::JoinedMesh> && is_made_by_its_check_alone<mesh::CheckedMesh>);
 static_assert(!std::is_constructible_v<mesh::CheckedMesh, mesh::JoinedMesh>,
               "the meetings of its triangles were not looked for");

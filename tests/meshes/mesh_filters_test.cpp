@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decisions of binary64 on slips, ways and forces are right for every number that is within the errors it was given, up to
+// Decisions of binary64 on slips and forces are right for every number that is within the errors it was given, up to
 // their ends: each decision is taken again for numbers that lie there.
 
 #include <gtest/gtest.h>
@@ -12,7 +12,6 @@
 #include "fast/meshes/force.h"
 #include "fast/meshes/quick_slips.h"
 #include "fast/meshes/rest_numbers.h"
-#include "fast/meshes/ways.h"
 #include "tests/meshes/rendering.h"
 
 namespace forceshade::fast {
@@ -178,70 +177,6 @@ TEST(mesh_filters, slips_are_sure_of_what_holds_up_to_the_ends_of_the_errors) {
   std::printf("  %d unsure, %d leave, %d rest, %d slips, %d compared\n", counts[0], counts[1], counts[2], slips, compared);
   for (const int count : counts) EXPECT_GT(count, 300);
   EXPECT_GT(slips, 1000);
-}
-
-// ---- Ways.
-
-using Crossing = Ways<FilteredStages>::Meeting;
-
-// The meeting of a way and a triangle, if ways between points beside its ends meet it in the same way.
-Crossing crossing(const Face& face, const Vector3<double>& from, const Vector3<double>& to) {
-  constexpr double kRounding = 1e-14;
-  const FaceNumbers numbers(face);
-  const double before = dot(numbers.n, Ways<FilteredStages>::off(from, face.corner[0])),
-               behind = dot(numbers.n, Ways<FilteredStages>::off(to, face.corner[0]));
-  if (before * behind > 0 && std::fmin(std::fabs(before), std::fabs(behind)) > kRounding) return Crossing::none;
-  double least = HUGE_VAL;
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    const auto &a = face.corner[i], &b = face.corner[after(i)];
-    const double passes = dot(cross(Ways<FilteredStages>::off(from, a), to - from), difference(b.data(), a.data()));
-    least = std::fmin(least, before > 0 ? -passes : passes);
-  }
-  if (std::fabs(least) < kRounding || std::fmin(std::fabs(before), std::fabs(behind)) < kRounding) return Crossing::unknown;
-  return least < 0 ? Crossing::none : before > 0 ? Crossing::inwards : Crossing::outwards;
-}
-
-TEST(mesh_filters, ways_are_sure_of_what_holds_wherever_their_ends_are) {
-  constexpr double kAbout = 0x1p-35;  // mm: what the ends are good to
-  Draw draw;
-  std::array<int, 4> counts{};
-  for (int i = 0; i < 40000; ++i) {
-    const mesh::TriangleMesh triangle{{draw.point(1), draw.point(1), draw.point(1)}, {{0, 1, 2}}};
-    const Mesh mesh = tests::fast_mesh(tests::unshaded(triangle, mesh::Sides::both));
-    const FilteredStages stages;
-    const Ways<FilteredStages> ways(mesh, stages);
-    const Face& face = mesh.face(0);
-    const FaceNumbers numbers(face);
-    const double height = 1 / std::sqrt(dot(numbers.n, numbers.n));
-    // A point at about an edge or a corner, in the plane or off it, by some of these errors or by more.
-    const auto at = [&](double away, double off) -> Vector3<double> {
-      const double second = draw.uniform(0, 1), third = away;
-      const auto axis = [&](double a, double e1, double e2, double n) {
-        return a + second * e1 + third * e2 + off * height * n;
-      };
-      const auto& a = face.corner[0];
-      return {axis(static_cast<double>(a[0]), numbers.e1.x, numbers.e2.x, numbers.n.x),
-              axis(static_cast<double>(a[1]), numbers.e1.y, numbers.e2.y, numbers.n.y),
-              axis(static_cast<double>(a[2]), numbers.e1.z, numbers.e2.z, numbers.n.z)};
-    };
-    const auto little = [&] { return kAbout * draw.power(-2, 5) * draw.uniform(-1, 1); };
-    const auto some = [&] { return draw.sign() > 0 ? little() : draw.uniform(-0.5, 0.5); };
-    const Vector3<double> from = at(little(), some()), to = at(draw.sign() > 0 ? little() : draw.uniform(-0.5, 0.5), some());
-    const Crossing found = ways.meeting(face, from, to, nullptr);
-    ++counts[static_cast<std::size_t>(found)];
-    if (found == Crossing::unknown) continue;
-    for (int end = 0; end < 8; ++end) {
-      const auto moved = [&](const Vector3<double>& p) -> Vector3<double> {
-        return {p.x + draw.sign() * kAbout, p.y + draw.sign() * kAbout, p.z + draw.sign() * kAbout};
-      };
-      const Crossing there = crossing(face, moved(from), moved(to));
-      if (there != Crossing::unknown) {
-        ASSERT_EQ(found, there) << i;
-      }
-    }
-  }
-  std::printf("  %d none, %d inwards, %d outwards, %d unknown\n", counts[0], counts[1], counts[2], counts[3]);
-  for (const int count : counts) EXPECT_GT(count, 500);
 }
 
 // ---- Forces.

@@ -57,15 +57,6 @@ TEST(made_meshes, are_meshes_with_their_fronts_outside) {
   }
 }
 
-TEST(made_meshes, have_no_seams_but_where_vertices_of_a_border_are_twice) {
-  const std::vector<Vertex> corners{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 10}};
-  EXPECT_EQ(coinciding_rim_edges({corners, {{0, 1, 2}, {3, 5, 4}}}), 2U);
-  EXPECT_EQ(coinciding_rim_edges({corners, {{0, 1, 2}, {4, 3, 5}}}), 2U) << "whichever way they run";
-  EXPECT_EQ(coinciding_rim_edges({corners, {{0, 1, 2}, {0, 5, 1}}}), 0U) << "joined";
-  EXPECT_EQ(coinciding_rim_edges(icosphere(7, 2)), 0U);
-  EXPECT_EQ(coinciding_rim_edges({}), 0U);
-}
-
 TEST(made_meshes, have_their_largest_fan_where_most_triangles_meet) {
   TriangleMesh tip;
   tip.vertices.resize(5);

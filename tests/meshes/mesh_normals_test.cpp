@@ -13,7 +13,7 @@ namespace forceshade::mesh {
 namespace {
 
 CheckedMesh checked_mesh(TriangleMesh mesh) {
-  auto result = check(std::move(mesh), SelfIntersections::allowed);
+  auto result = check_any(std::move(mesh));
   if (const auto* findings = std::get_if<Findings>(&result)) throw std::logic_error(findings->words());
   return std::get<CheckedMesh>(std::move(result));
 }

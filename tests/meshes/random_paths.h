@@ -45,9 +45,7 @@ struct Scene {
         crossings(surface),
         materials(surface, given, kStiffness) {}
 
-  reference::meshes::Ground ground() const {
-    return {surface, crossings, made.sides, mesh::SelfIntersections::refused, materials};
-  }
+  reference::meshes::Ground ground() const { return {surface, crossings, made.sides, materials}; }
 
   static constexpr float kStiffness = 0.7F;
   properties::RandomMesh made;

@@ -18,16 +18,15 @@ T built(std::variant<T, ParameterError> result) {
   return std::get<T>(std::move(result));
 }
 
-inline mesh::CheckedMesh checked(mesh::TriangleMesh mesh, mesh::SelfIntersections allowed = mesh::SelfIntersections::refused) {
-  auto result = mesh::check(std::move(mesh), allowed);
+inline mesh::CheckedMesh checked(mesh::TriangleMesh mesh) {
+  auto result = mesh::check(std::move(mesh));
   if (const auto* findings = std::get_if<mesh::Findings>(&result)) throw std::runtime_error(findings->words());
   return std::get<mesh::CheckedMesh>(std::move(result));
 }
 
 // Without shading, 1 N/mm.
-inline MeshRendering unshaded(mesh::TriangleMesh mesh, mesh::Sides sides,
-                              mesh::SelfIntersections allowed = mesh::SelfIntersections::refused) {
-  return {checked(std::move(mesh), allowed), {}, sides, mesh::Shading::none, 1, {}};
+inline MeshRendering unshaded(mesh::TriangleMesh mesh, mesh::Sides sides) {
+  return {checked(std::move(mesh)), {}, sides, mesh::Shading::none, 1, {}};
 }
 
 inline MeshRendering shaded(mesh::TriangleMesh mesh, mesh::CornerNormals normals, mesh::Sides sides, float stiffness = 1) {

@@ -37,9 +37,6 @@ mesh::Tick step(const Mesh& mesh, const mesh::GodObject& before, const std::arra
   return tick;
 }
 
-// The state and the moves of a god-object that does not look at the other sheets of a mesh that intersects itself.
-mesh::Tick walk_through_sheets(const Mesh& mesh, const mesh::GodObject& before, const std::array<float, 3>& position) noexcept;
-
 extern template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,
                                 const FilteredStages&, mesh::Contact) noexcept;
 extern template mesh::Tick step(const Mesh&, const mesh::GodObject&, const std::array<float, 3>&, float, mesh::Shading,

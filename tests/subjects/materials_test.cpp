@@ -135,7 +135,6 @@ TEST_F(Materials, are_refused_in_words) {
   expect({{"friction", "1"}, {"materials", "a.toml"}}, "--friction: expected without --materials, got both");
   for (const char* rule : {"direct", "sub-goal"})
     expect({{"friction", "1"}, {"contact", rule}}, "--contact: expected friction, or no coefficient above 0");
-  expect({{"friction", "1"}, {"self-intersecting", "true"}}, "--self-intersecting: expected without friction");
   expect({{"materials", folder.file("none.toml")}}, "none.toml: cannot be opened");
   expect_refusal("--friction: expected --mesh beside it", [] { read_one({{"law", "wall"}, {"friction", "1"}}); });
 }

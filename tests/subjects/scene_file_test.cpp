@@ -9,6 +9,7 @@
 #include "forceshade/error.h"
 #include "forceshade/fast.h"
 #include "forceshade/identity.h"
+#include "forceshade/meshes.h"
 #include "forceshade/reference.h"
 #include "subjects/file.h"
 #include "subjects/scene.h"
@@ -91,12 +92,10 @@ TEST_F(Scenes, have_the_options_of_a_mesh_in_the_file_or_beside_it) {
   const std::string keys =
       "sides = \"both\"\nshading = \"edge\"\ncontact = \"sub-goal\"\ncrease = \"90deg\"\nself-intersecting = true\n";
   const MeshRendering in_file = rendering_in(read_scene_of(keys + kTetrahedron));
-  const MeshRendering beside = rendering_in(read_scene_of(
-      kTetrahedron,
-      {{"sides", "both"}, {"shading", "edge"}, {"contact", "sub-goal"}, {"crease", "90deg"}, {"self-intersecting", "true"}}));
+  const MeshRendering beside = rendering_in(
+      read_scene_of(kTetrahedron, {{"sides", "both"}, {"shading", "edge"}, {"contact", "sub-goal"}, {"crease", "90deg"}}));
   EXPECT_EQ(in_file.sides, mesh::Sides::both);
   EXPECT_EQ(in_file.shading, mesh::Shading::edge_scheme);
-  EXPECT_EQ(in_file.checked.self_intersections(), mesh::SelfIntersections::allowed);
   EXPECT_EQ(identity_of("", in_file).digest, identity_of("", beside).digest);
   EXPECT_EQ(rendering_in(read_scene_of(kTetrahedron)).sides, mesh::Sides::front) << "it is closed";
   EXPECT_EQ(rendering_in(read_scene_of("contact = \"sub-goal\"\n" + kTetrahedron)).contact, mesh::Contact::sub_goal);
@@ -153,46 +152,49 @@ TEST_F(Scenes, name_groups_by_their_objects) {
 
 TEST_F(Scenes, are_written_as_they_are_read) {
   folder.write("table.toml", "sides = \"both\"\n" + kTetrahedron);
-  const Options all{
-      {"scene", folder.file("table.toml")}, {"shading", "edge"}, {"self-intersecting", "true"}, {"stiffness", "0.25"}};
+  const Options all{{"scene", folder.file("table.toml")}, {"shading", "edge"}, {"stiffness", "0.25"}};
   const std::string text = written_files(all).front();
-  EXPECT_EQ(text, "scene = \"table.toml\"\nshading = \"edge\"\nself-intersecting = true\nstiffness = \"0.25N/mm\"\n");
+  EXPECT_EQ(text, "scene = \"table.toml\"\nshading = \"edge\"\nstiffness = \"0.25N/mm\"\n");
   const Description again = read_text(text, folder.file("again.toml"));
   EXPECT_EQ(identity_of("", rendering_in(again)).digest, identity_of("", rendering_in(read_one(all))).digest);
   EXPECT_EQ(again.name, "table.toml");
-  EXPECT_EQ(written_for_shell(all),
-            "--scene " + folder.file("table.toml") + " --shading edge --self-intersecting --stiffness 0.25N/mm");
-  EXPECT_EQ(written_files({{"scene", folder.file("table.toml")}, {"self-intersecting", "false"}}).front(),
-            "scene = \"table.toml\"\nstiffness = \"0.5N/mm\"\n");
+  EXPECT_EQ(written_for_shell(all), "--scene " + folder.file("table.toml") + " --shading edge --stiffness 0.25N/mm");
 }
 
-TEST_F(Scenes, name_the_objects_that_meet) {
+// Faults that make the ground of a scene no regular mesh.
+class ScenesWithFaults : public SceneFolder {
+ protected:
+  void expect_fault(const std::string& text, const std::string& words) {
+    folder.write("table.toml", text);
+    const Scene scene = load_scene({{"scene", folder.file("table.toml")}});
+    const auto checked = mesh::check(scene.ground.loaded.mesh);
+    ASSERT_TRUE(std::holds_alternative<mesh::Findings>(checked)) << text;
+    const std::string found = scene.ground.words(std::get<mesh::Findings>(checked));
+    EXPECT_NE(found.find(words), std::string::npos) << found;
+  }
+};
+
+TEST_F(ScenesWithFaults, name_the_objects_that_meet) {
   const std::string other = "[[object]]\nname = \"ball\"\nmesh = \"its.obj\"\nunit = \"mm\"\ntranslation = [1, 0, -4]\n";
-  expect_refusal(kPlate + other,
-                 "table.toml: cannot be rendered:\nobject floor, face 0 (line 7), and object ball, face 1 (line 9), meet, but "
-                 "have no vertex in common\n");
-  expect_refusal(kPlate + other, "with --self-intersecting, faces without a common vertex may cross");
-  EXPECT_NO_THROW(read_scene_of("self-intersecting = true\n" + kPlate + other));
-  expect_refusal("self-intersecting = true\n" + kPlate + "friction = 0.5\n" + other,
-                 "table.toml: line 1: self-intersecting: expected without friction, which is not defined where faces cross");
-  // Touching is meeting, as of two plates with an edge in common; in one plane it is refused in any case.
+  expect_fault(kPlate + other,
+               "object floor, face 0 (line 7), and object ball, face 1 (line 9), meet, but have no vertex in common\n");
+  EXPECT_FALSE(rendering_in(read_scene_of(kPlate + other)).checked.is_regular());
+  EXPECT_NO_THROW(read_scene_of("self-intersecting = true\n" + kPlate + "friction = 0.5\n" + other));
+  // Touching is meeting, as of two plates with an edge in common.
   const std::string touching =
       kPlate + "[[object]]\nname = \"second\"\nmesh = \"plate.off\"\nunit = \"mm\"\ntranslation = [8, 0, 0]\n";
-  expect_refusal(touching,
-                 "object floor, face 0 (line 7), and object second, face 1 (line 8), meet, but have no vertex in common");
-  expect_refusal("self-intersecting = true\n" + touching,
-                 "object floor, face 0 (line 7), and object second, face 1 (line 8), meet in one plane, but have no vertex");
+  expect_fault(touching,
+               "object floor, face 0 (line 7), and object second, face 1 (line 8), meet, but have no vertex in common");
 }
 
-TEST_F(Scenes, count_faces_and_vertices_as_the_file_of_the_object) {
+TEST_F(ScenesWithFaults, count_faces_and_vertices_as_the_file_of_the_object) {
   folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 4\nf 1 2 3\n");
   const std::string far = "translation = [0, 0, 50]\n",
                     flat = "[[object]]\nname = \"flat\"\nmesh = \"flat.obj\"\nunit = \"mm\"\n";
-  expect_refusal(kPlate + flat + far,
-                 "cannot be rendered:\nobject flat: line 6: face 1 has no area: its vertices 0, 1 and 2 lie on a line\n");
+  expect_fault(kPlate + flat + far, "object flat: line 6: face 1 has no area: its vertices 0, 1 and 2 lie on a line\n");
   folder.write("fan.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n");
-  expect_refusal(kPlate + "[[object]]\nname = \"fan\"\nmesh = \"fan.off\"\nunit = \"mm\"\n" + far,
-                 "object fan: lines 8 and 9: faces 0 and 1 meet at vertex 0, but no edges there lead from one to the other");
+  expect_fault(kPlate + "[[object]]\nname = \"fan\"\nmesh = \"fan.off\"\nunit = \"mm\"\n" + far,
+               "object fan: lines 8 and 9: faces 0 and 1 meet at vertex 0, but no edges there lead from one to the other");
   expect_refusal(kPlate + kTetrahedron + "translation = [9995, 0, 0]\n",
                  "object corner: vertex 1 has a coordinate that is no number within 10000 mm");
   folder.write("many.obj", [] {
@@ -203,8 +205,8 @@ TEST_F(Scenes, count_faces_and_vertices_as_the_file_of_the_object) {
     }
     return text;
   }());
-  expect_refusal(kPlate + "[[object]]\nname = \"many\"\nmesh = \"many.obj\"\nunit = \"mm\"\n" + far,
-                 "\nand 5 more of this kind\n");
+  expect_fault(kPlate + "[[object]]\nname = \"many\"\nmesh = \"many.obj\"\nunit = \"mm\"\n" + far,
+               "\nand 5 more of this kind\n");
 }
 
 TEST_F(Scenes, are_refused_with_file_line_and_value) {

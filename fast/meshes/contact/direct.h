@@ -13,10 +13,7 @@ struct Direct {
   template <class Stages>
   FORCESHADE_INLINE static Goal move(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
                                      const Stages& stages) noexcept {
-    if (mesh.has_sheets()) [[unlikely]]
-      Walk<Stages, true>(mesh, at, p, stages).run();
-    else
-      Walk<Stages>(mesh, at, p, stages).run();
+    Walk<Stages>(mesh, at, p, stages).run();
     return {};
   }
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The god-object goes for the hand's position; friction may hold it, or stop it before (docs/friction.md). The mesh has some,
-// and its sheets do not cross.
+// The god-object goes for the hand's position; friction may hold it, or stop it before (docs/friction.md). The mesh has some.
 
 #include "fast/meshes/contact/direct.h"
 
@@ -13,7 +12,7 @@ struct Frictional {
   template <class Stages>
   FORCESHADE_INLINE static Goal move(const Mesh& mesh, Arrival& at, const std::array<float, 3>& p,
                                      const Stages& stages) noexcept {
-    Walk<Stages, false, true>(mesh, at, p, stages).run();
+    Walk<Stages, true>(mesh, at, p, stages).run();
     return {};
   }
 };

@@ -18,10 +18,8 @@ using Turn = std::function<Eigen::Vector3f(const Eigen::Vector3f&)>;  // of the 
 
 constexpr int kStrokeSteps = 40;
 
-// As the other one, which is regular or not.
-mesh::CheckedMesh checked(mesh::TriangleMesh mesh, const mesh::CheckedMesh& other) {
-  return std::get<mesh::CheckedMesh>(other.is_regular() ? mesh::check(std::move(mesh), other.self_intersections())
-                                                        : mesh::check_any(std::move(mesh)));
+mesh::CheckedMesh checked(mesh::TriangleMesh mesh) {
+  return std::get<mesh::CheckedMesh>(mesh::check_any(std::move(mesh)));
 }
 
 std::array<float, 3> turned(const Turn& turn, const std::array<float, 3>& vector) {
@@ -46,7 +44,7 @@ Description turned(const Description& description, const Turn& turn, bool is_mir
     for (auto& corners : rendering.normals) std::swap(corners[1], corners[2]);
     for (auto& corners : rendering.texture.corners) std::swap(corners[1], corners[2]);
   }
-  rendering.checked = checked(std::move(mesh), rendering.checked);
+  rendering.checked = checked(std::move(mesh));
   return {description.name, rendering};
 }
 
@@ -65,7 +63,7 @@ Description renumbered(const Description& description) {
   from_the_second(rendering.texture.corners);
   for (mesh::Triangle& triangle : mesh.triangles)
     for (std::uint32_t& vertex : triangle) vertex = last - vertex;
-  rendering.checked = checked(std::move(mesh), rendering.checked);
+  rendering.checked = checked(std::move(mesh));
   return {description.name, rendering};
 }
 
@@ -131,7 +129,7 @@ Description plate(const Description& description, int cells) {
       }
     }
   if (rendering.has_corner_normals()) rendering.normals.assign(mesh.triangles.size(), {{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}});
-  rendering.checked = std::get<mesh::CheckedMesh>(mesh::check(std::move(mesh)));
+  rendering.checked = checked(std::move(mesh));
   return {"plate of " + std::to_string(cells) + " x " + std::to_string(cells) + " cells", rendering};
 }
 
