@@ -133,9 +133,12 @@ std::vector<Path> paths(const Trial& trial, bool is_book) {
   return all;
 }
 
-// The reason why no such scene is tried.
+// The reason why no such scene is tried. A renderer of regular meshes is not even opened on one, which it may refuse by
+// failing.
 std::optional<std::string> without_scenes(const Trial& trial) {
   if (!trial.is_mesh()) return "the scene has no triangles";
+  const auto& declared = trial.renderer.hello().declared;
+  if (!declared.contains("meshes") || declared.at("meshes") != "any") return R"(it declares meshes "regular" and not "any")";
   return std::nullopt;
 }
 
