@@ -24,7 +24,7 @@ From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits WideR
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
 From Forceshade Require Import Damping Placement.
 From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird Bump3pThird Bump3pShadedThird.
-From Forceshade Require Import Main.
+From Forceshade Require Import Main RecordedParts RecordedLaws.
 Import ListNotations.
 
 Inductive claim : Prop := claimed (P : Prop) (_ : P).
@@ -113,5 +113,10 @@ Definition claims : list claim := [
   claimed sub_goal_is_near; claimed placed_is_rotation; claimed placement_keeps_power; claimed turned_back;
   claimed placed_force_is_nearest; claimed position_is_rounded_once; claimed unshifted_position_is_exact;
   claimed damper_dissipates; claimed sampling_gives_at_most; claimed side_of_plane_changes_by;
-  claimed passes_edge_changes_by; claimed product_is_off_by; claimed quotient_is_off_by; claimed root_is_off_by].
+  claimed passes_edge_changes_by; claimed product_is_off_by; claimed quotient_is_off_by; claimed root_is_off_by; claimed sum_is_recorded;
+  claimed difference_is_recorded; claimed product_is_recorded; claimed quotient_is_recorded; claimed root_is_recorded;
+  claimed sign_is_recorded; claimed rest_is_recorded; claimed domain_is_recorded; claimed operations_are_recorded; claimed doubt_is_recorded;
+  claimed exact_sign_is_recorded; claimed on_top_is_recorded; claimed largest_on_top_is_recorded; claimed second_nearest_is_recorded;
+  claimed third_nearest_is_recorded; claimed second_sine_is_recorded; claimed third_sine_is_recorded; claimed members_are_recorded;
+  claimed laws_are_recorded; claimed planes_are_recorded].
 Print Assumptions claims.

@@ -48,8 +48,8 @@ def functions(text, name):
 
 
 def definitions(text, name):
-    """The definition in Coq, to the full stop that ends it."""
-    return re.findall(rf"\b(?:Definition|Fixpoint) {name} .*?\.(?= |$)", text)
+    """The definition in Coq, or the statement of the theorem, to the full stop that ends it."""
+    return re.findall(rf"\b(?:Definition|Fixpoint|Theorem) {name} .*?\.(?= |$)", text)
 
 
 def digest_of(file, names):

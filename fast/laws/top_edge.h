@@ -43,7 +43,7 @@ inline bool is_on_top(float candidate, float radius, float width) noexcept {
 inline float largest_on_top(float radius, float width, const DoubleDouble& half_top) noexcept {
   // half_top is good to far more than a binary32, so one step either way is enough; the bound keeps a wrong one from hanging.
   float c = static_cast<float>(half_top.hi);
-  for (int step = 0; step < 2 && !is_on_top(c, radius, width); ++step) c = std::nextafter(c, 0.0F);
+  for (int step = 0; step < 2 && !is_on_top(c, radius, width); ++step) c = std::nextafter(c, -HUGE_VALF);
   for (int step = 0; step < 2; ++step)
     if (const float next = std::nextafter(c, HUGE_VALF); is_on_top(next, radius, width)) c = next;
   return c;

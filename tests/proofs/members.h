@@ -14,11 +14,13 @@ namespace forceshade::tests {
 using Constants = std::vector<std::pair<std::string, double>>;
 
 inline void add(Constants& to, const std::string& prefix, const fast::LinearGap& gap) {
-  to.insert(to.end(), {{prefix + "height", gap.height}, {prefix + "height_tail", gap.height_tail}});
-  if (gap.slope.head != 0) to.insert(to.end(), {{prefix + "slope", gap.slope.head}, {prefix + "slope_tail", gap.slope.tail}});
+  to.insert(to.end(), {{prefix + "height", gap.height},
+                       {prefix + "height_tail", gap.height_tail},
+                       {prefix + "slope", gap.slope.head},
+                       {prefix + "slope_tail", gap.slope.tail}});
 }
 inline void add(Constants& to, const std::string&, const fast::ThreePolygonGap& gap) {
-  add(to, "top_", gap.top);
+  to.insert(to.end(), {{"top_height", gap.top.height}, {"top_height_tail", gap.top.height_tail}});  // its slope is 0
   add(to, "side_", gap.side);
 }
 

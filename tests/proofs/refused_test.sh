@@ -71,7 +71,7 @@ records_otherwise() {  # file, what stands there, what is planted
   cp "$copy/stored" "$copy/proofs/Recorded.v"
   restore "$1"
 }
-refuses fast/numbers/first_stage.h "kDroppedMask - 2 * kWindow" "kDroppedMask - kWindow" "is not the code"
+refuses proofs/RecordedStages.v "Definition bump_3p_limbs : nat := 64." "Definition bump_3p_limbs : nat := 32." "Error"
 records_otherwise fast/laws/wall.h "larger(Real(-K) * z, Real(0))" "larger(Real(K) * z, Real(0))"
 records_otherwise fast/laws/shading.h "(Real(R) - x) * (Real(R) + x)" "(Real(R) - x) * (Real(R) - x)"
 records_otherwise fast/laws/bump_1p_shaded.h "absolute(x) <= Real(half_width)" "x <= Real(half_width)"
