@@ -131,6 +131,7 @@ TEST(case_file, has_the_positions_that_a_subject_is_certified_at) {
   std::ostringstream csv, npy;
   write_positions(csv, false, *subject, kPathLength + 2, 7);
   write_positions(npy, true, *subject, kPathLength + 2, 7);
+  EXPECT_EQ(npy.str().find("periods"), std::string::npos);
   std::istringstream in(csv.str());
   files::Reader rows(in, "positions.csv", {"x_mm", "y_mm", "z_mm", "reset", "aim"});
   const auto positions = subject->positions(7);
@@ -157,6 +158,7 @@ TEST(case_file, has_the_strokes_and_periods_of_a_run_with_damping) {
   std::ostringstream csv, npy;
   write_positions(csv, false, *subject, kTicks, 7, true);
   write_positions(npy, true, *subject, kTicks, 7, true);
+  EXPECT_NE(npy.str().find("('periods', '<u4')]"), std::string::npos);
   std::istringstream in(csv.str());
   files::Reader rows(in, "positions.csv", {"z_mm", "periods"});
   Strokes ticks(subject->positions(7), true, 7);

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
 #include "properties/conformance/conform.h"
+#include "properties/conformance/invariants/trial.h"
 #include "properties/conformance/judgement_text.h"
 #include "properties/conformance/scene.h"
+#include "properties/conformance/strokes.h"
 #include "properties/conformance/vectors.h"
 #include "rendering/meshes/make.h"
 #include "tests/conformance/own_renderer.h"
@@ -179,6 +182,48 @@ TEST(damping_under_conform, a_wrong_answer_is_shown_with_its_periods) {
   ASSERT_EQ(its.periods_of_shortest_path.size(), its.shortest_path.size());
   EXPECT_GT(std::ranges::max(its.periods_of_shortest_path), 1U);
   EXPECT_NE(words_of(its, {}).find("const unsigned periods[] = {"), std::string::npos);
+}
+
+// Half of the positions that are numbers are ends of strokes of four ticks, after a pause.
+TEST(damping_under_conform, strokes_are_at_the_speed_of_a_hand_and_miss_positions) {
+  const auto subject = properties::subject_of(kWall);
+  constexpr int kPositions = 4000, kTicks = 4;
+  Strokes strokes(subject->positions(5), true, 5);
+  const auto positions = subject->positions(5);
+  std::map<std::uint32_t, int> alone, in_strokes;  // by periods
+  int ends = 0, ways = 0, up = 0, slow = 0;
+  for (int i = 0; i < kPositions; ++i) {
+    const properties::Aimed aimed = positions->next();
+    std::vector<Tick> ticks{strokes.next()};
+    const bool is_alone = same_bits(ticks[0].aimed.position, aimed.position) && ticks[0].aimed.aim == aimed.aim;
+    while (!is_alone && ticks.size() < kTicks) ticks.push_back(strokes.next());
+    ASSERT_TRUE(same_bits(ticks.back().aimed.position, aimed.position) && ticks.back().aimed.aim == aimed.aim) << i;
+    if (is_alone) {
+      ++alone[ticks[0].periods];
+      continue;
+    }
+    ++ends;
+    EXPECT_EQ(ticks[0].periods, kPause);
+    for (std::size_t tick = 1; tick < kTicks; ++tick) ++in_strokes[ticks[tick].periods];
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const float end = aimed.position[axis], way = end - ticks[0].aimed.position[axis];
+      if (std::fabs(end) > 16) continue;  // where roundings are long beside the shortest steps
+      EXPECT_LE(std::fabs(way), 3 * 0.5F + 1e-5F);
+      EXPECT_NEAR(ticks[2].aimed.position[axis], end - way / 3, 1e-5F);
+      ++ways;
+      up += way > 0;
+      slow += std::fabs(way) < 3 * 0x1p-8F;
+    }
+  }
+  EXPECT_NEAR(ends, kPositions / 2, kPositions / 10);
+  EXPECT_NEAR(up, ways / 2, ways / 10);
+  EXPECT_NEAR(slow, ways / 4, ways / 10);
+  EXPECT_EQ(alone.size(), kPause + 1) << "0 to a pause";
+  EXPECT_EQ(alone.rbegin()->first, kPause);
+  EXPECT_NEAR(alone[1], 3 * (kPositions - ends) / 4, (kPositions - ends) / 8);
+  EXPECT_EQ(in_strokes.size(), 2U);
+  EXPECT_NEAR(in_strokes[3], 3 * ends / 8, 3 * ends / 32);
+  EXPECT_EQ(in_strokes[1] + in_strokes[3], 3 * ends);
 }
 
 // Each row of vectors, computed by the real-time side.

@@ -224,36 +224,49 @@ TEST(damping, only_short_numbers_decide_a_velocity_without_a_bound) {
   EXPECT_EQ(velocity(1, 1e4F, -1e4F, 131072, 1), 20000 * 131072.0F);
 }
 
-TEST(damping, a_tie_of_short_numbers_takes_no_integers) {
+TEST(damping, what_binary64_knows_takes_no_integers) {
+  tests::DampingOfBothSides filtered({.rate = 1000, .share = 0.3F, .damping = 1});
+  filtered.resume({true, {0, 0, 0.1F}, {0, 0, 10}, 0});
+  EXPECT_NE(filtered.tick({0, 0, -0.2F}, 1, {0, 0, 1}).stage, fast::Stage::wide) << "s = S";
+  EXPECT_NE(filtered.tick({0, 0, -0.21F}, 1, {0, 0, 0}).stage, fast::Stage::wide) << "no force";
+  EXPECT_NE(filtered.tick({0, 0, 0.7F}, 1, {0, 0, 1}).stage, fast::Stage::wide) << "s = 0";
+  // A tie.
   tests::DampingOfBothSides both({.rate = 1000, .share = 0.5F, .damping = 1});
   both.resume({true, {0, 0, 1}, {0, 0, 1 + 0x1p-23F}, 0});
   EXPECT_NE(both.tick({0, 0, 1 + 0x1p-9F}, 1, {0, 0, 1}).stage, fast::Stage::wide);
   EXPECT_EQ(both.fast.state().velocity[2], (1 + 1000 * 0x1p-9F) / 2);
 }
 
-// In each row s is less than S, or λ less than 1, by so little that binary64 takes it for the limit; the force with the limit
-// is another.
-TEST(damping, limits_that_are_nearly_reached_are_decided_by_integers) {
+TEST(damping, the_slowest_velocity_is_kept) {
+  tests::DampingOfBothSides both({.rate = 1, .share = 0.5F, .damping = 1});
+  for (const auto& [way, velocity] : {std::pair{0x1p-19F, 0x1p-20F}, {0x1.fffffep-20F, 0.0F}}) {
+    both.resume({true, {0, 0, 0}, {0, 0, 0}, 0});
+    both.tick({0, 0, way}, 1, {0, 0, 1});
+    EXPECT_EQ(both.reference.state().velocity[2], velocity);
+  }
+}
+
+// In binary64 s is S, though it is less; or the force is no tie, though it is; or λ is 1, though it is less. Each gives another
+// force.
+TEST(damping, what_binary64_cannot_know_is_decided_by_integers) {
   struct Row {
     Parameters parameters;
     std::array<float, 3> velocity;
     Eigen::Vector3f force, damped;
   };
-  const Parameters most{.rate = 1000, .damping = 1, .most = 1023};
-  const auto drag = [](float damping, float drag, float full_at) {
-    return Parameters{.rate = 1000, .damping = damping, .most = 1024, .drag = drag, .full_at = full_at};
-  };
   const std::array rows{
-      Row{most, {0, 0, -0x1.071036p+9F}, {0x1.8b5ep-32F, 0, 0x1.0794p-1F}, {0x1.8afb28p-22F, 0, 0x1.07521ap+9F}},
-      Row{most, {0, 0, -0x1.0dbcdep+9F}, {0x1.9566p-32F, 0, 0x1.0e44p-1F}, {0x1.9500a6p-22F, 0, 0x1.0e006ep+9F}},
-      Row{drag(0x1.29f19ap+2F, 0x1.0faf02p+3F, 0x1.384bcep+1F),
+      Row{{.rate = 1000, .damping = 1, .most = 1023},
+          {0, 0, -0x1.071036p+9F},
+          {0x1.8b5ep-32F, 0, 0x1.0794p-1F},
+          {0x1.8afb28p-22F, 0, 0x1.07521ap+9F}},
+      Row{{.rate = 1000, .damping = 0x1p-4F, .drag = 0x1p-20F},
+          {0, 0, -0x1p-20F},
+          {0, 0, 0x1.c435dep+0F},
+          {0, 0, 0x1.c435ep+0F}},
+      Row{{.rate = 1000, .damping = 0x1.29f19ap+2F, .most = 1024, .drag = 0x1.0faf02p+3F, .full_at = 0x1.384bcep+1F},
           {0x1.a8b382p+30F, -0x1.fb172cp+5F, -0x1.2c7324p+30F},
           {0x1.494f7p-1F, 0x1.09160ap-1F, 0x1.d17f3ep-1F},
-          {-0x1.c2b85ap+33F, 0x1.0cb584p+9F, 0x1.3edb46p+33F}},
-      Row{drag(0x1.3b96cp+3F, 0x1.6e2792p+3F, 0x1.44e1c2p+1F),
-          {0x1.92e704p+30F, -0x1.248178p+7F, -0x1.1fc054p+31F},
-          {0x1.f8541ep-1F, 0x1.306b98p-1F, 0x1.611308p-1F},
-          {-0x1.202246p+34F, 0x1.a274ap+10F, 0x1.9b9172p+34F}}};
+          {-0x1.c2b85ap+33F, 0x1.0cb584p+9F, 0x1.3edb46p+33F}}};
   for (const Row& row : rows) {
     tests::DampingOfBothSides both(row.parameters);
     both.resume({true, {0, 0, 0}, row.velocity, 0});
@@ -345,7 +358,7 @@ TEST(damping, a_state_that_no_tick_gives_counts_as_the_first) {
   for (const State& bad :
        {State{true, {kNaN, 0, 0}, {}, 0}, State{true, {0x1.388002p13F, 0, 0}, {}, 0},
         State{true, {0, 0x1.fffffep-31F, 0}, {}, 0}, State{true, {}, {0x1.fffffep-21F, 0, 0}, 0},
-        State{true, {}, {0, 0x1.000002p32F, 0}, 0}, State{true, {}, {0, 0, kNaN}, 0}, State{true, {}, {}, 18},
+        State{true, {}, {0, 0x1.000002p32F, 0}, 0}, State{true, {}, {0, 0, kNaN}, 0}, State{true, {}, {0, 4, 0}, 18},
         State{false, {1, 0, 0}, {}, 0}, State{false, {}, {1, 0, 0}, 0}, State{false, {}, {}, 1}}) {
     both.resume(good);
     both.resume(bad);

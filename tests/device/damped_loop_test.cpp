@@ -74,6 +74,19 @@ TEST(damped_loop, answers_as_a_damped_session_and_splits_the_work) {
   EXPECT_EQ(all, work.spring + work.damper + work.sampling);
 }
 
+// The first tick has no way behind it, so it may come late.
+TEST(damped_loop, bounds_the_work_of_even_ticks) {
+  const auto at = [](float z) { return DampedTick{{0, 0, z}, {0, 0, 1}, {0, 0, 1}, {}}; };
+  DampedWork<double> work;
+  EXPECT_EQ(work.most(kOil), 0);
+  work.add(at(0), 5, kOil.rate);
+  work.add(at(0.5F), 1, kOil.rate);
+  const double factor = 4.0 / 21 * static_cast<double>(kOil.damping) * static_cast<double>(kOil.rate);
+  EXPECT_DOUBLE_EQ(work.most(kOil), factor / 4);
+  work.add(at(0), 2, kOil.rate);
+  EXPECT_TRUE(std::isnan(work.most(kOil)));
+}
+
 TEST(damped_loop, damps_whatever_a_stage_shows) {
   const auto path = trembling();
   ServoOptions options = unpaced();
