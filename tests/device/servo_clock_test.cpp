@@ -201,15 +201,15 @@ class Framed final : public Pushing {
   }
   std::int64_t wait_for_frame(std::int64_t deadline) noexcept override {
     ++waits;
-    frame_ = std::max(frame_ + 1, (clock_.now() - first_) / kPeriod);
-    system::sleep_until(std::min(first_ + frame_ * kPeriod, deadline));
-    return first_ + frame_ * kPeriod;
+    frame_ = std::max(frame_ + 1, (clock_.now() - first_) / period);
+    system::sleep_until(std::min(first_ + frame_ * period, deadline));
+    return first_ + frame_ * period;
   }
+  std::int64_t period = 1'020'000;   // ns
   std::vector<std::int64_t> frames;  // that were read
   int waits = 0;
 
  private:
-  static constexpr std::int64_t kPeriod = 1'020'000;  // ns
   ReadResult at(std::size_t reading) noexcept override {
     frames.push_back(frame_);
     return place(reading);
@@ -236,6 +236,16 @@ TEST(servo_loop, follows_the_frames_of_a_device_that_paces) {
   EXPECT_EQ(run.samples[6].wakeup_ns, 40'000) << "frame 8 began then";
   for (std::size_t k = 1; k < 10; ++k)
     EXPECT_EQ(run.samples[k].periods(), device.frames[k] - device.frames[k - 1]) << k << ": as damping counts them";
+}
+
+// Frames that are a little early are as many periods as those that are a little late.
+TEST(servo_loop, counts_the_nearest_number_of_periods_between_two_frames) {
+  World clock;
+  Framed device(clock, [&](std::size_t tick) { clock.pass(tick == 5 ? 3.1 : 0.2); });
+  device.period = 980'000;
+  const Kept run(device, wall(), {.max_seconds = 0.01, .damping = {.drag = 0.001F}});
+  EXPECT_EQ(run.samples[6].periods(), 3U);
+  EXPECT_EQ(device.frames[6] - device.frames[5], 3);
 }
 
 TEST(servo_loop, follows_its_own_clock_where_it_is_told_to_or_where_nothing_is_paced) {

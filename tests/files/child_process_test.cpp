@@ -8,6 +8,7 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "tests/support/words.h"
 
@@ -27,6 +28,16 @@ TEST(child_process, is_ended_where_it_has_one_more) {
   ChildProcess program(kThreeProcesses, {.answer = std::chrono::minutes(10), .threads = 2}, "program");
   EXPECT_EQ(tests::thrown_by<ProcessFailed>([&] { program.hear(); }),
             "the program had more than 2 processes and threads, and ended without an answer");
+}
+
+// In files, whose limit is in megabytes.
+TEST(child_process, writes_as_much_as_it_is_allowed) {
+  for (const auto& [bytes, result] : {std::pair{"2000000", "0"}, {"2200000", "1"}}) {
+    const std::string command = std::string("file=$(mktemp); head -c ") + bytes +
+                                " /dev/zero 2> /dev/null > $file; test $? -eq 0; result=$?; rm $file; read line; echo $result";
+    ChildProcess program(command, {.file_megabytes = 2}, "program");
+    EXPECT_EQ(program.ask(""), result) << bytes;
+  }
 }
 
 }  // namespace
