@@ -41,6 +41,9 @@ TEST(phantom_limits, are_the_drivers_or_a_little_below_what_it_ends_a_run_for) {
   EXPECT_EQ(limits.low, Eigen::Vector3f(-190, -137, -95));
   EXPECT_EQ(limits.high, Eigen::Vector3f(191, 130, 96));
   EXPECT_EQ(limits.words, "");
+  DriversLimits always = kRight;
+  always.continuous = always.peak;
+  EXPECT_EQ(limits_of(always).continuous, limits.peak) << "it is no higher than ours";
 }
 
 TEST(phantom_limits, without_a_peak_that_is_one_there_are_none) {

@@ -251,6 +251,7 @@ TEST(servo_loop, trips_when_too_much_is_forgiven) {
   const Kept run(device, wall(), {.paced = false});
   ASSERT_TRUE(run.trip);
   EXPECT_EQ(name_of(run.trip->rule), "energy");
+  EXPECT_EQ(run.limited_ticks[static_cast<std::size_t>(Rule::energy)], 0U) << "it tripped, and limited nothing";
   EXPECT_GT(run.account.owed(), 100);
   EXPECT_GT(run.account.forgiven, 90);
   EXPECT_LT(run.account.owed(), 100 + 8.5 * 13);
