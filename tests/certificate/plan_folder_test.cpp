@@ -218,6 +218,9 @@ TEST(plan, is_read_back_and_names_what_is_wrong) {
   EXPECT_EQ(to_json(plan_from_json(to_json(sweeps), "f")), to_json(sweeps));
   tests::expect_words(tests::thrown_by<Error>([&] { plan_from_json("{\"schema\": 2}", "here/plan.json"); }),
                       {"here/plan.json: expected a plan"});
+  points.lease = 0;
+  tests::expect_words(tests::thrown_by<Error>([&] { plan_from_json(to_json(points), "here/plan.json"); }),
+                      {"lease_s is 0; expected 1 or more"});
 }
 
 TEST(plan, refuses_another_build_or_instruction_set) {
