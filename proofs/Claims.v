@@ -24,6 +24,8 @@ From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits WideR
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
 From Forceshade Require Import Damping Placement.
 From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird Bump3pThird Bump3pShadedThird.
+From Forceshade Require Import BumpLanes PolygonLanes ThreePolygonLanes WalkRight CylinderLaneV CylinderLaneRough CylinderLaneRoughForm
+  CylinderLaneStep CylinderLaneScale CylinderLanes.
 From Forceshade Require Import Main RecordedParts RecordedLaws.
 Import ListNotations.
 
@@ -34,6 +36,14 @@ Definition claims : list claim := [
   claimed wall_is_correctly_rounded; claimed cylinder_is_correctly_rounded; claimed bump_cylinder_is_correctly_rounded;
   claimed bump_1p_is_correctly_rounded; claimed bump_2p_is_correctly_rounded; claimed bump_3p_is_correctly_rounded;
   claimed bump_1p_shaded_is_correctly_rounded; claimed bump_2p_shaded_is_correctly_rounded; claimed bump_3p_shaded_is_correctly_rounded;
+  claimed wall_batches_agree; claimed cylinder_batches_agree; claimed bump_cylinder_batches_agree;
+  claimed bump_1p_batches_agree; claimed bump_2p_batches_agree; claimed bump_3p_batches_agree;
+  claimed bump_1p_shaded_batches_agree; claimed bump_2p_shaded_batches_agree; claimed bump_3p_shaded_batches_agree;
+  claimed wall_lane_is_right; claimed bump_1p_lane_is_right;
+  claimed bump_1p_shaded_lane_is_right; claimed bump_2p_lane_is_right; claimed bump_2p_shaded_lane_is_right;
+  claimed bump_3p_lane_is_right; claimed bump_3p_shaded_lane_is_right; claimed gap_form_is_near; claimed top_height_at;
+  claimed v_form_is_near; claimed rough_t_is; claimed rough_form_is; claimed step_is; claimed scale_form_is;
+  claimed cylinder_lane_is_right; claimed bump_cylinder_lane_is_right;
   claimed rounding_test_is_sound; claimed first_stage_returns_the_nearest; claimed right_first_stage_gives_right_answers;
   claimed product_is_exact; claimed wall_answers_right; claimed bump_1p_shaded_first_stage_answers_right; claimed gap_is_near;
   claimed bump_2p_first_stage_answers_right; claimed bump_2p_shaded_first_stage_answers_right; claimed bump_3p_first_stage_answers_right;

@@ -11,6 +11,7 @@ From Coq Require Import ZArith.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Laws Evaluate Code Wall CylinderThird BumpCylinderThird Bump2pThird Bump3pThird.
 From Forceshade Require Import Bump1pShadedThird Bump2pShadedThird Bump3pShadedThird ThirdStages ThirdStagesRefined.
+From Forceshade Require Import Batch Walk WalkRight PolygonLanes ThreePolygonLanes CylinderLanes.
 
 Theorem wall_is_correctly_rounded : forall (is_fused : bool) (R w K x y z : binary32), stiffness K ->
   right_answer (answer (code_of_wall is_fused R w K) x y z) (exact_wall (value32 K)) x y z.
@@ -79,4 +80,79 @@ Qed.
 Definition nine_laws := (wall_is_correctly_rounded, cylinder_is_correctly_rounded, bump_cylinder_is_correctly_rounded,
   bump_1p_is_correctly_rounded, bump_2p_is_correctly_rounded, bump_3p_is_correctly_rounded,
   bump_1p_shaded_is_correctly_rounded, bump_2p_shaded_is_correctly_rounded, bump_3p_shaded_is_correctly_rounded).
-Print Assumptions nine_laws.
+
+(* ---- Batches ---- *)
+
+(* A batch of each law, in columns or in rows, in place or not, of any length, with AVX2, with AVX-512 or with neither: every force is
+  that of
+   the call of one position, invalid positions are counted, and nothing else is written. Walk.v is how arrays are walked, Batch.v the forms
+   that packs evaluate, as a program recorded them, and Lanes.v the watch that leaves a position to the call above. *)
+
+Theorem wall_batches_agree : forall (is_fused : bool) (R w K : binary32), stiffness K ->
+  batches_agree (form_of_wall R w K) (answer (code_of_wall is_fused R w K)).
+Proof.
+  exact (fun is_fused R w K H => batches_are_right (fun set x z => wall_lane_is_right set R w K x z H)
+    (fun x y z => wall_is_correctly_rounded is_fused R w K x y z H)).
+Qed.
+
+Theorem cylinder_batches_agree : forall (outside : Z -> Z) (is_fused : bool) (R w K : binary32), parameters R w K ->
+  batches_agree (form_of_cylinder R w K) (answer (code_of_cylinder (of_limbs outside) is_fused R w K)).
+Proof.
+  exact (fun outside is_fused R w K H => batches_are_right (fun set x z => cylinder_lane_is_right set R w K x z H)
+    (fun x y z => cylinder_is_correctly_rounded outside is_fused R w K x y z H)).
+Qed.
+
+Theorem bump_cylinder_batches_agree : forall (outside : Z -> Z) (is_fused : bool) (R w K : binary32), parameters R w K ->
+  batches_agree (form_of_bump_cylinder R w K) (answer (code_of_bump_cylinder (of_limbs outside) is_fused R w K)).
+Proof.
+  exact (fun outside is_fused R w K H => batches_are_right (fun set x z => bump_cylinder_lane_is_right set R w K x z H)
+    (fun x y z => bump_cylinder_is_correctly_rounded outside is_fused R w K x y z H)).
+Qed.
+
+Theorem bump_1p_batches_agree : forall (is_fused : bool) (R w K : binary32), stiffness K ->
+  batches_agree (form_of_bump_1p R w K) (answer (code_of_bump_1p is_fused R w K)).
+Proof.
+  exact (fun is_fused R w K H => batches_are_right (fun set x z => bump_1p_lane_is_right set R w K x z H)
+    (fun x y z => bump_1p_is_correctly_rounded is_fused R w K x y z H)).
+Qed.
+
+Theorem bump_2p_batches_agree : forall (outside : Z -> Z) (is_fused : bool) (R w K : binary32), parameters R w K ->
+  batches_agree (form_of_bump_2p R w K) (answer (code_of_bump_2p (of_limbs outside) is_fused R w K)).
+Proof.
+  exact (fun outside is_fused R w K H => batches_are_right (fun set x z => bump_2p_lane_is_right set R w K x z H)
+    (fun x y z => bump_2p_is_correctly_rounded outside is_fused R w K x y z H)).
+Qed.
+
+Theorem bump_3p_batches_agree : forall (outside : Z -> Z) (is_fused : bool) (R w K : binary32), parameters R w K ->
+  batches_agree (form_of_bump_3p R w K) (answer (code_of_bump_3p (of_limbs outside) is_fused R w K)).
+Proof.
+  exact (fun outside is_fused R w K H => batches_are_right (fun set x z => bump_3p_lane_is_right set R w K x z H)
+    (fun x y z => bump_3p_is_correctly_rounded outside is_fused R w K x y z H)).
+Qed.
+
+Theorem bump_1p_shaded_batches_agree : forall (outside : Z -> Z) (is_fused : bool) (R w K : binary32), parameters R w K ->
+  batches_agree (form_of_bump_1p_shaded R w K) (answer (code_of_bump_1p_shaded (of_limbs outside) is_fused R w K)).
+Proof.
+  exact (fun outside is_fused R w K H => batches_are_right (fun set x z => bump_1p_shaded_lane_is_right set R w K x z H)
+    (fun x y z => bump_1p_shaded_is_correctly_rounded outside is_fused R w K x y z H)).
+Qed.
+
+Theorem bump_2p_shaded_batches_agree : forall (outside : Z -> Z) (is_fused : bool) (R w K : binary32), parameters R w K ->
+  batches_agree (form_of_bump_2p_shaded R w K) (answer (code_of_bump_2p_shaded (of_limbs outside) is_fused R w K)).
+Proof.
+  exact (fun outside is_fused R w K H => batches_are_right (fun set x z => bump_2p_shaded_lane_is_right set R w K x z H)
+    (fun x y z => bump_2p_shaded_is_correctly_rounded outside is_fused R w K x y z H)).
+Qed.
+
+Theorem bump_3p_shaded_batches_agree : forall (outside : Z -> Z) (is_fused : bool) (R w K : binary32), parameters R w K ->
+  batches_agree (form_of_bump_3p_shaded R w K) (answer (code_of_bump_3p_shaded (of_limbs outside) is_fused R w K)).
+Proof.
+  exact (fun outside is_fused R w K H => batches_are_right (fun set x z => bump_3p_shaded_lane_is_right set R w K x z H)
+    (fun x y z => bump_3p_shaded_is_correctly_rounded outside is_fused R w K x y z H)).
+Qed.
+
+Definition their_batches := (wall_batches_agree, cylinder_batches_agree, bump_cylinder_batches_agree, bump_1p_batches_agree,
+  bump_2p_batches_agree, bump_3p_batches_agree, bump_1p_shaded_batches_agree, bump_2p_shaded_batches_agree, bump_3p_shaded_batches_agree).
+
+Definition all := (nine_laws, their_batches).
+Print Assumptions all.

@@ -54,12 +54,6 @@ std::vector<Description> read(const Options& options, Laws laws, const Monitor& 
   return all;
 }
 
-// Programs render every mesh.
-Description read_any(Options options, const Monitor& monitor) {
-  options.accept_any_mesh();
-  return read_one(options, monitor);
-}
-
 }  // namespace
 
 std::vector<Description> read(const Options& options, const Monitor& monitor) {
@@ -71,11 +65,11 @@ Description read_one(const Options& options, const Monitor& monitor) {
 }
 
 Description read_file(const std::filesystem::path& file, const Monitor& monitor) {
-  return read_any(options_of_file(file), monitor);
+  return read_one(options_of_file(file), monitor);
 }
 
 Description read_text(const std::string& text, const std::filesystem::path& file, const Monitor& monitor) {
-  return read_any(options_of_text(text, file), monitor);
+  return read_one(options_of_text(text, file), monitor);
 }
 
 float stiffness_of(const Options& options) {

@@ -149,7 +149,6 @@ Description of_file(const std::string& file) {
 Description of_options(const std::vector<std::pair<std::string, std::string>>& options) {
   subjects::Options all;
   for (const auto& [key, value] : options) all.add({key, value, key});
-  all.accept_any_mesh();
   return interruptible([&](const std::atomic<bool>& stop) { return subjects::read_one(all, Monitor({}, stop)); });
 }
 

@@ -147,6 +147,10 @@ refuses proofs/Inputs.v "times (two_to (-1)) (to64 w)" "times (two_to (-2)) (to6
 refuses proofs/Evaluate.v "negb (in_doubt window (bits_of_b64 (first_x first))) &&" "" "Error"
 refuses proofs/Wall.v "(Z < 0) 0 (- value32 K * Z)." "(Z < 0) 0 (value32 K * Z)." "Error"
 refuses proofs/Wall.v "(Z < 0) 0 (- value32 K * Z)." "(Z <= 0) 0 (- value32 K * Z)." "Error"
+defines_otherwise proofs/Lanes.v "(bits_of_b32 ten_thousand <? bits_of_b32 size)" "(bits_of_b32 size <? bits_of_b32 ten_thousand)"
+defines_otherwise proofs/Walk.v "if is_in_place && negb answered then s" "if negb is_in_place && negb answered then s"
+refuses proofs/RecordedForms.v "let t44 := orb t41 t43 in" "let t44 := andb t41 t43 in" "Error"
+refuses proofs/RecordedForms.v "let t25 := if t8 then K else K_cosine in" "let t25 := if t8 then K_cosine else K in" "Error"
 refuses proofs/Main.v "(exact_bump_2p (value32 R)" "(exact_bump_3p (value32 R)" "does not state"
 refuses proofs/Code.v "code_of_wall (is_fused : bool) (R w K" "code_of_wall (is_fused : bool) (R K w" "does not state"
 refuses proofs/Inputs.v "Theorem product_is_exact : forall a b : binary32, generic" \

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""weakened_test.py SOURCE [FOLDER]: makes weaker statements of the nine theorems of proofs/Main.v and of the specification in
-proofs/Laws.v. proofs/digests.py must refuse each of them, and pass over comments and line breaks. With FOLDER, in which scripts/proofs
-left what Coq read, Coq must refuse to take a weaker theorem of Main.v for the one that this program writes, and with a weaker Laws.v to
-read restated.v. Exits 77 where FOLDER is given and Coq is not there."""
+"""weakened_test.py SOURCE [FOLDER]: makes weaker statements of the theorems of proofs/Main.v on calls and on batches, of what is
+shown of batches in proofs/Walk.v, and of the specification in proofs/Laws.v. proofs/digests.py must refuse each of them, and pass over
+comments and line breaks. With FOLDER, in which scripts/proofs left what Coq read, Coq must refuse to take a weaker theorem of Main.v for
+the one that this program writes, and with a weaker Laws.v to read restated.v. Exits 77 where FOLDER is given and Coq is not there."""
 
 import concurrent.futures
 import contextlib
@@ -55,6 +55,51 @@ def weaker(law, number):
         **({} if law in PLANES else {"exponents of any size": f"{numbers}(forall t, outside t = t) -> {needed} -> {right}"}),
     }
 
+
+def whole_of_batches(law):
+    numbers, needed, answer, _ = parts(law)
+    return (f"{numbers.replace(' x y z', '')}{needed} -> batches_agree (form_of_{law} R w K) "
+            f"({answer.replace(' x y z', '')})")
+
+
+def weaker_of_batches(law, number):
+    """Weaker statements of the theorem on a law's batches, by what they lack."""
+    numbers, agree = whole_of_batches(law).split(" -> batches_agree ")
+    agree = "batches_agree " + agree
+    more = ["value32 K = 1", "is_fused = true", "value32 R = value32 w", "R = K"][number % 4]
+    return {
+        "a hypothesis more": f"{numbers} -> {more} -> {agree}",
+        "a hypothesis in the place of another": f"{numbers} /\\ {more} -> {agree}",
+        "one way to multiply and add": f"{numbers} -> " + agree.replace("is_fused", "false"),
+        "some form agrees": f"{numbers} -> exists some, " + agree.replace(f"(form_of_{law} R w K)", "some"),
+        "or something else": f"{numbers} -> {agree} \\/ value32 R = value32 w",
+        "an implication of itself": f"{numbers} -> {agree} -> {agree}",
+    }
+
+
+# By law: the theorem's name, what it states, weaker statements, and the names that these are about.
+def statements(number, law):
+    machine = "" if law in PLANES else "outside "
+    yield f"{law}_is_correctly_rounded", whole(law), weaker(law, number), f"{machine}is_fused R w K x y z"
+    if f"Theorem {law}_batches_agree" in MAIN:
+        yield f"{law}_batches_agree", whole_of_batches(law), weaker_of_batches(law, number), f"{machine}is_fused R w K"
+
+
+# Texts of Walk.v, each with one that says less or something else.
+SHOWN = [
+    ("forall (set : option instruction_set) (count : nat),", "forall (set : option instruction_set) (count : nat), count < 16 ->"),
+    ("forall (set : option instruction_set) (count : nat),", "forall (count : nat), let set := None in"),
+    ("(arrays : nat -> nat -> binary32), fx <> fz ->", "(arrays : nat -> nat -> binary32), fx <> fz -> fx <> x ->"),
+    ("(forall i, i < count -> exists y, snd (answer i) =", "(forall i, i < count -> fst (answer i) = free -> exists y, snd (answer i) ="),
+    ("= (memory after fx i, y, memory after fz i)) /\\", "= (memory after fx i, y, y)) /\\"),
+    ("    (forall a i, count <= i \\/ a <> fx /\\ a <> fz -> memory after a i = arrays a i) /\\\n", ""),
+    ("    (forall a i, count <= i \\/ a <> forces -> memory after a i = arrays a i) /\\\n", ""),
+    ("    (forall i, i < count -> memory after forces i = snd (answer i)) /\\\n", ""),
+    ("let answer i := let '(x, y, z) := arrays positions i in one x y z in",
+     "let answer i := let '(x, y, z) := arrays positions i in one x x z in"),
+    ("done + 16) in", "done + 1) in"),
+    ("if is_in_place && negb answered then s", "if negb answered then s"),
+]
 
 # Texts of Laws.v, each with one that says less or something else.
 SPECIFICATION = [
@@ -111,7 +156,7 @@ SPECIFICATION = [
 
 
 def changed(text, old, new):
-    assert text.count(old) == 1, f"expected once in proofs/Laws.v, got {text.count(old)} times: {old}"
+    assert text.count(old) == 1, f"expected once in a file of statements, got {text.count(old)} times: {old}"
     return text.replace(old, new)
 
 
@@ -141,16 +186,21 @@ def without_coq(root):
     assert {first or second for first, second in imported} == {"Coq", "Flocq"} and "Proof" not in LAWS, imported
     tried = 0
     for number, law in enumerate(NAMES):
-        statement = re.search(rf"Theorem {law}_is_correctly_rounded : (.*?)\.\nProof", MAIN, re.DOTALL)
-        assert " ".join(statement[1].split()) == whole(law), f"expected of proofs/Main.v: {whole(law)}"
-        assert re.match(r"\.\s+exact \([^.]*\)\.\s+Qed\.\n", MAIN[statement.end():]), law
-        for what, weak in weaker(law, number).items():
-            assert refused("proofs/Main.v", MAIN.replace(statement[1], weak)), (law, what)
-            tried += 1
+        for name, text, weak_ones, _ in statements(number, law):
+            statement = re.search(rf"Theorem {name} : (.*?)\.\nProof", MAIN, re.DOTALL)
+            assert " ".join(statement[1].split()) == text, f"expected of proofs/Main.v: {text}"
+            assert re.match(r"\.\s+exact \([^.]*\)\.\s+Qed\.\n", MAIN[statement.end():]), name
+            for what, weak in weak_ones.items():
+                assert refused("proofs/Main.v", MAIN.replace(statement[1], weak)), (name, what)
+                tried += 1
+    walk = (source / "proofs/Walk.v").read_text()
+    for old, new in SHOWN:
+        assert refused("proofs/Walk.v", changed(walk, old, new)), new
+        tried += 1
     for old, new in SPECIFICATION:
         assert refused("proofs/Laws.v", changed(LAWS, old, new)), new
         tried += 1
-    assert refused("proofs/Main.v", changed(MAIN, "\n\nTheorem wall", "\n\nNotation parameters R w K := (K = R).\n\nTheorem wall"))
+    assert refused("proofs/Main.v", changed(MAIN, "\n\nTheorem wall_is", "\n\nNotation parameters R w K := (K = R).\n\nTheorem wall_is"))
     assert refused("proofs/Code.v", (source / "proofs/Code.v").read_text().replace("curved (members_of", "plane (members_of", 1))
     assert refused("proofs/Main.v", MAIN.replace("(of_limbs outside)", "of_integers"))
     limbs = 0
@@ -174,23 +224,25 @@ def coqc(where, file, text, *paths):
 def with_coq(root):
     """Coq refuses every weaker statement in the place of the whole one."""
     text = re.search(r"^From Flocq.*?\n\n", MAIN, re.DOTALL | re.MULTILINE)[0]
-    text += "From Coq Require Import ZArith Reals.\nFrom Forceshade Require Import ThirdStages Main.\nOpen Scope R_scope.\n"
-    for law in NAMES:
-        text += f"Check ({law}_is_correctly_rounded : {whole(law)}).\n"
+    text += "From Coq Require Import ZArith Reals.\nFrom Forceshade Require Import ThirdStages Batch Walk Main.\nOpen Scope R_scope.\n"
+    for number, law in enumerate(NAMES):
+        for name, stated, _, _ in statements(number, law):
+            text += f"Check ({name} : {stated}).\n"
     # From here on the code is any code, so that Coq need not look into it.
     text += "Section AnyCode.\n"
     for law in NAMES:
         arithmetic = "" if law in PLANES else "forall {number : Type}, (nat -> arithmetic number) -> "
         text += f"Variable code_of_{law} : {arithmetic}bool -> binary32 -> binary32 -> binary32 -> code.\n"
+        text += f"Variable form_of_{law} : binary32 -> binary32 -> binary32 -> form.\n"
     tried = 0
     for number, law in enumerate(NAMES):
-        for weak in weaker(law, number).values():
-            # It follows from the whole statement, which does not follow from it.
-            machine = "" if law in PLANES else "outside "
-            text += (f"Goal ({whole(law)}) -> ({weak}).\nProof.\n  intros whole {machine}is_fused R w K x y z; intros.\n"
-                     f"  first [now apply whole | left; now apply whole | eexists; now apply (whole {machine}is_fused R w K x y z)\n"
-                     f"    | apply whole; tauto].\nQed.\nFail Definition taken (weak : {weak}) : {whole(law)} := weak.\n")
-            tried += 1
+        for _, stated, weak_ones, names in statements(number, law):
+            for weak in weak_ones.values():
+                # It follows from the whole statement, which does not follow from it.
+                text += (f"Goal ({stated}) -> ({weak}).\nProof.\n  intros whole {names}; intros.\n"
+                         f"  first [now apply whole | left; now apply whole | eexists; now apply (whole {names})\n"
+                         f"    | apply whole; tauto].\nQed.\nFail Definition taken (weak : {weak}) : {stated} := weak.\n")
+                tried += 1
     text += "End AnyCode.\n"
     done = coqc(root, "Weakened.v", text, "-R", folder.resolve(), "Forceshade")
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr

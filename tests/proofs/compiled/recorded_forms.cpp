@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints, for tests/proofs/compiled: where each law's definition lies in a Law, and each of its numbers in the definition; and
 // the operations of the form in which a batch evaluates the law, which its templates write down
-// (tests/proofs/compiled/written_pack.h).
+// (tests/proofs/compiled/written_pack.h). With the argument coq, prints these operations as proofs/RecordedForms.v instead.
 
 #include <algorithm>
 #include <bit>
@@ -25,8 +25,8 @@
 namespace forceshade::tests {
 namespace {
 
-// Each constant has another significand.
-constexpr Parameters kBump{530.3F, 0.71F, 0.7F};
+// Each constant has another significand, and none is 0, in either of two bumps.
+constexpr Parameters kBump{530.3F, 0.71F, 0.7F}, kOtherBump{812.7F, 0.931F, 0.33F};
 
 // The one place of some bytes in others, a multiple of four.
 std::size_t place_of(const void* some, std::size_t size, const void* others, std::size_t whole, const std::string& name) {
@@ -108,9 +108,19 @@ std::string least_distance(const Definition& law, double value) {
   return text_of(value, texts);
 }
 
+// A form as it is written down.
+struct WrittenForm {
+  int window;
+  std::string lines;                                         // its operations, each a name
+  std::vector<std::pair<std::string, std::string>> results;  // forces and what is watched, by name
+  std::string least_coordinate, least_distance;
+
+  bool operator==(const WrittenForm&) const = default;
+};
+
 // The form's operations, the same at all six positions.
 template <class Definition>
-void print_form(const Definition& law) {
+WrittenForm form_of(const Definition& law) {
   constexpr std::size_t kPositions = 3 * fast::Floats::kLanes;
   static_assert(std::bit_cast<std::uint32_t>(fast::kPositionQuantum) == 0x30800000);
   Writing writing;
@@ -125,12 +135,60 @@ void print_form(const Definition& law) {
   for (std::size_t i = 0; i < kPositions; ++i)
     if (run.stored.at(&fx[i]) != run.stored.at(&fx[0]) || run.stored.at(&fz[i]) != run.stored.at(&fz[0]))
       throw std::runtime_error("two positions have two forms");
-  std::string fields;
+  WrittenForm form{run.window, "", {}, least_coordinate(law, run.least_coordinate), least_distance(law, run.least_distance)};
   for (const auto& [name, node] : {std::pair{"force_x", run.stored.at(&fx[0])}, std::pair{"force_z", run.stored.at(&fz[0])}})
-    fields += std::string(name) + " " + writing.write(node) + "\n";
-  for (const auto& [hazard, node] : run.watched) fields += hazard + " " + writing.write(node) + "\n";
-  std::printf("form %d\n%s%sleast_coordinate %s\nleast_distance %s\n", run.window, writing.lines().c_str(), fields.c_str(),
-              least_coordinate(law, run.least_coordinate).c_str(), least_distance(law, run.least_distance).c_str());
+    form.results.emplace_back(name, writing.write(node));
+  for (const auto& [hazard, node] : run.watched) form.results.emplace_back(hazard, writing.write(node));
+  form.lines = writing.lines();
+  return form;
+}
+
+void print(const WrittenForm& form) {
+  std::printf("form %d\n%s", form.window, form.lines.c_str());
+  for (const auto& [name, term] : form.results) std::printf("%s %s\n", name.c_str(), term.c_str());
+  std::printf("least_coordinate %s\nleast_distance %s\n", form.least_coordinate.c_str(), form.least_distance.c_str());
+}
+
+// A text of a form in the language of Coq, which has names for the two constants that are written as bits.
+std::string in_coq(std::string text) {
+  for (const auto& [bits, name] : {std::pair<std::string, std::string>{"bits64:0x3fc47ae147ae147b", "sixteen_hundredths"},
+                                   std::pair<std::string, std::string>{"bits32:0x30800000", "quantum"}})
+    for (std::size_t at; (at = text.find(bits)) != std::string::npos;) text.replace(at, bits.size(), name);
+  return text;
+}
+
+// Prints a text with its lines broken at spaces before they are too long.
+void print_lines(const std::string& text) {
+  constexpr std::size_t kLongest = 138;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = text.find('\n', begin);
+    if (end - begin > kLongest) end = text.rfind(' ', begin + kLongest);
+    std::printf("%s\n", text.substr(begin, end - begin).c_str());
+    begin = end + (text[end] == '\n' ? 1 : 0);
+  }
+}
+
+template <class Definition>
+void print_in_coq(const LawName& law) {
+  const Definition definition = fast::Built<Definition>(kBump).definition;
+  const WrittenForm form = form_of(definition);
+  if (form != form_of(fast::Built<Definition>(kOtherBump).definition)) throw std::runtime_error("two bumps have two forms");
+  std::string text = "\nDefinition " + std::string(law.file) + "_form\n    (";
+  for (const auto& [name, value] : constants_of(definition)) text += name + " ";
+  text += ": binary64)\n    (x z : binary32) : Lane :=\n" + form.lines + "  {| ";
+  for (const auto& [name, term] : form.results)
+    if (name.starts_with("force_")) text += name + " := " + term + "; ";
+  for (const auto& [hazard, field] :
+       {std::pair{"domain", "sizes"}, std::pair{"tiny", "not_tiny"}, std::pair{"distance", "distances"},
+        std::pair{"doubt", "doubts"}, std::pair{"rounding", "roundings"}}) {
+    std::string terms;
+    for (const auto& [name, term] : form.results)
+      if (name == hazard) terms += (terms.empty() ? "" : "; ") + term;
+    text += std::string(field) + " := [" + terms + "]; ";
+  }
+  text += "lane_window := " + std::to_string(form.window) + ";\n     least_coordinate := " + form.least_coordinate +
+          ";\n     least_distance := " + form.least_distance + " |}.\n";
+  print_lines(in_coq(std::move(text)));
 }
 
 template <class Definition>
@@ -151,7 +209,7 @@ void print(const LawName& law) {
   }
   const std::size_t in_law = place_of(&built.definition, end, &std::get<fast::Law>(whole), sizeof(fast::Law), law_file);
   std::printf("law %s %zu\n%s", law_file.c_str(), in_law, places.c_str());
-  print_form(built.definition);
+  print(form_of(built.definition));
 }
 
 // The one byte of a Law, behind its id, that is the law's number in each of them.
@@ -171,6 +229,22 @@ std::size_t place_of_number() {
 }
 
 template <class... Definition>
+void print_all_in_coq(fast::LawList<Definition...>) {
+  std::puts(
+      "(* SPDX-License-Identifier: BSD-3-Clause *)\n"
+      "(* The form in which a batch evaluates each law, at one position, with what its watch looks at: fast/simd/, run on "
+      "packs that\n"
+      "   write down what is done with them. Written by a program, tests/proofs/compiled/recorded_forms.cpp:\n"
+      "   ninja -C build/release recorded_forms && build/release/tests/recorded_forms coq > proofs/RecordedForms.v *)\n"
+      "From Coq Require Import ZArith List Bool.\n"
+      "From Flocq Require Import BinarySingleNaN Binary Bits.\n"
+      "From Forceshade Require Import Formats Comparisons Operations SecondAlong Lanes.\n"
+      "Import ListNotations.");
+  std::size_t next = 0;
+  (print_in_coq<Definition>(kLaws[next++]), ...);
+}
+
+template <class... Definition>
 void print_all(fast::LawList<Definition...>) {
   std::printf("number %zu\n", place_of_number());
   std::size_t next = 0;
@@ -180,9 +254,13 @@ void print_all(fast::LawList<Definition...>) {
 }  // namespace
 }  // namespace forceshade::tests
 
-int main() {
+int main(int count, char** words) {
   try {
-    forceshade::tests::print_all(forceshade::fast::Laws{});
+    if (count > 1 && std::string(words[1]) == "coq") {
+      forceshade::tests::print_all_in_coq(forceshade::fast::Laws{});
+    } else {
+      forceshade::tests::print_all(forceshade::fast::Laws{});
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "recorded_forms: %s\n", error.what());
     return 1;
