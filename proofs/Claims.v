@@ -28,6 +28,9 @@ From Forceshade Require Import BumpLanes PolygonLanes ThreePolygonLanes WalkRigh
   CylinderLaneStep CylinderLaneScale CylinderLanes.
 From Forceshade Require Import Main RecordedParts RecordedLaws.
 Import ListNotations.
+Arguments third_nearest_is_recorded : clear implicits. Arguments third_sine_is_recorded : clear implicits.
+Arguments members_are_recorded : clear implicits. Arguments laws_are_recorded : clear implicits.
+Arguments planes_are_recorded : clear implicits.
 
 Inductive claim : Prop := claimed (P : Prop) (_ : P).
 Arguments claimed {P} _.
@@ -125,8 +128,9 @@ Definition claims : list claim := [
   claimed damper_dissipates; claimed sampling_gives_at_most; claimed side_of_plane_changes_by;
   claimed passes_edge_changes_by; claimed product_is_off_by; claimed quotient_is_off_by; claimed root_is_off_by; claimed sum_is_recorded;
   claimed difference_is_recorded; claimed product_is_recorded; claimed quotient_is_recorded; claimed root_is_recorded;
-  claimed sign_is_recorded; claimed rest_is_recorded; claimed domain_is_recorded; claimed operations_are_recorded; claimed doubt_is_recorded;
-  claimed exact_sign_is_recorded; claimed on_top_is_recorded; claimed largest_on_top_is_recorded; claimed second_nearest_is_recorded;
+  claimed sign_is_recorded; claimed rest_is_recorded; claimed domain_is_recorded; claimed operations_are_recorded;
+  claimed doubt_is_recorded; claimed exact_sign_is_recorded; claimed on_top_is_recorded; claimed largest_on_top_is_recorded;
+  claimed second_nearest_is_recorded;
   claimed third_nearest_is_recorded; claimed second_sine_is_recorded; claimed third_sine_is_recorded; claimed members_are_recorded;
   claimed laws_are_recorded; claimed planes_are_recorded].
 Print Assumptions claims.

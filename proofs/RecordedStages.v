@@ -811,7 +811,9 @@ Definition sine_of_third_by_1 (R w : binary32) : number :=
   let t44 := minus t43 (whole (3)) in
   let t45 := over t41 t44 in
   let t46 := minus t36 t45 in
-  let t47 := newton_root_by_1 (fun y => (sum_in N (product_in N (sum_in N (product_in N (product_in N (exactly_in N (whole (4))) y) y) (minus_in N (exactly_in N (whole (3))))) y) (quotient_in N (exactly_in N (times (two_to (-1)) (to64 w))) (exactly_in N (to64 R))))) (fun y => (sum_in N (product_in N (product_in N (exactly_in N (whole (12))) y) y) (minus_in N (exactly_in N (whole (3)))))) t46 in
+  let t47 := newton_root_by_1 (fun y => (sum_in N (product_in N (sum_in N (product_in N (product_in N (exactly_in N (whole (4))) y) y)
+    (minus_in N (exactly_in N (whole (3))))) y) (quotient_in N (exactly_in N (times (two_to (-1)) (to64 w))) (exactly_in N (to64 R)))))
+    (fun y => (sum_in N (product_in N (product_in N (exactly_in N (whole (12))) y) y) (minus_in N (exactly_in N (whole (3)))))) t46 in
   let t48 := is_equal t2 t3 in
   let t49 := exactly_in N (two_to (-1)) in
   let t50 := minus t3 t2 in
@@ -868,7 +870,10 @@ Definition sine_of_third_by_1 (R w : binary32) : number :=
   let t101 := times t99 t100 in
   let t102 := over t98 t101 in
   let t103 := minus t93 t102 in
-  let t104 := newton_root_by_1 (fun y => (sum_in N (product_in N (product_in N (sum_in N (exactly_in N (whole (6))) (minus_in N (product_in N (exactly_in N (whole (4))) y))) y) y) (minus_in N (quotient_in N (exactly_in N (minus (to64 R) (times (two_to (-1)) (to64 w)))) (exactly_in N (to64 R)))))) (fun y => (product_in N (product_in N (exactly_in N (whole (12))) y) (sum_in N (exactly_in N (whole (1))) (minus_in N y)))) t103 in
+  let t104 := newton_root_by_1 (fun y => (sum_in N (product_in N (product_in N (sum_in N (exactly_in N (whole (6))) (minus_in N
+    (product_in N (exactly_in N (whole (4))) y))) y) y) (minus_in N (quotient_in N (exactly_in N (minus (to64 R) (times (two_to (-1))
+    (to64 w)))) (exactly_in N (to64 R)))))) (fun y => (product_in N (product_in N (exactly_in N (whole (12))) y) (sum_in N (exactly_in
+    N (whole (1))) (minus_in N y)))) t103 in
   let t105 := minus_in N t104 in
   let t106 := sum_in N t49 t105 in
   let t107 := if t48 then t49 else t106 in
@@ -972,7 +977,9 @@ Definition sine_of_third_by_7 (R w : binary32) : number :=
   let t44 := minus t43 (whole (3)) in
   let t45 := over t41 t44 in
   let t46 := minus t36 t45 in
-  let t47 := newton_root_by_7 (fun y => (sum_in N (product_in N (sum_in N (product_in N (product_in N (exactly_in N (whole (4))) y) y) (minus_in N (exactly_in N (whole (3))))) y) (quotient_in N (exactly_in N (times (two_to (-1)) (to64 w))) (exactly_in N (to64 R))))) (fun y => (sum_in N (product_in N (product_in N (exactly_in N (whole (12))) y) y) (minus_in N (exactly_in N (whole (3)))))) t46 in
+  let t47 := newton_root_by_7 (fun y => (sum_in N (product_in N (sum_in N (product_in N (product_in N (exactly_in N (whole (4))) y) y)
+    (minus_in N (exactly_in N (whole (3))))) y) (quotient_in N (exactly_in N (times (two_to (-1)) (to64 w))) (exactly_in N (to64 R)))))
+    (fun y => (sum_in N (product_in N (product_in N (exactly_in N (whole (12))) y) y) (minus_in N (exactly_in N (whole (3)))))) t46 in
   let t48 := is_equal t2 t3 in
   let t49 := exactly_in N (two_to (-1)) in
   let t50 := minus t3 t2 in
@@ -1029,7 +1036,10 @@ Definition sine_of_third_by_7 (R w : binary32) : number :=
   let t101 := times t99 t100 in
   let t102 := over t98 t101 in
   let t103 := minus t93 t102 in
-  let t104 := newton_root_by_7 (fun y => (sum_in N (product_in N (product_in N (sum_in N (exactly_in N (whole (6))) (minus_in N (product_in N (exactly_in N (whole (4))) y))) y) y) (minus_in N (quotient_in N (exactly_in N (minus (to64 R) (times (two_to (-1)) (to64 w)))) (exactly_in N (to64 R)))))) (fun y => (product_in N (product_in N (exactly_in N (whole (12))) y) (sum_in N (exactly_in N (whole (1))) (minus_in N y)))) t103 in
+  let t104 := newton_root_by_7 (fun y => (sum_in N (product_in N (product_in N (sum_in N (exactly_in N (whole (6))) (minus_in N
+    (product_in N (exactly_in N (whole (4))) y))) y) y) (minus_in N (quotient_in N (exactly_in N (minus (to64 R) (times (two_to (-1))
+    (to64 w)))) (exactly_in N (to64 R)))))) (fun y => (product_in N (product_in N (exactly_in N (whole (12))) y) (sum_in N (exactly_in
+    N (whole (1))) (minus_in N y)))) t103 in
   let t105 := minus_in N t104 in
   let t106 := sum_in N t49 t105 in
   let t107 := if t48 then t49 else t106 in

@@ -69,7 +69,9 @@ inline const std::string& Writing::write(std::size_t index) {
     }
   }
   node.name = "t" + std::to_string(++lines_written_);
-  lines_ += "  let " + node.name + " := " + line + " in\n";
+  line = "  let " + node.name + " := " + line + " in\n";
+  for (std::size_t at = 0; line.size() - at > 138; ++at) line.replace(at = line.rfind(' ', at + 135), 1, "\n    ");
+  lines_ += line;
   return node.name;
 }
 

@@ -39,7 +39,7 @@ class Way {
     return choices_[asked_.size() - 1];
   }
 
-  // What `code` gives, a node, by all ways that begin with these choices.
+  // The node that `code` gives, by all ways that begin with these choices.
   static Node tree(const std::function<Node()>& code, const std::vector<int>& given = {}) {
     std::vector<Asked> asked;
     std::vector<int> choices;

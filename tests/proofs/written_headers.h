@@ -110,12 +110,12 @@ using BigFloatBall = tests::Ball<kLimbs>;
 #define Parameters WrittenParameters
 #define Evaluation WrittenEvaluation
 
-// What is recorded by itself has another name here, and is a term where others call it.
+// A function that is recorded by itself has another name here, and is a term for those that call it.
 #define DoubleDouble WholeDoubleDouble
 #include "fast/numbers/double_double.h"
 #undef DoubleDouble
 namespace forceshade::tests {
-// Where a template calls it.
+// The term that templates get which call it.
 inline fast::Terms<Written64> two_sum(const Written64& a, const Written64& b) {
   const Node both = written("two_sum % %", {a.node(), b.node()});
   return {Written64::of(written("fst %", {both})), Written64::of(written("snd %", {both}))};
