@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The code of the nine laws, as proofs/Main.v has it: the numbers that a law holds, its rounding window, and its three stages. The first
-   stages and the operations of double-double are recorded from fast/ (proofs/Recorded.v); the rest was written from fast/ by hand.
-   tests/proofs/model runs these definitions (proofs/Model.v) and compares their bits with the code's. *)
+   stages and the operations of double-double are recorded from fast/ (proofs/Recorded.v); the rest was written by hand, and
+   proofs/RecordedLaws.v has it equal to what is recorded, but for the loops over limbs. tests/proofs/model runs these definitions
+   (proofs/Model.v) and compares their bits with the code's. *)
 From Coq Require Import ZArith List.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Recorded RoundingTest Evaluate Inputs Shaded.
