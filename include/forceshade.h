@@ -122,8 +122,7 @@ typedef struct forceshade_law {
   float stiffness; /* K, N/mm, in [10^-3, 10^3] */
 } forceshade_law;
 
-/* law: "wall", "cylinder", "bump-cylinder", "bump-1p", "bump-2p", "bump-3p", "bump-1p-shaded", "bump-2p-shaded",
- * "bump-3p-shaded" (docs/laws.md). */
+/* law: a name of docs/laws.md: "wall", "cylinder", "bump-cylinder", or "bump-1p", "bump-2p" or "bump-3p", also with "-shaded". */
 FORCESHADE_API forceshade_result forceshade_law_new(const char* law, const forceshade_law* parameters, forceshade_subject* made);
 
 /* A height map of samples in a rectangular grid, whose middle is the origin. */
@@ -173,8 +172,7 @@ typedef struct forceshade_mesh {
 FORCESHADE_API forceshade_result forceshade_mesh_new(const forceshade_mesh* mesh, forceshade_subject* made);
 
 /* A subject file (docs/subjects.md): a law, height map, mesh or scene. Files that it names lie beside it. FORCESHADE_LEFT_OUT, with the
- * feature in the message, where it names a PNG or TIFF file and the library is without "image-files", or the file of a motion without
- * "csv-files". */
+ * feature in the message, where it names a PNG or TIFF file, or one of a motion, that this library cannot read. */
 FORCESHADE_API forceshade_result forceshade_subject_read(const char* file, forceshade_subject* made);
 
 /* The same of a text of so many bytes. file: what messages call it; the files that the text names lie beside it. */
@@ -392,10 +390,7 @@ typedef struct forceshade_renderer {
                           int32_t is_reset);
 } forceshade_renderer;
 
-/* The type of the one function that the object exports, whose name is forceshade_renderer_entry. The table stays as long as the
- * object is loaded.
- *
- *   FORCESHADE_API const forceshade_renderer* forceshade_renderer_entry(void) { return its_table; } */
+/* The type of the one function that the object exports, forceshade_renderer_entry(). Its table stays while the object is loaded. */
 typedef const forceshade_renderer* forceshade_renderer_function(void);
 
 #ifdef __cplusplus

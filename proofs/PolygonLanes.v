@@ -235,7 +235,8 @@ Proof.
     destruct (unshaded_components depth M fz n (value32 K * cosine_of S) D Cz Hn ltac:(apply Rmult_lt_0_compat; lra)) as [Z1 Z2].
     split; intro HM; [split; [now apply X1|now apply Z1]|split; [now apply X2|now apply Z2]]. }
   specialize (P Q).
-  destruct (force_of_sides (value32 w) (value32 K) S X (if Rle_bool (Rabs X) (value32 w / 2) then M else - Z) leans _ _ eq_refl eq_refl HL) as [<- <-].
+  destruct (force_of_sides (value32 w) (value32 K) S X (if Rle_bool (Rabs X) (value32 w / 2) then M else - Z) leans _ _ eq_refl
+    eq_refl HL) as [<- <-].
   destruct (Rle_bool (Rabs X) (value32 w / 2)); [|exact P]. destruct leans; [|exact P]. now rewrite <- (ES eq_refl).
 Qed.
 

@@ -68,9 +68,9 @@ Definition cylinder_form
   let t43 := is_equal32 z t42 in
   let t44 := orb t41 t43 in
   {| force_x := t33; force_z := t37; sizes := [t38; t39]; not_tiny := [t38; t39]; distances := [t11]; doubts := [t44]; roundings := [t32;
- t36]; lane_window := 2561;
+    t36]; lane_window := 2561;
      least_coordinate := (greatest32 quantum (rounded (times (two_to (-27)) (greatest (square_root (plus (minus anchored anchor) rest))
- d_head))));
+    d_head))));
      least_distance := (times (times (two_to (-24)) R) R) |}.
 
 Definition bump_cylinder_form
@@ -127,9 +127,9 @@ Definition bump_cylinder_form
   let t49 := andb t46 t48 in
   let t50 := orb t44 t49 in
   {| force_x := t33; force_z := t40; sizes := [t41; t42]; not_tiny := [t41; t42]; distances := [t11]; doubts := [t50]; roundings := [t32;
- t39]; lane_window := 2561;
+    t39]; lane_window := 2561;
      least_coordinate := (greatest32 quantum (rounded (times (two_to (-27)) (greatest (square_root (plus (minus anchored anchor) rest))
- d_head))));
+    d_head))));
      least_distance := (times (times (two_to (-24)) R) R) |}.
 
 Definition bump_1p_form
@@ -173,7 +173,7 @@ Definition bump_2p_form
   let t23 := choice32 t3 t19 t22 in
   let t24 := absolute32 z in
   {| force_x := t17; force_z := t23; sizes := [t24; t1]; not_tiny := [t24; t1]; distances := [t9]; doubts := []; roundings := [t11; t18];
- lane_window := 9;
+    lane_window := 9;
      least_coordinate := (greatest32 quantum (rounded (times (two_to (-28)) half_width)));
      least_distance := (times (two_to (-20)) height) |}.
 
@@ -189,7 +189,7 @@ Definition bump_3p_form
   let t7 := widened t1 in
   let t8 := is_at_most t7 half_top in
   let t9 := if t8 then (over (plus (fused (opp side_slope) (minus half_width half_top) top_height) top_height_tail) (minus half_width
- half_top)) else side_slope_tail in
+    half_top)) else side_slope_tail in
   let t10 := larger32 t1 t4 in
   let t11 := widened t10 in
   let t12 := minus half_width t11 in
@@ -214,7 +214,7 @@ Definition bump_3p_form
   let t31 := choice32 t3 t27 t30 in
   let t32 := absolute32 z in
   {| force_x := t24; force_z := t31; sizes := [t32; t1]; not_tiny := [t32; t1]; distances := [t16]; doubts := []; roundings := [t18; t26];
- lane_window := 9;
+    lane_window := 9;
      least_coordinate := (greatest32 quantum (rounded (times (two_to (-28)) half_width)));
      least_distance := (times (two_to (-20)) side_height) |}.
 
@@ -247,7 +247,7 @@ Definition bump_1p_shaded_form
   let t24 := choice32 t3 t20 t23 in
   let t25 := absolute32 z in
   {| force_x := t15; force_z := t24; sizes := [t25; t1]; not_tiny := [t25; t1]; distances := []; doubts := []; roundings := [t9; t19];
- lane_window := 9;
+    lane_window := 9;
      least_coordinate := quantum;
      least_distance := zero64 |}.
 
@@ -283,7 +283,7 @@ Definition bump_2p_shaded_form
   let t27 := choice32 t3 t23 t26 in
   let t28 := absolute32 z in
   {| force_x := t18; force_z := t27; sizes := [t28; t1]; not_tiny := [t28; t1]; distances := [t9]; doubts := []; roundings := [t12; t22];
- lane_window := 13;
+    lane_window := 13;
      least_coordinate := (greatest32 quantum (rounded (times (two_to (-28)) half_width)));
      least_distance := (times (two_to (-20)) height) |}.
 
@@ -296,7 +296,7 @@ Definition bump_3p_shaded_form
   let t4 := widened t1 in
   let t5 := is_at_most t4 half_top in
   let t6 := if t5 then (over (plus (fused (opp side_slope) (minus half_width half_top) top_height) top_height_tail) (minus half_width
- half_top)) else side_slope_tail in
+    half_top)) else side_slope_tail in
   let t7 := rounded half_top in
   let t8 := larger32 t1 t7 in
   let t9 := widened t8 in
@@ -325,6 +325,6 @@ Definition bump_3p_shaded_form
   let t32 := choice32 t3 t28 t31 in
   let t33 := absolute32 z in
   {| force_x := t23; force_z := t32; sizes := [t33; t1]; not_tiny := [t33; t1]; distances := [t14]; doubts := []; roundings := [t17; t27];
- lane_window := 13;
+    lane_window := 13;
      least_coordinate := (greatest32 quantum (rounded (times (two_to (-28)) half_width)));
      least_distance := (times (two_to (-20)) side_height) |}.

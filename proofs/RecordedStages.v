@@ -872,8 +872,8 @@ Definition sine_of_third_by_1 (R w : binary32) : number :=
   let t103 := minus t93 t102 in
   let t104 := newton_root_by_1 (fun y => (sum_in N (product_in N (product_in N (sum_in N (exactly_in N (whole (6))) (minus_in N
     (product_in N (exactly_in N (whole (4))) y))) y) y) (minus_in N (quotient_in N (exactly_in N (minus (to64 R) (times (two_to (-1))
-    (to64 w)))) (exactly_in N (to64 R)))))) (fun y => (product_in N (product_in N (exactly_in N (whole (12))) y) (sum_in N (exactly_in
-    N (whole (1))) (minus_in N y)))) t103 in
+    (to64 w)))) (exactly_in N (to64 R)))))) (fun y => (product_in N (product_in N (exactly_in N (whole (12))) y) (sum_in N (exactly_in N
+    (whole (1))) (minus_in N y)))) t103 in
   let t105 := minus_in N t104 in
   let t106 := sum_in N t49 t105 in
   let t107 := if t48 then t49 else t106 in
@@ -1038,8 +1038,8 @@ Definition sine_of_third_by_7 (R w : binary32) : number :=
   let t103 := minus t93 t102 in
   let t104 := newton_root_by_7 (fun y => (sum_in N (product_in N (product_in N (sum_in N (exactly_in N (whole (6))) (minus_in N
     (product_in N (exactly_in N (whole (4))) y))) y) y) (minus_in N (quotient_in N (exactly_in N (minus (to64 R) (times (two_to (-1))
-    (to64 w)))) (exactly_in N (to64 R)))))) (fun y => (product_in N (product_in N (exactly_in N (whole (12))) y) (sum_in N (exactly_in
-    N (whole (1))) (minus_in N y)))) t103 in
+    (to64 w)))) (exactly_in N (to64 R)))))) (fun y => (product_in N (product_in N (exactly_in N (whole (12))) y) (sum_in N (exactly_in N
+    (whole (1))) (minus_in N y)))) t103 in
   let t105 := minus_in N t104 in
   let t106 := sum_in N t49 t105 in
   let t107 := if t48 then t49 else t106 in

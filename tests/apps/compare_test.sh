@@ -42,7 +42,7 @@ vectors=$examples/vectors
 mkdir made
 "$vectors/make" "$forceshade" made || exit 1
 for file in made/*.json; do cmp "$file" "$vectors/$(basename "$file")" || exit 1; done
-same 7 "$(ls made | wc -l)"
+same 8 "$(ls made | wc -l)"
 fits "$vectors/schema.json" made/*.json
 expect 0 "0 wrong of 200" -- "$vectors/check.py" made/wall.json
 

@@ -116,7 +116,7 @@ done
 expect 1 "FAILED: " -- mesh repair folded.off --unit mm --out folded2.off
 # Any set of triangles: what it is, and its force. The hand that has crossed the second face's plane is held in the valley of both.
 expect 1 "pairs of faces that cross 1: faces 0 and 1 near (3, 1, 0) mm" -- mesh check crossing.off --unit mm
-also "FAILED: no regular mesh" "a gap is a gap" "borders          6 edges with one face" "the longest tick that a search found makes"
+also "FAILED: no regular mesh" "a gap is a gap" "borders          6 edges with one face" "the longest tick that a search found looks at"
 expect 1 '"pairs of faces that cross": {' -- mesh check crossing.off --unit mm --json
 printf 'x_mm,y_mm,z_mm\n2.5,0.5,1\n2.5,0.5,-0.2\n2.5,1.5,-0.2\n' > valley.csv
 for digits in "" "--digits binary32"; do

@@ -82,9 +82,9 @@ TEST(soups, every_tick_is_that_of_the_public_interface) {
   EXPECT_GT(touching, 400U);
 }
 
-// Along a strip of narrow cells, one of which is there twice, a tick has more edges to cross than moves. Each triangle's
+// Along a strip of narrow cells, one of which is there twice, a tick has more triangles to look at than it may. Each triangle's
 // material is that of its number in the file.
-TEST(soups, a_tick_has_as_many_moves_and_the_stiffness_that_the_definition_gives_it) {
+TEST(soups, a_tick_has_as_many_looks_and_the_stiffness_that_the_definition_gives_it) {
   mesh::TriangleMesh strip;
   for (std::uint32_t i = 0; i <= 400; ++i) {
     for (const float y : {-8.0F, 8.0F}) strip.vertices.push_back({0.25F * static_cast<float>(i), y, 0});
@@ -111,9 +111,10 @@ TEST(soups, a_tick_has_as_many_moves_and_the_stiffness_that_the_definition_gives
     EXPECT_FALSE(object.is_slipping) << "without friction nothing slips";
     moves.push_back(tick.moves);
     forces.push_back(tick.force[2]);
-    EXPECT_EQ(tick.status == Status::unfinished, moves.size() == 4 || moves.size() == 5) << moves.size();
+    EXPECT_EQ(tick.status == Status::unfinished, moves.size() >= 4) << moves.size();
   }
-  EXPECT_EQ(moves[3], GodObject::kMostMoves);
+  EXPECT_LT(moves[3], GodObject::kMostMoves);
+  EXPECT_GT(moves[3], moves[2]);
   EXPECT_EQ(forces[1], kStiffness);
   EXPECT_EQ(forces[2], 0.75F);
   // From above the strip is met, but not from where no state is.

@@ -31,8 +31,8 @@ WrittenParameters bump() {
 void define(const std::string& name, const std::string& arguments, const std::string& type, const std::function<Node()>& code) {
   Writing writing;
   const std::string result = writing.write(Way::tree(code));
-  std::printf("Definition %s %s : %s :=\n%s  %s.\n", name.c_str(), arguments.c_str(), type.c_str(), writing.lines().c_str(),
-              result.c_str());
+  std::printf("Definition %s %s : %s :=\n%s  %s.\n", name.c_str(), arguments.c_str(), type.c_str(),
+              wrapped(writing.lines()).c_str(), result.c_str());
 }
 
 Node sign_node(fast::Sign sign) {

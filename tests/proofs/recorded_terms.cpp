@@ -36,7 +36,7 @@ std::string definition_of(const std::string& name, const Parameters& bump) {
         std::pair{"; first_contact := ", first.contact.node}, std::pair{"; first_doubt := ", first.doubt.node}})
     result += field + writing.write(node);
   return "Definition " + name + " (is_fused : bool)\n    (" + arguments + "x z : binary64) : FirstStage :=\n" +
-         writing.lines() + "  {| " + result + " |}.\n";
+         wrapped(writing.lines()) + "  {| " + result + " |}.\n";
 }
 
 template <class Definition>
@@ -62,7 +62,7 @@ void print_terms(const std::string& name, const std::vector<std::string>& argume
   std::string result = writing.write(terms.hi.node());
   result += ", " + writing.write(terms.lo.node());
   std::printf("Definition %s (%s: binary64) : binary64 * binary64 :=\n%s  (%s).\n", name.c_str(), names.c_str(),
-              writing.lines().c_str(), result.c_str());
+              wrapped(writing.lines()).c_str(), result.c_str());
 }
 
 void print_numbers() {

@@ -12,6 +12,21 @@
 
 namespace forceshade::tests {
 
+// A text with its lines broken at spaces before they are too long.
+inline std::string wrapped(std::string text) {
+  constexpr std::size_t kLongest = 138;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin), space = text.rfind(' ', begin + kLongest);
+    if (end == std::string::npos || end - begin <= kLongest || space <= begin) {
+      begin = end == std::string::npos ? text.size() : end + 1;
+    } else {
+      text.replace(space, 1, "\n    ");
+      begin = space + 1;
+    }
+  }
+  return text;
+}
+
 // One definition while it is being written; one at a time.
 class Writing {
  public:
@@ -69,9 +84,7 @@ inline const std::string& Writing::write(std::size_t index) {
     }
   }
   node.name = "t" + std::to_string(++lines_written_);
-  line = "  let " + node.name + " := " + line + " in\n";
-  for (std::size_t at = 0; line.size() - at > 138; ++at) line.replace(at = line.rfind(' ', at + 135), 1, "\n    ");
-  lines_ += line;
+  lines_ += "  let " + node.name + " := " + line + " in\n";
   return node.name;
 }
 

@@ -73,7 +73,7 @@ TEST(crossing_meshes, say_what_they_are) {
   const std::vector<std::string> parts = subject.parts();
   EXPECT_TRUE(parts.at(1).starts_with("at a rest inside a triangle, where no other plane's is, the shading gives at most "))
       << parts[1];
-  EXPECT_TRUE(parts.at(3).starts_with("the longest tick that a search found makes ")) << parts[3];
+  EXPECT_TRUE(parts.at(3).starts_with("the longest tick that a search found looks at ")) << parts[3];
   const auto last = static_cast<std::uint32_t>(rendering.mesh().triangles.size() - 1);
   EXPECT_FALSE(has_area(rendering.mesh(), last));
   EXPECT_EQ(largest_turn(rendering, last), 0);

@@ -31,7 +31,7 @@ def rows(numbers):
 
 
 class State(ctypes.Structure):
-    _fields_ = [("place", ctypes.c_uint8 * 3), ("position", ctypes.c_float * 3), ("index", ctypes.c_uint32 * 4)]
+    _fields_ = [("place", ctypes.c_uint8 * 4), ("position", ctypes.c_float * 3), ("index", ctypes.c_uint32 * 8)]
 
 
 class Exporter:
@@ -103,10 +103,10 @@ def test_other_numbers_and_shapes_are_refused():
 def test_states_are_advanced_where_they_lie():
     corners, faces = floats([-9, -9, 0, 9, -9, 0, 9, 9, 0]), array.array("I", [0, 1, 2])
     mesh = core.Subject(
-        core.mesh_of_arrays(rows(corners), memoryview(faces).cast("B").cast("I", (1, 3)), None, None, None, 180, False, 0.5, [], [])
+        core.mesh_of_arrays(rows(corners), memoryview(faces).cast("B").cast("I", (1, 3)), None, None, None, 180, 0.5, [], [])
     )
     states, out = (State * 2)(), floats([7] * 6)
-    assert ctypes.sizeof(State) == 32
+    assert ctypes.sizeof(State) == 48
     for z in (1, -2):
         mesh._advance(states, rows(floats([3, 0, z, 4, 1, 2])), rows(out))
     assert out.tolist() == [0, 0, 1, 0, 0, 0] and [state.place[0] for state in states] == [4, 1]

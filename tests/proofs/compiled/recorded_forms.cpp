@@ -157,17 +157,6 @@ std::string in_coq(std::string text) {
   return text;
 }
 
-// Prints a text with its lines broken at spaces before they are too long.
-void print_lines(const std::string& text) {
-  constexpr std::size_t kLongest = 138;
-  for (std::size_t begin = 0; begin < text.size();) {
-    std::size_t end = text.find('\n', begin);
-    if (end - begin > kLongest) end = text.rfind(' ', begin + kLongest);
-    std::printf("%s\n", text.substr(begin, end - begin).c_str());
-    begin = end + (text[end] == '\n' ? 1 : 0);
-  }
-}
-
 template <class Definition>
 void print_in_coq(const LawName& law) {
   const Definition definition = fast::Built<Definition>(kBump).definition;
@@ -188,7 +177,7 @@ void print_in_coq(const LawName& law) {
   }
   text += "lane_window := " + std::to_string(form.window) + ";\n     least_coordinate := " + form.least_coordinate +
           ";\n     least_distance := " + form.least_distance + " |}.\n";
-  print_lines(in_coq(std::move(text)));
+  std::printf("%s", tests::wrapped(in_coq(std::move(text))).c_str());
 }
 
 template <class Definition>
