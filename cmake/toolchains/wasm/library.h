@@ -55,6 +55,8 @@ constexpr bool any_of(R&& r, P p) { return std::any_of(std::begin(r), std::end(r
 template <class R, class P>
 constexpr bool none_of(R&& r, P p) { return std::none_of(std::begin(r), std::end(r), p); }
 template <class R, class T>
+constexpr bool binary_search(R&& r, const T& value) { return std::binary_search(std::begin(r), std::end(r), value); }
+template <class R, class T>
 constexpr auto count(R&& r, const T& value) { return std::count(std::begin(r), std::end(r), value); }
 template <class R, class P>
 constexpr auto count_if(R&& r, P p) { return std::count_if(std::begin(r), std::end(r), p); }
@@ -66,6 +68,10 @@ constexpr auto find(R&& r, const T& value, Projection of = {}) {
 }
 template <class R, class P>
 constexpr auto find_if(R&& r, P p) { return std::find_if(std::begin(r), std::end(r), p); }
+template <class R, class T, class Less = std::less<>, class Projection = identity>
+constexpr auto lower_bound(R&& r, const T& value, Less is_less = {}, Projection of = {}) {
+  return std::lower_bound(std::begin(r), std::end(r), value, [&](const auto& x, const T& v) { return is_less(invoke(of, x), v); });
+}
 template <class R, class Less = std::less<>, class Projection = identity>
 constexpr auto max_element(R&& r, Less is_less = {}, Projection of = {}) {
   return std::max_element(std::begin(r), std::end(r), [&](const auto& a, const auto& b) { return is_less(invoke(of, a), invoke(of, b)); });
