@@ -90,7 +90,9 @@ template <class Surface>
 class TickLookout : private Draws {
  public:
   explicit TickLookout(const MeshRendering& rendering)
-      : Draws(kSeedOfLookout), mesh_(rendering), largest_fan_(mesh_.first_around(mesh::vertex_of_most(rendering.mesh()).first)) {
+      : Draws(kSeedOfLookout),
+        mesh_(rendering),
+        largest_fan_(mesh_.first_around(mesh::vertex_of_most(rendering.mesh()).first)) {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (fast::HalfEdge h = 0; h < 3 * mesh_.faces(); ++h) {
       low = low.cwiseMin(start(h));

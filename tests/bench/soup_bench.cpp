@@ -114,8 +114,7 @@ void run_soup(const Set& set, const Scale& clock) {
 }
 
 void run_mesh(const MeshWorkload& workload, const Scale& clock) {
-  const auto mesh = std::make_shared<const fast::Mesh>(
-      value_of(fast::Mesh::build(unshaded_rendering(workload)), workload));
+  const auto mesh = std::make_shared<const fast::Mesh>(value_of(fast::Mesh::build(unshaded_rendering(workload)), workload));
   std::vector<double> times;
   Times best = kNone;
   for (int pass = 0; pass < kPasses; ++pass) {
