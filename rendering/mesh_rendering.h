@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
@@ -63,6 +65,23 @@ inline std::optional<ParameterError> error_of_materials(const mesh::Materials& m
   return std::nullopt;
 }
 
+// A shading or contact rule that docs/soups.md does not define.
+struct Undefined {
+  std::string_view key, expected, got;  // "shading" or "contact"
+
+  std::string words() const {
+    return std::string("expected ").append(expected).append(" for a mesh that is not regular, got \"").append(got) + '"';
+  }
+};
+
+inline std::optional<Undefined> undefined_of(const mesh::CheckedMesh& triangles, mesh::Shading shading, mesh::Contact contact) {
+  if (triangles.is_regular()) return std::nullopt;
+  if (has_corner_normals(contact)) return Undefined{"contact", "direct or friction", name_of(contact)};
+  const bool is_of_normals = has_corner_normals(shading) && shading != mesh::Shading::texture_scheme;
+  if (shading == mesh::Shading::none || is_of_normals) return std::nullopt;
+  return Undefined{"shading", "vertex or none", name_of(shading)};
+}
+
 // The reason for refusal, but for those that the texture's height map has itself: the stiffness; the materials; on a mesh that
 // is not regular, a shading or contact rule that docs/soups.md does not have; normals that are not one for each corner, with
 // components in [-2, 2], where the shading or the contact rule uses them; the same of a texture, with points within 10^4 mm and
@@ -81,15 +100,11 @@ inline std::optional<ParameterError> first_error_of_any(const MeshRendering& ren
   if (const auto error = error_of_stiffness(rendering.stiffness)) return error;
   const bool is_frictional = rendering.contact == mesh::Contact::friction;
   if (const auto error = error_of_materials(rendering.materials, triangles, is_frictional)) return error;
-  const bool is_regular = rendering.checked.is_regular();
-  const bool is_shaded_otherwise =
-      rendering.shading != mesh::Shading::none &&
-      (!has_corner_normals(rendering.shading) || rendering.shading == mesh::Shading::texture_scheme);
-  if (!is_regular && has_corner_normals(rendering.contact))
-    return ParameterError{"contact rule of a mesh that is not regular, by its number,", "", 1, 0, 0};
-  if (!is_regular && is_shaded_otherwise)
-    return ParameterError{"shading of a mesh that is not regular, by its number,", "", static_cast<float>(rendering.shading), 0,
-                          1};
+  if (const auto undefined = undefined_of(rendering.checked, rendering.shading, rendering.contact))
+    return undefined->key == "contact"
+               ? ParameterError{"contact rule of a mesh that is not regular, by its number,", "", 1, 0, 0}
+               : ParameterError{"shading of a mesh that is not regular, by its number,", "",
+                                static_cast<float>(rendering.shading), 0, 1};
   if (!rendering.has_corner_normals()) return std::nullopt;
   if (const auto error = other_count("number of triangles with normals", rendering.normals.size())) return error;
   for (const auto& corners : rendering.normals)

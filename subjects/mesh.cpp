@@ -60,17 +60,10 @@ void expect_crease_to_count(const Options& options, mesh::Shading shading, mesh:
               "; expected the shading vertex or texture:FILE, or the contact sub-goal, beside it");
 }
 
-// Refuses what docs/soups.md does not define.
 void expect_defined(const Options& options, const MeshRendering& rendering) {
-  if (rendering.checked.is_regular()) return;
-  const std::string_view shading = name_of(rendering.shading), contact = name_of(rendering.contact);
-  const auto refuse = [&](std::string_view key, const char* expected, std::string_view got) {
-    throw Error(options.name(key) + ": expected " + expected + " for a mesh that is not regular, got \"" + std::string(got) +
-                "\"; 'forceshade mesh check' says what it is");
-  };
-  if (has_corner_normals(rendering.contact)) refuse("contact", "direct or friction", contact);
-  if (rendering.shading != mesh::Shading::none && rendering.shading != mesh::Shading::vertex_scheme)
-    refuse("shading", "vertex or none", shading);
+  if (const auto undefined = undefined_of(rendering.checked, rendering.shading, rendering.contact))
+    throw Error(options.name(std::string(undefined->key)) + ": " + undefined->words() +
+                "; 'forceshade mesh check' says what it is");
 }
 
 std::string words_of_friction(const Options& options) {

@@ -8,6 +8,7 @@
 #include "bindings/c/still.h"
 #include "forceshade/meshes.h"
 #include "rendering/heights/coefficients.h"
+#include "rendering/mesh_rendering.h"
 
 namespace forceshade::c {
 namespace {
@@ -40,13 +41,8 @@ Description described(height::Grid samples, height::Mode mode, float stiffness) 
 }
 
 std::string refusal_of(const mesh::CheckedMesh& triangles, mesh::Shading shading, mesh::Contact contact) {
-  if (triangles.is_regular()) return {};
-  const auto words = [](const char* what, const char* expected, std::string_view got) {
-    return std::string(what) + ": expected " + expected + " for a mesh that is not regular, got \"" + std::string(got) + '"';
-  };
-  if (has_corner_normals(contact)) return words("contact", "direct or friction", name_of(contact));
-  if (shading == mesh::Shading::none || has_corner_normals(shading)) return {};
-  return words("shading", "vertex or none", name_of(shading));
+  const auto undefined = undefined_of(triangles, shading, contact);
+  return undefined ? std::string(undefined->key) + ": " + undefined->words() : std::string();
 }
 
 Description described(const mesh::CheckedMesh& triangles, std::optional<mesh::Sides> sides, mesh::Shading shading,
