@@ -84,7 +84,7 @@ bool Star::is_in(std::uint32_t ray, std::uint32_t plane) const noexcept {
   return false;
 }
 
-// The ray along the line; a new one if there is none.
+// The ray along the line, which is added where the star lacks it.
 std::uint32_t Star::add_ray(const Line& line) {
   const Direction along = Direction::along(line);
   const auto next = static_cast<std::uint32_t>(rays_.size());

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include "forceshade/mesh.h"
@@ -17,6 +19,18 @@ struct CostlyMesh {
   mesh::Sides sides;
   std::vector<std::array<float, 3>> positions;  // mm
 };
+
+// The position of a search for the worst tick: the mesh's own in turns, and after two rounds varied, as is the worst so far.
+inline std::array<float, 3> drawn_position(const CostlyMesh& one, std::size_t step, const std::array<float, 3>& worst,
+                                           std::mt19937_64& random) {
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  std::array<float, 3> p = one.positions[step % one.positions.size()];
+  const float reach = std::ldexp(1000.0F, -static_cast<int>(random() % 24));
+  if (step >= 2 * one.positions.size())
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      p[axis] = (random() % 2 == 0 ? p : worst)[axis] + (random() % 3 == 0 ? 0 : reach * uniform(random));
+  return p;
+}
 
 inline std::uint32_t add_vertex(mesh::TriangleMesh& mesh, double x, double y, double z) {
   mesh.vertices.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});

@@ -198,18 +198,13 @@ TEST(soup_budget, holds_for_the_worst_ticks_that_a_search_finds) {
   for (const CostlyMesh& one : sets) {
     const auto soup = std::make_shared<const fast::soups::Soup>(one.mesh, std::vector{one.sides});
     std::mt19937_64 random(3);
-    std::uniform_real_distribution<float> uniform(-1, 1);
     fast::soups::Session session(soup, 1, false);
     fast::soups::State before_worst;
     Position worst_position{};
     Cost worst;
     std::size_t unfinished = 0;
     for (std::size_t step = 0; step < steps; ++step) {
-      Position p = one.positions[step % one.positions.size()];
-      const float reach = std::ldexp(1000.0F, -static_cast<int>(random() % 24));
-      if (step >= 2 * one.positions.size())
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          p[axis] = (random() % 2 == 0 ? p : worst_position)[axis] + (random() % 3 == 0 ? 0 : reach * uniform(random));
+      const Position p = drawn_position(one, step, worst_position, random);
       if (step >= 2 * one.positions.size() && random() % 2 == 0) session.resume(before_worst);
       const fast::soups::State before = session.state();
       const Cost cost = cost_of(session, p);

@@ -202,16 +202,11 @@ TEST(tick_budget, holds_for_the_worst_ticks_that_a_search_finds) {
   for (const tests::CostlyMesh& one : meshes) {
     const fast::Mesh mesh = tests::fast_mesh(tests::unshaded(one.mesh, one.sides));
     std::mt19937_64 random(3);
-    std::uniform_real_distribution<float> uniform(-1, 1);
     fast::Arrival at, before_worst;
     Position worst_position{};
     Cost worst;
     for (std::size_t step = 0; step < steps; ++step) {
-      Position p = one.positions[step % one.positions.size()];
-      const float reach = std::ldexp(1000.0F, -static_cast<int>(random() % 24));
-      if (step >= 2 * one.positions.size())
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          p[axis] = (random() % 2 == 0 ? p : worst_position)[axis] + (random() % 3 == 0 ? 0 : reach * uniform(random));
+      const Position p = drawn_position(one, step, worst_position, random);
       const bool is_from_worst = step >= 2 * one.positions.size() && random() % 2 == 0;
       fast::Arrival next = is_from_worst ? before_worst : at;
       const fast::Arrival before = next;
