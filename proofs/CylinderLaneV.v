@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* Where the watch lets it pass, v = R^2 - rho^2 of a batch is within 4 units inside of the cylinder, and has the right sign outside. *)
+(* v = R^2 - rho^2 of a batch, where the watch lets it pass, is within 4 units inside of the cylinder, and has the right sign outside. *)
 From Coq Require Import ZArith Reals Lia Lra List Bool.
 From Flocq Require Import Core Mult_error Sterbenz BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Nearness Computed Evaluate Inputs Gap Polygons ErrorFree.
@@ -72,7 +72,7 @@ Proof.
     lra.
 Qed.
 
-(* What the two coordinates are, when the watch lets them pass. *)
+(* The two coordinates, when the watch lets them pass. *)
 Definition watched (c dh X : R) : Prop := X = 0 \/ forall k, (-60 <= k <= 60)%Z -> bpow radix2 k <= c \/ bpow radix2 k <= dh ->
   bpow radix2 (k - 27) <= Rabs X.
 

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* What a lane of a batch stores: forces that are rounded once, and never -0. *)
+(* The content of a lane of a batch: forces that are rounded once, and never -0. *)
 From Coq Require Import ZArith Reals Lia Lra List Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Operations Nearness RoundingTest Computed Evaluate Inputs Bump2pSecond SecondAlong

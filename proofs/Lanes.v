@@ -243,7 +243,7 @@ Proof.
   rewrite <- (Zmod_div_mod (2 ^ 29) (2 ^ 32) b) in H; [exact H|reflexivity|reflexivity|now exists (2 ^ 3)%Z].
 Qed.
 
-(* What the watch lets pass. *)
+(* The numbers that the watch lets pass. *)
 Lemma free_lane : forall set lane, is_free set lane = true ->
   (forall a, In a (sizes lane) -> is_large a = false) /\
   (forall a, In a (not_tiny lane) -> is_tiny set (least_coordinate lane) a = false) /\

@@ -179,7 +179,7 @@ Qed.
 Lemma height_of_2p : forall Rad w, 0 < w -> bump_height Rad w = slope_2p Rad w * (w / 2).
 Proof. intros Rad w Hw. unfold slope_2p. field. lra. Qed.
 
-(* What the watch lets pass of the two coordinates. *)
+(* The coordinates that the watch lets pass. *)
 Lemma watched_coordinates : forall set R w K x z, parameters R w K ->
   let least := greatest32 quantum (rounded (times (two_to (-28)) (half_width w))) in
   (forall a, In a [absolute32 z; absolute32 x] -> is_large a = false) ->

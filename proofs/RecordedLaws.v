@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* Of the nine laws, the members, exact() for both later stages and evaluate() are what a program wrote down from the headers
+(* The members of the nine laws, exact() for both later stages and evaluate() are what a program wrote down from the headers
    (proofs/RecordedStages.v). So what proofs/Main.v says of an answer, it says of recorded terms, but for the arithmetic of limbs, which
      was
    written by hand. *)

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* What the headers of fast/ do behind a first stage, and what laws hold, branch by branch. Written by a program,
+(* The work of the headers of fast/ behind a first stage, and the members of laws, branch by branch. Written by a program,
    tests/proofs/recorded_stages.cpp:
    ninja -C build/release recorded_stages && build/release/tests/recorded_stages > proofs/RecordedStages.v *)
 From Coq Require Import ZArith List Bool.
@@ -1559,7 +1559,7 @@ Definition bump_3p_shaded_exact (t : number) (half_top R w K x z : binary32) : S
   t90.
 End Ball.
 
-(* What each law holds for its first stage, and the limbs of its third. *)
+(* The members of each law for its first stage, and the limbs of its third. *)
 Local Notation N := two_terms.
 Definition wall_members (R w K : binary32) (t : double_double) : list binary64 :=
   let t1 := to64 K in

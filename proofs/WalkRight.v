@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* What a batch stores is what single calls answer, however blocks and ends of arrays are walked, in place or not. *)
+(* A batch stores what single calls answer, however blocks and ends of arrays are walked, in place or not. *)
 From Coq Require Import ZArith Reals List Bool Arith Lia Lra.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.
 From Forceshade Require Import Formats Comparisons Evaluate Lanes LaneAnswers BumpLanes Walk.

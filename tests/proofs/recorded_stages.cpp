@@ -161,7 +161,7 @@ void print_laws(fast::LawList<Definition...>) {
   std::size_t next = 0;
   (print_exact<Definition>(std::string(kLaws[next++].file)), ...);
   std::puts(
-      "End Ball.\n\n(* What each law holds for its first stage, and the limbs of its third. *)\nLocal Notation N := "
+      "End Ball.\n\n(* The members of each law for its first stage, and the limbs of its third. *)\nLocal Notation N := "
       "two_terms.");
   next = 0;
   (print_members<Definition>(std::string(kLaws[next++].file)), ...);
@@ -218,7 +218,8 @@ int main() {
   using namespace forceshade::tests;
   std::puts(
       "(* SPDX-License-Identifier: BSD-3-Clause *)\n"
-      "(* What the headers of fast/ do behind a first stage, and what laws hold, branch by branch. Written by a program,\n"
+      "(* The work of the headers of fast/ behind a first stage, and the members of laws, branch by branch. Written by a "
+      "program,\n"
       "   tests/proofs/recorded_stages.cpp:\n"
       "   ninja -C build/release recorded_stages && build/release/tests/recorded_stages > proofs/RecordedStages.v *)\n"
       "From Coq Require Import ZArith List Bool.\n"
