@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/command/command.h"
 
+#include <algorithm>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -58,7 +59,7 @@ files::ProcessLimits command::limits_of(const FramedOptions& options) {
           .memory = std::numeric_limits<std::size_t>::max(),
           .processor_seconds = kAny,
           .file_megabytes = kAny,
-          .grace = kToEnd};
+          .grace = std::max(kToEnd, options.end)};
 }
 
 std::unique_ptr<Device> command::open(std::unique_ptr<LineProgram> program, const FramedOptions& options,

@@ -17,7 +17,7 @@ std::string counted_words(std::size_t frames, const char* of) {
 }  // namespace
 
 Link::Link(const Functions& functions, const std::string& which, const FramedOptions& options)
-    : frame_(std::make_shared<Frame>(functions, options.force)), answer_(options.answer) {
+    : frame_(std::make_shared<Frame>(functions, options.force)), answer_(options.answer), end_(std::max(kToEnd, options.end)) {
   if (!calls_.run([frame = frame_, which] { frame->identity = frame->arm.open(which); }, options.open))
     throw DeviceError("the vendor's library has not answered for " + std::to_string(options.open.count()) +
                       " ms while the device was opened: check its cable and power");
@@ -34,7 +34,7 @@ FrameState Link::exchange(const Eigen::Vector3d& force) {
 
 void Link::close() noexcept {
   try {
-    calls_.run([frame = frame_] { frame->arm.close(); }, kToEnd);
+    calls_.run([frame = frame_] { frame->arm.close(); }, end_);
   } catch (const std::exception&) {  // of a lack of memory
   }
 }

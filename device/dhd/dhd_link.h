@@ -31,7 +31,7 @@ class Link final : public FrameLink {
     FrameState state{.calibrated = false, .forces_on = false};
   };
   std::shared_ptr<Frame> frame_;
-  std::chrono::milliseconds answer_;
+  std::chrono::milliseconds answer_, end_;
   TimedCalls calls_;
 };
 

@@ -27,9 +27,10 @@ struct FramedOptions {
   std::chrono::milliseconds answer{25};            // the device may leave a frame without an answer
   // The longest times for the device to answer at all, the frames to be good, and the user to calibrate the device.
   std::chrono::milliseconds open{5000}, start{5000}, calibration{120'000};
-  double rate_tolerance = 0.05;  // the share by which the frames may miss the rate
-  bool force = true;             // false: no command that gives one is ever sent
-  bool device_paces = false;     // it answers at frames of its own, so that no clock of ours has to wait between two
+  std::chrono::milliseconds end{0};  // the shortest time that it has to take the last zero and to end its session
+  double rate_tolerance = 0.05;      // the share by which the frames may miss the rate
+  bool force = true;                 // false: no command that gives one is ever sent
+  bool device_paces = false;         // it answers at frames of its own, so that no clock of ours has to wait between two
 };
 
 // After it is made, it is called by the thread of the frames alone.

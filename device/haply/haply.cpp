@@ -42,12 +42,12 @@ haply::Address service() {
 }
 
 // A page of the vendor's has HTTP at the port of the WebSocket, another at the one before.
-haply::Version version_of_service(const haply::Address& address) {
+haply::Version version_of_service(const haply::Address& address, milliseconds longest = kHttp) {
   std::string first;
   for (const int port : {address.port, address.port - 1}) {
     if (port < 1) continue;
     try {
-      return haply::version_of(haply::http_get({address.host, port}, "/version", kHttp));
+      return haply::version_of(haply::http_get({address.host, port}, "/version", longest));
     } catch (const Error&) {
       throw;
     } catch (const std::runtime_error& error) {
@@ -149,7 +149,7 @@ std::unique_ptr<Device> haply::open(std::unique_ptr<Conversation> service, const
 
 std::unique_ptr<Device> open_haply(const std::string& name, const FramedOptions& options, Attendant& attendant) try {
   const haply::Address address = service();
-  const haply::Version version = version_of_service(address);
+  const haply::Version version = version_of_service(address, options.open);
   auto device = haply::open(std::make_unique<haply::Socket>(address, options.open), version, name, options, attendant);
   report_other_sessions(address, attendant);
   return device;

@@ -38,11 +38,12 @@ FrameState Link::exchange(const Eigen::Vector3d& force) {
 }
 
 void Link::close() noexcept {
+  const std::chrono::milliseconds longest = std::max(kToEnd, end_);
   try {
-    if (may_force_ && !is_closed_) service_->ask(messages_.with_force(Eigen::Vector3d::Zero()), kToEnd);
+    if (may_force_ && !is_closed_) service_->ask(messages_.with_force(Eigen::Vector3d::Zero()), longest);
   } catch (const std::exception&) {
   }
-  service_->close(kToEnd);
+  service_->close(longest);
 }
 
 std::string Link::remark() const {

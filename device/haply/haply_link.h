@@ -16,7 +16,12 @@ class Link final : public FrameLink {
  public:
   // id: of the arm. The session has begun.
   Link(std::unique_ptr<Conversation> service, const Version& version, const std::string& id, const FramedOptions& options)
-      : service_(std::move(service)), id_(id), messages_(version, id), answer_(options.answer), may_force_(options.force) {}
+      : service_(std::move(service)),
+        id_(id),
+        messages_(version, id),
+        answer_(options.answer),
+        end_(options.end),
+        may_force_(options.force) {}
 
   FrameState exchange(const Eigen::Vector3d& force) override;
   void close() noexcept override;
@@ -26,7 +31,7 @@ class Link final : public FrameLink {
   std::unique_ptr<Conversation> service_;
   std::string id_;
   Frames messages_;
-  std::chrono::milliseconds answer_;  // it may take so long
+  std::chrono::milliseconds answer_, end_;  // it may take so long
   bool may_force_, is_closed_ = false;
 };
 

@@ -16,6 +16,7 @@ inline constexpr FramedOptions kPatient{.watchdog_timeout = kLongest,
                                         .open = kLongest,
                                         .start = kLongest,
                                         .calibration = kLongest,
+                                        .end = kLongest,
                                         .rate_tolerance = 100};
 
 inline ServoOptions patient_loop() {

@@ -105,7 +105,7 @@ TEST_F(haply_device, ends_a_run_in_the_words_of_what_went_wrong) {
     SCOPED_TRACE(event);
     HaplyStandIn stand_in(kPatientDevice + "--event " + event + "@contact");
     FramedOptions options = kPatient;
-    if (words == kLate) options.answer = 200ms;
+    if (words == kLate) options.answer = 200ms, options.end = 0ms;
     const std::string said = driven(*open_haply("", options, nobody), 1000);
     EXPECT_NE(said.find(words), std::string::npos) << said;
     if (words == kLate) continue;
