@@ -88,7 +88,7 @@ TEST(command_device, names_what_is_wrong_with_a_hello) {
     expect_words("echo '" + hello + "'", kPatient, words);
   }
   FramedOptions hasty = kPatient;
-  hasty.open = 300ms;
+  hasty.open = 300ms, hasty.end = 0ms;
   expect_words("exec sleep 600", hasty, "the program did not answer within 0.3 s");
 }
 
