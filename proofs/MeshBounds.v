@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* How long the integers are that a god-object's decisions are made of (docs/proofs.md, "Bounds", and docs/friction.md): each quantity
+(* How long the integers are that a god-object's decisions are made of (fast/meshes/bits.md): each quantity
    is a whole multiple of its unit, and less than 2 to its number of bits. Lengths are in mm. *)
 From Coq Require Import ZArith Reals Lra Lia Psatz.
 From Forceshade Require Import Vectors.
@@ -194,7 +194,7 @@ Proof.
 Qed.
 
 
-(* ---- The table. Above each theorem are the lines of docs/proofs.md, or of docs/friction.md, that it proves. ---- *)
+(* ---- The table. Above each theorem are the lines of fast/meshes/bits.md that it proves. ---- *)
 
 Lemma edge_unit : forall a b, given a -> given b -> multiples 53 (minus b a).
 Proof. intros a b [_ A] [_ B]. now apply multiples_minus. Qed.

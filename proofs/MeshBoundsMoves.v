@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* How long the integers are of a landing among sheets, of a sub-goal and of a slip that friction shortens: rows of the tables of bits in
-   docs/proofs.md, "Bounds", and docs/friction.md, "Arithmetic", in the form of those in MeshBounds.v. *)
+   fast/meshes/bits.md, in the form of those in MeshBounds.v. *)
 From Coq Require Import ZArith Reals Lra Lia Psatz List.
 From Forceshade Require Import Vectors MeshBounds.
 Import ListNotations.

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* How long the integers of a force are that a texture turns: the last three rows of the table of bits in docs/proofs.md, "Bounds", in the
+(* How long the integers of a force are that a texture turns: the last three rows of the table of bits in fast/meshes/bits.md, in the
    form of those in MeshBounds.v. *)
 From Coq Require Import ZArith Reals Lra Lia Psatz List.
 From Flocq Require Import Core.

@@ -263,7 +263,6 @@ TEST(structure, every_file_that_a_comment_or_page_names_exists) {
       {"math.h", "of the standard"},
       {"ball.py", "a page has its reader write it"},
       {"mine.py", "a page has its reader write it"},
-      {"off.py", "a page has its reader write it"},
       {"test_mine.py", "a page has its reader write it"},
       {"_avx2.cpp", "the end of a pattern"},
       {"_avx512.cpp", "the end of a pattern"},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The share of fits whose stated errors hold the truth, over recordings with known stiffness, place, offset, lag and noise.
-// FORCESHADE_DRAWS=20 makes a thousand recordings (docs/conformance.md has what came of them).
+// FORCESHADE_DRAWS=20 makes a thousand recordings (properties/conformance/recordings/fit.md has what came of them).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -142,7 +142,7 @@ TEST(fixed_integer, holds_every_coordinate_in_units_of_its_last_bit) {
   EXPECT_EQ(wide(in_units(-0x1p-30F)), -(Integer(1) << 23));
 }
 
-// The types of results bound them: the sizes that docs/proofs.md states.
+// The types of results bound them: the sizes that fast/meshes/bits.md states.
 TEST(fixed_integer, widens_by_what_an_operation_can_need) {
   using A = FixedInteger<68>;
   using B = FixedInteger<137>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The work of a tick on any set of triangles is bounded: both sides end the same ticks unfinished, and a search looks for the
-// ticks that look at most triangles, of which it prints the table of docs/soups.md.
+// ticks that look at most triangles, of which it prints a table of docs/tables/soups.csv.
 
 #include <gtest/gtest.h>
 
