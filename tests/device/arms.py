@@ -117,7 +117,8 @@ class Dhd(Arm):
 
 
 class Command(Arm):
-    """The program is this file; it has a zero force where no line has come for 25 ms, as docs/command-device.md requires."""
+    """The program is this file; it has a zero force where no line has come for 25 ms, as docs/command-device.md requires. With the
+    option "by-lines" it waits for ever, and its time is that of the lines at 1 kHz."""
 
     longest_ms = 60
 
@@ -125,7 +126,7 @@ class Command(Arm):
         self.folder = tempfile.TemporaryDirectory()
         self.journal, self.environment = os.path.join(self.folder.name, "journal"), {}
         words = ["chrt", "--fifo", "50"] if may_run_in_real_time() else []  # so that other programs do not make it late
-        self.device = "command:exec " + " ".join([*words, sys.executable, os.path.abspath(__file__), "--program", self.journal])
+        self.device = "command:exec " + " ".join([*words, sys.executable, os.path.abspath(__file__), "--program", self.journal, *options])
 
     def __exit__(self, *_):
         self.folder.cleanup()
@@ -134,16 +135,20 @@ class Command(Arm):
     def partner(self):
         return self.events()[0]["process"]
 
+    def felt_until(self):
+        self.first("over")  # its lines have ended
+        return super().felt_until()
+
     def held_until(self):
-        return None  # its program is gone, or stands still
+        return None
 
     def verdict(self):
         return set()
 
 
 class Program:
-    def __init__(self, journal):
-        self.journal, self.pushes = open(journal, "a", buffering=1), False
+    def __init__(self, journal, by_lines=False):
+        self.journal, self.pushes, self.by_lines = open(journal, "a", buffering=1), False, by_lines
         self.note("opened", process=os.getpid())
 
     def note(self, event, **more):
@@ -159,7 +164,7 @@ class Program:
         text = b""
         while True:
             while b"\n" not in text:
-                if not select.select([0], [], [], 0.025)[0]:
+                if not self.by_lines and not select.select([0], [], [], 0.025)[0]:
                     yield None
                     continue
                 some = os.read(0, 4096)
@@ -172,7 +177,7 @@ class Program:
     def run(self):
         print(json.dumps({"forceshade-device": 1, "name": "an arm", "workspace_mm": [[-100, -100, -100], [100, 100, 100]],
                           "peak_force_N": 3, "continuous_force_N": 1, "resolution_mm": 0.05, "buttons": 1, "paces": False}), flush=True)
-        begin = time.monotonic()
+        begin, count = time.monotonic(), 0
         for line in self.lines():
             force = line.get("force_N") if line else None
             self.take(any(force or [0]))
@@ -180,9 +185,11 @@ class Program:
                 break
             if force is None:
                 continue
-            seconds = time.monotonic() - begin
+            count += 1
+            seconds = count / 1000 if self.by_lines else time.monotonic() - begin
             print(json.dumps({"time_s": seconds, "position_mm": [0, 0, 1.5 + 2.5 * math.cos(math.pi * seconds)], "buttons": 1}), flush=True)
         self.take(False)
+        self.note("over")
 
 
 KINDS = {"haply": Haply, "dhd": Dhd, "command": Command}
@@ -219,6 +226,6 @@ def between(address):
 
 if __name__ == "__main__":
     if sys.argv[1] == "--program":
-        Program(sys.argv[2]).run()
+        Program(sys.argv[2], "by-lines" in sys.argv[3:]).run()
     else:
         between(sys.argv[2])

@@ -41,8 +41,12 @@ def is_timeless(kind, death):
     return death.number != signal.SIGSTOP and "unplugged=block" not in death.options and not keeps_pushing
 
 
+# With these a hand moves by a frame's step from answer to answer, however late, and nothing but an end lets it go.
+TIMELESS = {"haply": ["--clock", "messages", "--assume", "idle-after=never"], "dhd": ["clock=1000", "watchdog-works=no"], "command": ["by-lines"]}
+
+
 def made(kind, death, patient):
-    options = [*death.options, *(["watchdog-works=no"] if patient and kind == "dhd" else [])]
+    options = [*death.options, *(TIMELESS[kind] if patient else [])]
     more = {"between": True} if death.who == "link" else {}
     return arms.KINDS[kind](["unplug@contact"] if death.who == "cable" else [], options, **more)
 
