@@ -82,7 +82,8 @@ bool Command::is_running() const {
 
 std::string Command::end() {
   int status = 0;
-  waitpid(process_, &status, WUNTRACED);
+  do waitpid(process_, &status, WUNTRACED);
+  while (WIFSTOPPED(status) && WSTOPSIG(status) == SIGSTOP);  // nothing here sends it: somebody outside does, who lets it go on
   if (WIFSTOPPED(status)) return "stopped by signal " + std::to_string(WSTOPSIG(status));
   process_ = -1;
   std::string output = directory_.read("output");
