@@ -84,9 +84,8 @@ Definition nine_laws := (wall_is_correctly_rounded, cylinder_is_correctly_rounde
 (* ---- Batches ---- *)
 
 (* A batch of each law, in columns or in rows, in place or not, of any length, with AVX2, with AVX-512 or with neither: every force is
-  that of
-   the call of one position, invalid positions are counted, and nothing else is written. Walk.v is how arrays are walked, Batch.v the forms
-   that packs evaluate, as a program recorded them, and Lanes.v the watch that leaves a position to the call above. *)
+   that of the call of one position, invalid positions are counted, and nothing else is written. Walk.v is how arrays are walked, Batch.v
+   the forms that packs evaluate, as a program recorded them, and Lanes.v the watch that leaves a position to the call above. *)
 
 Theorem wall_batches_agree : forall (is_fused : bool) (R w K : binary32), stiffness K ->
   batches_agree (form_of_wall R w K) (answer (code_of_wall is_fused R w K)).
