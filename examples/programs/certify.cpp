@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Certifies a renderer of one's own against the exact wall of 0.5 N/mm, at 10 000 points: certify FILE.
+// Certifies a renderer of one's own against the exact wall, at a million points and with other stiffnesses: certify FILE.
 #include <forceshade/certify.h>
 #include <forceshade/properties.h>
 
@@ -8,17 +8,19 @@
 
 using namespace forceshade;
 
-properties::Rendered my_wall(const Eigen::Vector3f& p) {  // mm; the force is in N
-  if (!(p.array().abs() <= 1e4F).all()) return {{0, 0, 0}, Status::invalid};
-  if (!(p.z() <= -0x1p-30F)) return {{0, 0, 0}, Status::free};  // nearer to 0 than the position quantum is 0
-  return {{0, 0, 0.5F * -p.z()}, Status::contact};
+Renderer my_wall(LawId, const Parameters& wall) {
+  return properties::renderer_answering([stiffness = wall.stiffness](const Eigen::Vector3f& p) -> properties::Rendered {
+    if (!(p.array().abs() <= 1e4F).all()) return {{0, 0, 0}, Status::invalid};
+    if (!(p.z() <= -0x1p-30F)) return {{0, 0, 0}, Status::free};  // nearer to 0 than the position quantum is 0
+    return {{0, 0, stiffness * -p.z()}, Status::contact};         // N/mm, mm; N
+  });
 }
 
 int main(int argc, char** argv) {
   if (argc != 2) return std::puts("usage: certify FILE"), 2;
   const std::shared_ptr<properties::Subject> subject = properties::law_subject(LawId::wall, {.stiffness = 0.5F}, my_wall);
   const auto certificate = properties::certify(
-      {.subjects = {subject}, .points = 10000}, [](auto, double) {}, false);
+      {.subjects = {subject}}, [](auto, double) {}, false);
   std::ofstream(argv[1]) << properties::to_json(*certificate);
   return std::puts(certificate->held() ? "held" : "failed"), certificate->held() ? 0 : 1;
 }
