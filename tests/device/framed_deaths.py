@@ -42,7 +42,9 @@ def is_timeless(kind, death):
 
 
 # With these a hand moves by a frame's step from answer to answer, however late, and nothing but an end lets it go.
-TIMELESS = {"haply": ["--clock", "messages", "--assume", "idle-after=never"], "dhd": ["clock=1000", "watchdog-works=no"], "command": ["by-lines"]}
+TIMELESS = {"haply": ["--clock", "messages", "--assume", "idle-after=never"],
+            "dhd": ["clock=1000", "watchdog-works=no"],
+            "command": ["by-lines"]}
 
 
 def made(kind, death, patient):
