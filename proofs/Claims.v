@@ -2,28 +2,28 @@
 (* The theorems that docs/proofs.md claims, all in one list, and what they assume together. scripts/proofs reads what this file prints. *)
 From Coq Require Import List.
 From Forceshade Require Import RoundingTest Evaluate Inputs Wall Shaded Gap Polygons ThreePolygons ErrorFree Acceptance.
-From Forceshade Require Import CylinderForce Cylinder CylinderOutside CylinderAnswers DoubleDouble Depth Split.
+From Forceshade Require Import CylinderForce CylinderFirst CylinderOutside CylinderAnswers DoubleDouble Depth Split.
 From Forceshade Require Import CylinderConstants DoubleDoubleNear DoubleDoubleHolds TwoPolygonsConstants.
 From Forceshade Require Import ThreePolygonsFace ThreePolygonsConstants NewtonStart NewtonRounded.
 From Forceshade Require Import DoubleDoubleTerms DoubleDoubleOff NewtonThird NewtonRest SineOfThird ExactSign TopEdge ThreePolygonsRight.
-From Forceshade Require Import Separation SeparationOfCylinder SeparationOfPolygons SeparationOfSides.
-From Forceshade Require Import SeparationOfCubic SeparationOfThree SeparationOfThreeShaded SeparationOfContact.
-From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong
-  Bump1pShadedSecond.
-From Forceshade Require Import TwoPolygonsGap Bump2pSecond ShadedAlong Bump2pShadedSecond ThreePolygonsEnclosed.
-From Forceshade Require Import NewtonEnclosed SineEnclosed ThreePolygonsGap Bump3pSecond Bump3pShadedSecond.
+From Forceshade Require Import Separation SeparationOfCylinder SeparationOfBump2pShaded SeparationOfBump2p.
+From Forceshade Require Import SeparationOfCubic SeparationOfBump3p SeparationOfBump3pShaded SeparationOfContact.
+From Forceshade Require Import Enclosures EnclosedProducts EnclosedQuotients BesideTie SumOfTwo EnclosedSums SecondStage SecondAlong.
+From Forceshade Require Import Bump1pShaded.
+From Forceshade Require Import TwoPolygonsGap Bump2p ShadedAlong Bump2pShaded ThreePolygonsEnclosed.
+From Forceshade Require Import NewtonEnclosed SineEnclosed ThreePolygonsGap Bump3p Bump3pShaded.
 From Forceshade Require Import Contained CylinderNearness CylinderSecondParts CylinderSecondBorder CylinderSecondForce CylinderSecond.
-From Forceshade Require Import BumpCylinderSecond.
+From Forceshade Require Import BumpCylinder.
 From Forceshade Require Import BigFloat BigFloatValues BigFloatSums BigFloatProducts BigFloatQuotients BigFloatNarrow
   BigFloatNarrowQuotient.
 From Forceshade Require Import BigFloatNarrowRoot BigFloatNewton BigFloatNewtonLoop BigFloatRight BigFloatTight BigFloatSearch
   BigFloatDecide.
-From Forceshade Require Import ThirdAlong Bump1pShadedThird TwoPolygonsThird Bump2pThird Bump2pShadedThird.
-From Forceshade Require Import BigFloatBounded CylinderThird BumpCylinderThird.
+From Forceshade Require Import ThirdAlong TwoPolygonsThird.
+From Forceshade Require Import BigFloatBounded Cylinder.
 From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits WideRefined WideSums WideNewton ThirdStagesRefined.
-From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences NormalsInDoubt.
+From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences Intervals.
 From Forceshade Require Import Damping Placement.
-From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird Bump3pThird Bump3pShadedThird.
+From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird.
 From Forceshade Require Import BumpLanes PolygonLanes ThreePolygonLanes WalkRight CylinderLaneV CylinderLaneRough CylinderLaneRoughForm
   CylinderLaneStep CylinderLaneScale CylinderLanes.
 From Forceshade Require Import Main RecordedParts RecordedLaws.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The end of the process that holds a PHANToM, as a machine that asks the system for nothing: from what is true to what is done
-// next. proofs/phantom.pml runs the same table, which a program of the tests prints from here.
+// next. proofs/device/phantom.pml runs the same table, which a program of the tests prints from here.
 
 #include <chrono>
 

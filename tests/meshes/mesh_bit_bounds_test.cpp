@@ -117,8 +117,8 @@ TEST(mesh_bit_bounds, the_table_in_the_documentation_has_these_rows) {
 // Each theorem of the table stands below the row that it proves, with the numbers of that row.
 TEST(mesh_bit_bounds, theorems_in_coq_have_the_numbers_of_the_documentation) {
   const std::string pages = text_of("fast/meshes/bits.md"),
-                    proofs = text_of("proofs/MeshBounds.v") + text_of("proofs/MeshBoundsMoves.v") +
-                             text_of("proofs/MeshBoundsShaded.v") + text_of("proofs/MeshBoundsPulled.v");
+                    proofs = text_of("proofs/meshes/MeshBounds.v") + text_of("proofs/meshes/MeshBoundsMoves.v") +
+                             text_of("proofs/meshes/MeshBoundsShaded.v") + text_of("proofs/meshes/MeshBoundsPulled.v");
   const std::regex theorem(R"(\(\* (\|.*\| 2\^-(\d+) \| (\d+) \|) \*\)\nTheorem [^.]*?fits? (\d+) (\d+))");
   int found = 0;
   for (std::sregex_iterator one(proofs.begin(), proofs.end(), theorem), end; one != end; ++one, ++found) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints next() of device/phantom/ending.h for proofs/phantom.pml.
+// Prints next() of device/phantom/ending.h for proofs/device/phantom.pml.
 
 #include <array>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints proofs/RecordedStages.v: what the headers of fast/ do behind a first stage, and what the constructors of laws compute.
+// Prints proofs/recorded/RecordedStages.v: what the headers of fast/ do behind a first stage, and what the constructors of laws compute.
 // They run with numbers that write down what is done with them (tests/proofs/written_headers.h). So a definition is what its
 // header does, in its types, by every way through it.
 
@@ -221,7 +221,7 @@ int main() {
       "(* The work of the headers of fast/ behind a first stage, and the members of laws, branch by branch. Written by a "
       "program,\n"
       "   tests/proofs/recorded_stages.cpp:\n"
-      "   ninja -C build/release recorded_stages && build/release/tests/recorded_stages > proofs/RecordedStages.v *)\n"
+      "   ninja -C build/release recorded_stages && build/release/tests/recorded_stages > proofs/recorded/RecordedStages.v *)\n"
       "From Coq Require Import ZArith List Bool.\n"
       "From Flocq Require Import BinarySingleNaN Binary Bits.\n"
       "From Forceshade Require Import Formats Comparisons Operations Recorded RoundingTest Depth Split NewtonRounded ExactSign "

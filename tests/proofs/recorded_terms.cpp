@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints proofs/Recorded.v: the values of double-double's operations, and the first stage of every law as its header has it, as
+// Prints proofs/recorded/Recorded.v: the values of double-double's operations, and the first stage of every law as its header has it, as
 // a function of the numbers that the law holds. The headers' own templates run on numbers that write down what is done with
 // them (tests/proofs/written_number.h).
 
@@ -94,7 +94,7 @@ int main() {
       "(* SPDX-License-Identifier: BSD-3-Clause *)\n"
       "(* Double-double's values and the first stage of each law, as the headers have them. Written by a program,\n"
       "   tests/proofs/recorded_terms.cpp:\n"
-      "   ninja -C build/release recorded_terms && build/release/tests/recorded_terms > proofs/Recorded.v *)\n"
+      "   ninja -C build/release recorded_terms && build/release/tests/recorded_terms > proofs/recorded/Recorded.v *)\n"
       "From Coq Require Import ZArith Bool.\n"
       "From Flocq Require Import BinarySingleNaN Binary Bits.\n"
       "From Forceshade Require Import Formats Operations.");

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* The specification a second time, in other words than those of proofs/Laws.v, and that Laws.v says no less. weakened_test.py requires
+(* The specification a second time, in other words than those of proofs/spec/Laws.v, and that Laws.v says no less. weakened_test.py requires
    that Coq refuses this file, or Main.v, for each weaker specification that it makes. *)
 From Coq Require Import ZArith Reals Lra Bool.
 From Flocq Require Import Core BinarySingleNaN Binary Bits.

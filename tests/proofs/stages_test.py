@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """stages_test.py SOURCE COMPILER EIGEN: recorded_stages, compiled with a header that has one fault, does not compile, or prints something
-else than proofs/RecordedStages.v. So the comparison in every run of the tests refuses each of these faults."""
+else than proofs/recorded/RecordedStages.v. So the comparison in every run of the tests refuses each of these faults."""
 
 import pathlib
 import subprocess
@@ -8,7 +8,7 @@ import sys
 import tempfile
 
 source, compiler, eigen = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-STORED = (source / "proofs/RecordedStages.v").read_text()
+STORED = (source / "proofs/recorded/RecordedStages.v").read_text()
 FAULTS = """
 type      | laws/cylinder.h | double anchored, rest; => double anchored; float rest;
 type      | laws/shading.h | double K_over_R; => float K_over_R;

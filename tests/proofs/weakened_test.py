@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """weakened_test.py SOURCE [FOLDER]: makes weaker statements of the theorems of proofs/Main.v on calls and on batches, of what is
-shown of batches in proofs/Walk.v, and of the specification in proofs/Laws.v. proofs/digests.py must refuse each of them, and pass over
-comments and line breaks. With FOLDER, in which scripts/proofs left what Coq read, Coq must refuse to take a weaker theorem of Main.v for
-the one that this program writes, and with a weaker Laws.v to read restated.v. Exits 77 where FOLDER is given and Coq is not there."""
+shown of batches in proofs/code/Walk.v, and of the specification in proofs/spec/Laws.v. proofs/digests.py must refuse each of them, and
+pass over comments and line breaks. With FOLDER, in which scripts/proofs left what Coq read, Coq must refuse to take a weaker theorem of
+Main.v for the one that this program writes, and with a weaker Laws.v to read restated.v. Exits 77 where FOLDER is given and Coq is not
+there."""
 
 import concurrent.futures
 import contextlib
@@ -17,7 +18,7 @@ import tempfile
 
 source = pathlib.Path(sys.argv[1])
 folder = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else None
-LAWS = (source / "proofs/Laws.v").read_text()
+LAWS = (source / "proofs/spec/Laws.v").read_text()
 MAIN = (source / "proofs/Main.v").read_text()
 NAMES = ["wall", "cylinder", "bump_cylinder", "bump_1p", "bump_2p", "bump_3p", "bump_1p_shaded", "bump_2p_shaded", "bump_3p_shaded"]
 PLANES = ("wall", "bump_1p")  # these have no third stage
@@ -162,10 +163,10 @@ def changed(text, old, new):
 
 def without_coq(root):
     """The digests refuse every weaker text, and no other comment and line break."""
-    (root / "proofs").mkdir()
     listed = [line.split() for line in (source / "proofs/code.txt").read_text().splitlines() if line.startswith("proofs/")]
     for name in ["proofs/digests.py"] + [line[0] for line in listed]:
-        shutil.copy(source / name, root / "proofs")
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(source / name, root / name)
     (root / "proofs/code.txt").write_text("".join(" ".join(line) + "\n" for line in listed))
     sys.path.insert(0, str(root / "proofs"))
     digests = importlib.import_module("digests")
@@ -182,8 +183,10 @@ def without_coq(root):
         assert (code, printed.getvalue()) in ((0, ""), (1, said)), printed.getvalue()
         return code == 1
 
-    imported = re.findall(r"^(?:From (\w+) )?Require.*$|^From (\w+)", LAWS, re.MULTILINE)
-    assert {first or second for first, second in imported} == {"Coq", "Flocq"} and "Proof" not in LAWS, imported
+    for file in (source / "proofs/spec").iterdir():  # a specification is made of nothing that is proved here
+        text = file.read_text()
+        imported = re.findall(r"^(?:From (\w+) )?Require.*$|^From (\w+)", text, re.MULTILINE)
+        assert {first or second for first, second in imported} == {"Coq", "Flocq"} and "Proof" not in text, (file, imported)
     tried = 0
     for number, law in enumerate(NAMES):
         for name, text, weak_ones, _ in statements(number, law):
@@ -193,15 +196,15 @@ def without_coq(root):
             for what, weak in weak_ones.items():
                 assert refused("proofs/Main.v", MAIN.replace(statement[1], weak)), (name, what)
                 tried += 1
-    walk = (source / "proofs/Walk.v").read_text()
+    walk = (source / "proofs/code/Walk.v").read_text()
     for old, new in SHOWN:
-        assert refused("proofs/Walk.v", changed(walk, old, new)), new
+        assert refused("proofs/code/Walk.v", changed(walk, old, new)), new
         tried += 1
     for old, new in SPECIFICATION:
-        assert refused("proofs/Laws.v", changed(LAWS, old, new)), new
+        assert refused("proofs/spec/Laws.v", changed(LAWS, old, new)), new
         tried += 1
     assert refused("proofs/Main.v", changed(MAIN, "\n\nTheorem wall_is", "\n\nNotation parameters R w K := (K = R).\n\nTheorem wall_is"))
-    assert refused("proofs/Code.v", (source / "proofs/Code.v").read_text().replace("curved (members_of", "plane (members_of", 1))
+    assert refused("proofs/code/Code.v", (source / "proofs/code/Code.v").read_text().replace("curved (members_of", "plane (members_of", 1))
     assert refused("proofs/Main.v", MAIN.replace("(of_limbs outside)", "of_integers"))
     limbs = 0
     for file, *names, _ in listed:  # the definitions of limbs, and recorded laws
@@ -211,7 +214,7 @@ def without_coq(root):
             assert refused(file, text[:defined] + " id " + text[defined:]), name
             assert not refused(file, text + "Lemma another : True. Proof. exact I. Qed.\n"), file
             limbs += 1
-    for file, text in (("proofs/Laws.v", LAWS), ("proofs/Main.v", MAIN)):
+    for file, text in (("proofs/spec/Laws.v", LAWS), ("proofs/Main.v", MAIN)):
         assert not refused(file, text.replace("\n\n", "\n\n(* A (* nested *) remark. *)\n").replace(" ->", "\n  ->")), file
     return tried + 3 + limbs
 

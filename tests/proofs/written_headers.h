@@ -35,7 +35,7 @@ struct WrittenEvaluation {
 };
 }  // namespace forceshade::fast
 
-// Numbers of the later stages: terms of a ball N (proofs/Balls.v). kLimbs tells the second stage from the third.
+// Numbers of the later stages: terms of a ball N (proofs/code/Balls.v). kLimbs tells the second stage from the third.
 namespace forceshade::fast {
 enum class Sign;
 }

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """check.py RECORDED_FORMS RECORDED_V COUNTS OBJECT...: requires that objects of fast/ do what is recorded of the nine laws.
 
-RECORDED_FORMS prints places and forms (recorded_forms.cpp); RECORDED_V is proofs/Recorded.v. Of the objects, law.cpp.o holds the single
-calls, batch_avx2.cpp.o and batch_avx512.cpp.o the blocks. COUNTS: the sizes of blocks, as in 16,32; all: every size that a batch has."""
+RECORDED_FORMS prints places and forms (recorded_forms.cpp); RECORDED_V is proofs/recorded/Recorded.v. Of the objects, law.cpp.o holds the
+single calls, batch_avx2.cpp.o and batch_avx512.cpp.o the blocks. COUNTS: the sizes of blocks, as in 16,32; all: every size that a batch
+has."""
 import subprocess
 import sys
 import types

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Recorded definitions (proofs/Recorded.v, and what recorded_forms prints) as terms."""
+"""Recorded definitions (proofs/recorded/Recorded.v, and what recorded_forms prints) as terms."""
 import functools
 import re
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints, for tests/proofs/compiled: where each law's definition lies in a Law, and each of its numbers in the definition; and
 // the operations of the form in which a batch evaluates the law, which its templates write down
-// (tests/proofs/compiled/written_pack.h). With the argument coq, prints these operations as proofs/RecordedForms.v instead.
+// (tests/proofs/compiled/written_pack.h). With the argument coq, prints these operations as proofs/recorded/RecordedForms.v instead.
 
 #include <algorithm>
 #include <bit>
@@ -224,7 +224,7 @@ void print_all_in_coq(fast::LawList<Definition...>) {
       "(* The form in which a batch evaluates each law, at one position, with what its watch looks at: fast/simd/, run on "
       "packs that\n"
       "   write down what is done with them. Written by a program, tests/proofs/compiled/recorded_forms.cpp:\n"
-      "   ninja -C build/release recorded_forms && build/release/tests/recorded_forms coq > proofs/RecordedForms.v *)\n"
+      "   ninja -C build/release recorded_forms && build/release/tests/recorded_forms coq > proofs/recorded/RecordedForms.v *)\n"
       "From Coq Require Import ZArith List Bool.\n"
       "From Flocq Require Import BinarySingleNaN Binary Bits.\n"
       "From Forceshade Require Import Formats Comparisons Operations SecondAlong Lanes.\n"

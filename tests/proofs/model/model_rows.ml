@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* Reads what code_rows.cpp reads, and prints what the definitions of proofs/ answer, stage by stage (proofs/Model.v). *)
+(* Reads what code_rows.cpp reads, and prints what the definitions of proofs/ answer, stage by stage (proofs/code/Model.v). *)
 
 let hex text = Z.of_string ("0x" ^ text)
 let shown = Z.format "%x"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# model_test.sh CODE_ROWS ROWS [LAWS SEED]: makes the model of Coq's definitions (proofs/Model.v) and has it answer the positions of ROWS
-# again; with LAWS, also 16 new positions of each of so many laws, which the code must answer in the model's bits.
+# model_test.sh CODE_ROWS ROWS [LAWS SEED]: makes the model of Coq's definitions (proofs/code/Model.v) and has it answer the positions of
+# ROWS again; with LAWS, also 16 new positions of each of so many laws, which the code must answer in the model's bits.
 #   model_test.sh CODE_ROWS ROWS write LAWS SEED > NEW    prints the rows of such positions by the model, as ROWS has them.
 # FORCESHADE_PROOFS names the folder in which scripts/proofs left what Coq read (build/proofs). Exits 77 without Coq, OCaml or Zarith.
 set -euo pipefail
