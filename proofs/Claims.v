@@ -23,6 +23,7 @@ From Forceshade Require Import BigFloatBounded Cylinder.
 From Forceshade Require Import Limbs LimbShifts LimbNumbers LimbsAreDigits WideRefined WideSums WideNewton ThirdStagesRefined.
 From Forceshade Require Import MeshBounds MeshBoundsMoves MeshBoundsShaded MeshBoundsPulled MeshDecisions MeshConsequences Intervals.
 From Forceshade Require Import Damping Placement.
+From Forceshade Require Import MeshConstants MeshSigns MeshSide SoupNumbers SoupProducts SoupSigns.
 From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird.
 From Forceshade Require Import BumpLanes PolygonLanes ThreePolygonLanes WalkRight CylinderLaneV CylinderLaneRough CylinderLaneRoughForm
   CylinderLaneStep CylinderLaneScale CylinderLanes.
@@ -125,6 +126,10 @@ Definition claims : list claim := [
   claimed one_corner_is_near; claimed refused_move_is_short; claimed never_against_the_slip; claimed refused_slide_is_short;
   claimed sub_goal_is_near; claimed placed_is_rotation; claimed placement_keeps_power; claimed turned_back;
   claimed placed_force_is_nearest; claimed position_is_rounded_once; claimed unshifted_position_is_exact;
+  claimed polynomial_is_near; claimed constants_are_above; claimed side_of_is_right;
+  claimed exactly_contains; claimed negated_contains; claimed add_contains; claimed subtract_contains; claimed multiply_contains;
+  claimed difference_of_products_contains; claimed dot_contains; claimed sure_is_right; claimed sign_of_is_right;
+  claimed sign_of_determinant_is_right; claimed side_of_plane_is_right;
   claimed damper_dissipates; claimed sampling_gives_at_most; claimed side_of_plane_changes_by;
   claimed passes_edge_changes_by; claimed product_is_off_by; claimed quotient_is_off_by; claimed root_is_off_by; claimed sum_is_recorded;
   claimed difference_is_recorded; claimed product_is_recorded; claimed quotient_is_recorded; claimed root_is_recorded;

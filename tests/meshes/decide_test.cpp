@@ -12,6 +12,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "fast/meshes/bit_span.h"
 #include "fast/meshes/contact/all.h"
@@ -116,6 +117,19 @@ TEST(decide, has_bounds_of_slips_that_cover_their_parts) {
   expect_covered(SlipBounds::kOfWay, 2, units(kWayToHand), "way to the hand");
   EXPECT_GT(SlipBounds::kOfLift, 2 + units(kWayToHand) / 4);
   EXPECT_GT(SlipBounds::kOfPressure, 2 + 0x1p-10 + 3 / 4.0);
+}
+
+// proofs/meshes/MeshSigns.v runs RoundingBound too: a line of its proof has the significand and the exponent of each error.
+TEST(decide, has_the_bounds_that_coq_gives) {
+  std::ifstream file(FORCESHADE_SOURCE_DIR "/proofs/meshes/MeshSigns.v");
+  std::vector<double> proved;
+  long long significand = 0;
+  int exponent = 0;
+  for (std::string line; std::getline(file, line);)
+    if (std::sscanf(line.c_str(), "  - above %lld%%positive (%d)%%Z.", &significand, &exponent) == 2)
+      proved.push_back(std::ldexp(static_cast<double>(significand), exponent));
+  EXPECT_EQ(proved, (std::vector<double>{kNormal.x.error, kAcross.error, kInside.error, kArea.error, kAlong.error,
+                                         kLength.error, kOffsetLength.error, kPasses.error, kThird.error}));
 }
 
 // Gappa proves the bound of each expression (fast/meshes/decide.g), in units of 2^-53.

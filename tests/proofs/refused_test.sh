@@ -185,6 +185,17 @@ refuses proofs/device/Damping.v "(spring k = zero -> along_share k = 0 /\\ acros
 refuses proofs/device/Placement.v "then (from, negb (snd d)) else d" "then (from, snd d) else d" "Error"
 refuses include/forceshade/placement.h "direction = {from, !direction.is_against};" "direction = {from, direction.is_against};" \
   "is not the code"
+refuses proofs/meshes/MeshSigns.v "Definition code_normal : code_bound := code_cross" \
+  "Definition code_normal : code_bound := code_multiply" "Error"
+refuses proofs/meshes/MeshConstants.v "once_rounded (s o : R) : bound := Bound ((1 + unit53) * s) (o + unit53 * s)." \
+  "once_rounded (s o : R) : bound := Bound ((1 + unit53) * s) o." "Error"
+refuses proofs/meshes/MeshSide.v "(times (code_error code_across) (times" "(times (code_error code_along) (times" "Error"
+refuses fast/meshes/rounding_bound.h "kSlack * (propagated + kUnit * size)" "kSlack * propagated" "is not the code"
+refuses proofs/soups/SoupNumbers.v "plus (two_to 0) (two_to (-48))." "plus (two_to 0) (two_to (-51))." "Error"
+refuses proofs/soups/SoupNumbers.v "least : binary64 := two_to (-1040)." "least : binary64 := two_to (-1070)." "Error"
+refuses proofs/soups/SoupSigns.v "in_units t b -> in_units (s * t) (product a b)" "in_units t b -> in_units s (product a b)" "Error"
+refuses fast/soups/numbers.h "kSlack * (propagated + kUnit * __builtin_fabs(value)) + kLeast" "propagated + kUnit * __builtin_fabs(value)" \
+  "is not the code"
 refuses proofs/numbers/Intervals.v "Rabs c * s + (Rabs d + s) * r." "Rabs c * s + Rabs d * r." "Error"
 refuses proofs/stages/Acceptance.v "exact = up /\\ is_even c = true ->" "exact = up ->" "Error"
 refuses proofs/stages/Acceptance.v ": bool := Z.even (bits_of_b32 c)." ": bool := Z.odd (bits_of_b32 c)." "Error"
