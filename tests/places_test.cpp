@@ -55,10 +55,10 @@ struct Sort {
 };
 
 std::vector<Sort> sorts() {
-  Sort laws{"## Adding a law", "<law>", "LawId::", 14, {}, {}},
+  Sort laws{"## Adding a law", "<law>", "LawId::", 15, {}, {}},
       kinds{"## Adding a kind of height map", "<kind>", "LawId::", 8, {}, {}},
       schemes{"## Adding a shading scheme", "<scheme>", "Shading::", 10, {}, {}},
-      rules{"## Adding a contact rule", "<rule>", "Contact::", 10, {}, {}},
+      rules{"## Adding a contact rule", "<rule>", "Contact::", 11, {}, {}},
       devices{"## Adding a device", "<kind>", "LawId::", 2, {}, {}};
   for (const LawName& law : kLaws) laws.all.emplace_back(law.name);
   for (const std::string_view kind : height::kKindNames) kinds.all.emplace_back(kind);
@@ -69,9 +69,13 @@ std::vector<Sort> sorts() {
   const std::string chosen = "it tests chosen laws and numbers, while loops over kLaws test every law",
                     figures = "the thesis's own figures", stimuli = "the stimuli of the thesis's two experiments";
   const std::string in_words = "the C header names them for its readers; no code of the interface does";
+  const std::string in_browsers = "a client: a browser offers the laws that it names, and its tests hold that these are all";
   laws.exceptions = {
       {"include/forceshade.h", in_words},
       {"clients/study/analysis/thesis.cpp", stimuli},
+      {"clients/web/interface.js", in_browsers},
+      {"clients/web/package/forceshade.d.ts", in_browsers},
+      {"clients/web/page/bump.js", in_browsers},
       {"clients/study/tests/analysis/psychometric_test.cpp", stimuli},
       {"clients/study/tests/analysis/simulated.h", stimuli},
       {"clients/study/tests/analysis/thesis_numbers_test.cpp", stimuli},
@@ -82,6 +86,7 @@ std::vector<Sort> sorts() {
       {"tests/certificate/sweep_test.cpp", chosen},
       {"tests/fast/batch_doubt_test.cpp", "what each form leaves to later stages; a new form has a hazard of its own or none"},
       {"tests/fast/separation_test.cpp", "the separations of docs/proofs.md, law by law; it fails for a law without one"},
+      {"tests/proofs/model/positions.py", "the laws that Coq has read"},
       {"tests/hard_cases/search.cpp", "extra places to aim at; it searches every law"},
       {"tests/properties/properties_test.cpp", chosen},
       {"tests/properties/witness_test.cpp", chosen},
@@ -91,6 +96,7 @@ std::vector<Sort> sorts() {
   };
   const std::string maps = "it tests chosen maps, while height_kinds.h and any_height_map() bring every kind";
   kinds.exceptions = {
+      {"tests/bindings/python/test_objects.py", maps},
       {"tests/certificate/height_certificate_test.cpp", maps},
       {"tests/fast/height_bounds_test.cpp", "the kinds that reach farthest; a loop compares every kind with them"},
       {"tests/height_maps/height_exact_test.cpp", maps},
@@ -109,7 +115,9 @@ std::vector<Sort> sorts() {
       {"include/forceshade.h", in_words},
       {"properties/mesh_properties.cpp", "what only one rule has: a goal beside the position, a drag beside the shading"},
       {"tests/bench/friction_bench.cpp", "the rules that are timed"},
+      {"clients/web/package/forceshade.d.ts", "a client: the rules of JavaScript"},
       {"tests/bindings/c_materials_test.cpp", chosen_rules},
+      {"tests/bindings/python/test_package.py", chosen_rules},
       {"tests/conformance/hello_test.cpp", chosen_rules},
       {"tests/meshes/god_object_golden_test.cpp", "the rules of the stored paths"},
       {"tests/meshes/friction_test.cpp", chosen_rules},
@@ -119,7 +127,13 @@ std::vector<Sort> sorts() {
   schemes.exceptions = {
       {"include/forceshade.h", in_words},
       {"tests/bench/mesh_bench.cpp", "the schemes that are timed"},
+      {"bindings/python/forceshade/_subjects.py", "their words for readers; the type is any text, as texture:FILE needs"},
+      {"clients/web/package/forceshade.d.ts", "a client: the schemes of JavaScript"},
+      {"clients/web/page/page.js", "a client: the schemes of the page"},
+      {"clients/web/tests/page_test.js", "a client: the schemes of the page"},
       {"properties/mesh_subject.cpp", "what only one scheme has: a turn that is bounded, a texture to draw"},
+      {"tests/bindings/python/test_misuse.py", some},
+      {"tests/bindings/python/test_soups.py", some},
       {"tests/fast/same_bits_meshes.h", "the schemes of the stored hashes"},
       {"tests/meshes/mesh_contract_test.cpp", some},
       {"tests/meshes/random_paths.h", "the places of a state, two of which are called as schemes are"},
@@ -207,6 +221,7 @@ std::string without_comments(const std::filesystem::path& file) {
 // A file that names more than half of the laws or kinds is a list, a switch or a set of overloads, which one more would have to
 // be added to.
 TEST(structure, no_file_beside_the_tables_has_to_be_extended) {
+  const std::set<std::string> code{".h", ".cpp", ".inl", ".inc", ".py", ".pyi", ".js", ".mjs", ".ts"};
   for (const Sort& sort : sorts()) {
     std::set<std::string> places;
     for (const std::string& place : places_of(sort))
@@ -215,13 +230,14 @@ TEST(structure, no_file_beside_the_tables_has_to_be_extended) {
     int found = 0;
     const auto look_at = [&](const std::filesystem::path& path) {
       const std::string extension = path.extension(), file = std::filesystem::relative(path, kRoot);
-      if (extension != ".h" && extension != ".cpp" && extension != ".inl" && extension != ".inc") return;
+      if (!code.contains(extension)) return;
       ++found;
-      const std::string code = without_comments(path);
+      const std::string text = without_comments(path);
       const auto named = static_cast<std::size_t>(
-          std::ranges::count_if(sort.all, [&](const Named& one) { return is_in_code(code, one, sort.id); }));
-      if (2 * named <= sort.all.size() || places.contains(file)) return;
-      if (unused.erase(file) == 0)
+          std::ranges::count_if(sort.all, [&](const Named& one) { return is_in_code(text, one, sort.id); }));
+      // An exception stays one down to a third, so that it does not end with the next law.
+      if (3 * named <= sort.all.size() || places.contains(file)) return;
+      if (unused.erase(file) == 0 && 2 * named > sort.all.size())
         ADD_FAILURE() << file << " names " << named << " of " << sort.all.size() << ", and is not in " << sort.heading;
     };
     for (const std::string& folder : top_folders())
