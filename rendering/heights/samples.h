@@ -17,7 +17,7 @@ struct Samples {
   const Source* source = nullptr;
   std::uint32_t columns = 0, rows = 0;
   std::vector<float> values;
-  std::optional<double> no_data = std::nullopt;  // the number that stands for a place without data (GDAL_NODATA)
+  std::optional<double> no_data = std::nullopt;  // the sample that stands for a place without data (GDAL_NODATA)
 
   // The height at this place is height_of(number), or 0 where that is below 2^-30 mm in size. The first row is the top one.
   // Throws Error with the place and the number where it is no height.

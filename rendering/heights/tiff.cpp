@@ -38,28 +38,40 @@ int ignore_warning(TIFF*, void*, const char*, const char*, va_list) {
 // number / white, as in a PNG. Any other sample is the number itself.
 struct Kind {
   std::uint16_t format, bits;
-  double (*number)(const unsigned char* row, std::size_t column);  // in this machine's order of bytes
+  double (*sample)(double number);
+  double (*number)(const unsigned char* row, std::size_t column);  // the sample there, in this machine's order of bytes
 };
+
+// A number that the file declares in words is rounded to its samples' kind, too, as GDAL compares it: -0.1 is -0.1F.
+template <class T>
+double sample(double number) {
+  if constexpr (std::is_same_v<T, float>)
+    return static_cast<double>(static_cast<float>(number));
+  else if constexpr (!std::is_unsigned_v<T>)
+    return number;
+  // In binary64 first, which changes nothing: the quotient's bits are those of the number over and over, so where binary64 ends
+  // there was a 1 beyond the middle of two binary32 numbers, if the quotient is beyond it.
+  constexpr auto kWhite = static_cast<double>(std::numeric_limits<T>::max());
+  return static_cast<double>(static_cast<float>(number / kWhite));
+}
 
 template <class T>
 double number(const unsigned char* row, std::size_t column) {
   T value;
   std::memcpy(&value, row + column * sizeof(T), sizeof(T));
-  if constexpr (!std::is_unsigned_v<T>) return static_cast<double>(value);
-  // In binary64 first, which changes nothing: the quotient's bits are those of the number over and over, so where binary64 ends
-  // there was a 1 beyond the middle of two binary32 numbers, if the quotient is beyond it.
-  constexpr auto kWhite = static_cast<double>(std::numeric_limits<T>::max());
-  return static_cast<double>(static_cast<float>(static_cast<double>(value) / kWhite));
+  return sample<T>(static_cast<double>(value));
 }
 
-constexpr std::array<Kind, 8> kKinds{{{SAMPLEFORMAT_UINT, 8, &number<std::uint8_t>},
-                                      {SAMPLEFORMAT_UINT, 16, &number<std::uint16_t>},
-                                      {SAMPLEFORMAT_UINT, 32, &number<std::uint32_t>},
-                                      {SAMPLEFORMAT_INT, 8, &number<std::int8_t>},
-                                      {SAMPLEFORMAT_INT, 16, &number<std::int16_t>},
-                                      {SAMPLEFORMAT_INT, 32, &number<std::int32_t>},
-                                      {SAMPLEFORMAT_IEEEFP, 32, &number<float>},
-                                      {SAMPLEFORMAT_IEEEFP, 64, &number<double>}}};
+template <class T>
+constexpr Kind kind_of_numbers(std::uint16_t format) {
+  return {format, 8 * sizeof(T), &sample<T>, &number<T>};
+}
+
+constexpr std::array<Kind, 8> kKinds{
+    kind_of_numbers<std::uint8_t>(SAMPLEFORMAT_UINT),  kind_of_numbers<std::uint16_t>(SAMPLEFORMAT_UINT),
+    kind_of_numbers<std::uint32_t>(SAMPLEFORMAT_UINT), kind_of_numbers<std::int8_t>(SAMPLEFORMAT_INT),
+    kind_of_numbers<std::int16_t>(SAMPLEFORMAT_INT),   kind_of_numbers<std::int32_t>(SAMPLEFORMAT_INT),
+    kind_of_numbers<float>(SAMPLEFORMAT_IEEEFP),       kind_of_numbers<double>(SAMPLEFORMAT_IEEEFP)};
 
 // Those that lose nothing.
 constexpr std::array<std::uint16_t, 7> kCompressions{COMPRESSION_NONE,    COMPRESSION_LZW,  COMPRESSION_ADOBE_DEFLATE,
@@ -78,8 +90,16 @@ const Kind& kind_of(TIFF* tiff, const std::filesystem::path& file) {
                         "; expected 1 of 8, 16 or 32 bits, whole (1 or 2), or of 32 or 64, binary (3)");
 }
 
-// GDAL's tags, which are no names of libtiff's: the number that stands for "no data" as text, and the sizes of a pixel.
-constexpr std::uint32_t kNoData = 42113, kPixelScale = 33550;
+// Tags of GDAL and GeoTIFF, which are no names of libtiff's: the number that stands for "no data" as text, other text in XML,
+// the sizes of a pixel, and the matrix that stands in their place where a picture is turned.
+constexpr std::uint32_t kNoData = 42113, kMetadata = 42112, kPixelScale = 33550, kTransformation = 34264;
+
+std::string_view text_of(TIFF* tiff, std::uint32_t tag) {
+  std::uint32_t size = 0;
+  const char* text = nullptr;
+  if (TIFFGetField(tiff, tag, &size, &text) != 1 || text == nullptr) return {};
+  return {text, ::strnlen(text, size)};
+}
 
 // Refuses whatever says that the numbers are no heights, or not where they stand.
 void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
@@ -104,22 +124,28 @@ void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
   const double* scale = nullptr;
   if (TIFFGetField(tiff, kPixelScale, &count, &scale) == 1 && count >= 2 && scale[0] != scale[1])
     throw Error(file, "has pixels that are not square (ModelPixelScale); expected one size");
+  const double* matrix = nullptr;
+  if (TIFFGetField(tiff, kTransformation, &count, &matrix) == 1 && count >= 6 &&
+      !(matrix[0] > 0 && matrix[5] == -matrix[0] && matrix[1] == 0 && matrix[4] == 0))
+    throw Error(file, "has pixels that are turned or not square (ModelTransformation); expected one size, with y upwards");
+  for (const char* role : {"scale", "offset"})
+    if (text_of(tiff, kMetadata).find("role=\"" + std::string(role) + '"') != std::string_view::npos)
+      throw Error(file, "declares a" + std::string(role[0] == 'o' ? "n " : " ") + role +
+                            " of its numbers (GDAL_METADATA); expected heights, which scale_mm scales");
   if (TIFFLastDirectory(tiff) == 0 || TIFFGetField(tiff, TIFFTAG_SUBIFD, &below, &places) == 1)
     throw Error(file, "has more than one page; expected one");
 }
 
-// The number that stands for a place without data, as GDAL and what writes GeoTIFF declare it.
-std::optional<double> no_data_of(TIFF* tiff, const std::filesystem::path& file) {
-  std::uint32_t size = 0;
-  const char* text = nullptr;
-  if (TIFFGetField(tiff, kNoData, &size, &text) != 1 || text == nullptr) return std::nullopt;
-  std::string_view words(text, ::strnlen(text, size));
+// The sample that stands for a place without data, as GDAL and what writes GeoTIFF declare it.
+std::optional<double> no_data_of(TIFF* tiff, const Kind& kind, const std::filesystem::path& file) {
+  std::string_view words = text_of(tiff, kNoData);
+  if (words.data() == nullptr) return std::nullopt;
   words.remove_prefix(std::min(words.find_first_not_of(' '), words.size()));
   double number = 0;
   const auto read = std::from_chars(words.data(), words.data() + words.size(), number);
   if (read.ec != std::errc() || words.find_first_not_of(' ', static_cast<std::size_t>(read.ptr - words.data())) != words.npos)
     throw Error(file, "declares " + files::shown(words) + " for places without data (GDAL_NODATA); expected a number");
-  return number;
+  return kind.sample(number);
 }
 
 void read_strips(TIFF* tiff, const Kind& kind, Samples& samples, const Message& message) {
@@ -173,7 +199,7 @@ Samples read_tiff(const Source& source) {
   const Kind& kind = kind_of(tiff.get(), file);
   expect_heights_alone(tiff.get(), file);
   Samples samples = allocate(source, columns, rows, kind.bits / 8U, kCompressed);
-  samples.no_data = no_data_of(tiff.get(), file);
+  samples.no_data = no_data_of(tiff.get(), kind, file);
   if (TIFFIsTiled(tiff.get()) != 0)
     read_tiles(tiff.get(), kind, samples, message, most);
   else

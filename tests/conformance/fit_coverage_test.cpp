@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "properties/conformance/recordings/fit.h"
+#include "properties/conformance/recordings/rest_force.h"
 #include "tests/conformance/made_recording.h"
 #include "tests/support/drawn.h"
 
@@ -96,6 +97,22 @@ TEST(fit_coverage, the_stated_errors_hold_the_truth) {
                 each.size(), half);
     EXPECT_GE(static_cast<double>(held), 0.985 * static_cast<double>(each.size()) - 1) << kWhat[what];
     EXPECT_GT(half, 0.02) << kWhat[what];  // an interval that holds everything says nothing
+  }
+}
+
+// Sums of equal numbers are rounded, so that their mean may be another number.
+TEST(fit_coverage, the_reading_of_no_force_is_known_exactly_without_noise) {
+  for (int tenths = -30; tenths <= 30; ++tenths) {
+    const Eigen::Vector3d offset(-0.1 * tenths, 0.4, 0.1 * tenths);
+    std::vector<Measured> samples;
+    for (int i = 0; i < 2000; ++i) {
+      const double depth = std::max(0.0, std::sin(0.01 * i));
+      samples.push_back(
+          {i / 1000.0, {0, 0, -depth}, offset + Eigen::Vector3d(0, 0, 0.5 * depth), static_cast<std::size_t>(i) + 2});
+    }
+    const RestForce rest = rest_force_of(samples);
+    EXPECT_EQ(rest.force, offset) << tenths;
+    EXPECT_EQ(rest.noise, 0) << tenths;
   }
 }
 

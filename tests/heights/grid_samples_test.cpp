@@ -238,6 +238,45 @@ TEST_F(GridSamples, without_data_or_with_pixels_that_are_not_square_are_refused)
   EXPECT_EQ(written({.no_data = "none"}), "declares \"none\" for places without data (GDAL_NODATA); expected a number");
   EXPECT_EQ(written({.scale = {2, 2, 0}}, 1), "");
   EXPECT_EQ(written({.scale = {2, 3, 0}}, 1), "has pixels that are not square (ModelPixelScale); expected one size");
+  const auto turned = [&](double xx, double xy, double yx, double yy) {
+    return written({.matrix = {xx, xy, 0, 7, yx, yy, 0, 8, 0, 0, 0, 0, 0, 0, 0, 1}}, 1);
+  };
+  EXPECT_EQ(turned(2, 0, 0, -2), "");
+  for (const std::string& what :
+       {turned(2, 0, 0, -3), turned(2, 0, 0, 2), turned(0, 2, 2, 0), turned(2, 1, 0, -2), turned(2, 0, 1, -2)})
+    EXPECT_EQ(what, "has pixels that are turned or not square (ModelTransformation); expected one size, with y upwards");
+  const auto described = [&](const std::string& item) {
+    return written({.metadata = ("<GDALMetadata>" + item + "</GDALMetadata>").c_str()}, 1);
+  };
+  EXPECT_EQ(described("<Item name=\"DATE\">2026</Item>"), "");
+  EXPECT_EQ(described("<Item name=\"SCALE\" sample=\"0\" role=\"scale\">0.1</Item>"),
+            "declares a scale of its numbers (GDAL_METADATA); expected heights, which scale_mm scales");
+  EXPECT_EQ(described("<Item name=\"OFFSET\" sample=\"0\" role=\"offset\">9</Item>"),
+            "declares an offset of its numbers (GDAL_METADATA); expected heights, which scale_mm scales");
+}
+
+// The number is text, and a sample has fewer bits or runs from black to white.
+TEST_F(GridSamples, without_data_are_refused_in_every_kind_of_number) {
+  const auto expect_refused = [&]<class T>(T hole, const char* no_data, T other) {
+    std::vector<T> numbers(9, other);
+    write_tiff(directory_.file("a.tif"), 3, 3, numbers, {.no_data = no_data});
+    EXPECT_EQ(refusal(directory_.file("a.tif"), 0.001F), "") << no_data;
+    numbers[5] = hole;
+    write_tiff(directory_.file("a.tif"), 3, 3, numbers, {.no_data = no_data});
+    EXPECT_EQ(refusal(directory_.file("a.tif"), 0.001F),
+              "row 1, column 2 has no data, by the number that the file declares for that (GDAL_NODATA); expected a height")
+        << no_data;
+  };
+  expect_refused(-999.9F, "-999.9", -999.8F);
+  expect_refused(std::numeric_limits<float>::lowest(), "-3.40282347e+38", 1.0F);
+  expect_refused(-999.9, "-999.9", -999.8);
+  expect_refused(std::int8_t{-128}, "-128", std::int8_t{-127});
+  expect_refused(std::int16_t{-32768}, "-32768", std::int16_t{-32767});
+  expect_refused(std::int32_t{-2147483647 - 1}, "-2147483648", std::int32_t{1});
+  expect_refused(std::uint8_t{255}, "255", std::uint8_t{254});
+  expect_refused(std::uint16_t{65535}, "65535", std::uint16_t{65534});
+  expect_refused(std::uint16_t{0}, "0", std::uint16_t{1});
+  expect_refused(std::uint32_t{3}, "3", std::uint32_t{0});
 }
 
 TEST_F(GridSamples, of_a_lossy_or_unknown_kind_are_refused_in_words) {

@@ -39,8 +39,10 @@ struct TiffOptions {
   std::uint32_t tile = 0;   // samples each way; 0: in strips
   const char* mode = "wl";  // b: the largest byte first
   int predictor = PREDICTOR_NONE;
-  const char* no_data = nullptr;     // GDAL's tag
-  std::array<double, 3> scale = {};  // GeoTIFF's, unless it is 0
+  const char* no_data = nullptr;  // GDAL's tags
+  const char* metadata = nullptr;
+  std::array<double, 3> scale = {};  // GeoTIFF's, unless they are 0
+  std::array<double, 16> matrix = {};
 };
 
 // The first row is the top one.
@@ -61,10 +63,14 @@ void write_tiff(const std::filesystem::path& file, std::uint32_t columns, std::u
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   if (options.predictor != PREDICTOR_NONE) TIFFSetField(tiff, TIFFTAG_PREDICTOR, options.predictor);
   static const TIFFFieldInfo kTags[]{{42113, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_NODATA")},
-                                     {33550, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelPixelScale")}};
-  TIFFMergeFieldInfo(tiff, kTags, 2);
+                                     {33550, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelPixelScale")},
+                                     {34264, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelTransformation")},
+                                     {42112, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_METADATA")}};
+  TIFFMergeFieldInfo(tiff, kTags, 4);
   if (options.no_data) TIFFSetField(tiff, kTags[0].field_tag, options.no_data);
+  if (options.metadata) TIFFSetField(tiff, kTags[3].field_tag, options.metadata);
   if (options.scale[0] != 0) TIFFSetField(tiff, kTags[1].field_tag, 3, options.scale.data());
+  if (options.matrix[15] != 0) TIFFSetField(tiff, kTags[2].field_tag, 16, options.matrix.data());
   const std::uint32_t size = options.tile;
   if (size > 0) {
     TIFFSetField(tiff, TIFFTAG_TILEWIDTH, size);

@@ -24,8 +24,9 @@ RestForce rest_force_of(const std::vector<Measured>& samples) {
     closest = *tenth;
     rest = {each, closest};
   }
-  // The mean of those within four standard deviations, which are then known better.
-  for (int round = 0; round < 10; ++round) {
+  // The mean of those within four standard deviations, which are then known better. Without noise a tenth of the forces are one
+  // number, and a mean of it may be rounded to none of them.
+  for (int round = 0; round < 10 && rest.noise > 0; ++round) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double squares = 0, count = 0;
     for (const Eigen::Vector3d& each : forces) {
