@@ -42,6 +42,8 @@ enum class Fault {
   pulls,
   no_limit,
   steps,
+  steps_unnoticed,
+  no_limit_at_first_touch,
   keeps_speed,
   unfiltered_sign,
   speed_outlives_pause,
@@ -52,8 +54,10 @@ enum class Fault {
 // A wall with damping along z, in binary64.
 class Damper : public RendererUnderTest {
  public:
-  Damper(Fault fault, bool claims_definition, const Json& scene) : fault_(fault) {
-    Json hello = hello_with({{"damping", kDamping}, {"share", kShare}});
+  Damper(Fault fault, bool claims_definition, const Json& scene, const Json& also = Json::object()) : fault_(fault) {
+    Json damping = {{"damping", kDamping}, {"share", kShare}};
+    damping.update(also);
+    Json hello = hello_with(damping);
     if (claims_definition) hello["claims"] = "definition";
     hello_ = hello_of(hello, scene);
   }
@@ -78,13 +82,19 @@ class Damper : public RendererUnderTest {
     if (!(position.array().abs() <= 10'000).all()) return 0;
     const double z = std::abs(position.z()) < 0x1p-30F ? 0 : static_cast<double>(position.z());
     if (periods > 0) move_to(z);
-    const double spring = z < 0 ? -0.75 * z : 0, most = fault_ == Fault::no_limit ? HUGE_VAL : 2 * spring;
+    const double spring = z < 0 ? -0.75 * z : 0, most = has_no_limit(spring) ? HUGE_VAL : 2 * spring;
     double speed = static_cast<double>(speed_);
     if (fault_ == Fault::unfiltered_sign) speed = std::copysign(speed, unfiltered_);
     double damped = spring - static_cast<double>(kDamping) * speed;
     if (fault_ != Fault::pulls) damped = std::max(damped, 0.0);
     if (spring == 0) return 0;
-    return static_cast<float>(std::min(damped, most) + (fault_ == Fault::steps ? 0.1 : 0));
+    return static_cast<float>(std::min(damped, most) + (fault_ == Fault::steps             ? 0.1
+                                                        : fault_ == Fault::steps_unnoticed ? 0.005
+                                                                                           : 0));
+  }
+
+  bool has_no_limit(double spring) const {
+    return fault_ == Fault::no_limit || (fault_ == Fault::no_limit_at_first_touch && spring < 0.005);
   }
 
   void move_to(double z) {
@@ -123,8 +133,8 @@ Names failures(const Conformance& its) {
   return names;
 }
 
-Names failures(Fault fault, bool claims_definition = false) {
-  const auto open = [=](const Json& scene) { return std::make_unique<Damper>(fault, claims_definition, scene); };
+Names failures(Fault fault, bool claims_definition = false, const Json& also = Json::object()) {
+  const auto open = [=](const Json& scene) { return std::make_unique<Damper>(fault, claims_definition, scene, also); };
   return failures(conform(kWall, open, {.points = 4000, .tolerance = {Unit::newton, *files::Decimal::of("0.001")}}));
 }
 
@@ -137,6 +147,10 @@ TEST(damping_under_conform, each_fault_is_found_by_the_check_that_looks_for_it) 
   EXPECT_TRUE(failures(Fault::pulls).contains(kLeaving));
   EXPECT_TRUE(failures(Fault::no_limit).contains(kLanding));
   EXPECT_TRUE(failures(Fault::steps).contains(kLanding)) << "one of a tenth of a newton is felt, too";
+  EXPECT_TRUE(failures(Fault::steps, false, {{"drag", 0.001}, {"full_at", 0x1p-10}}).contains(kLanding))
+      << "as much drag is no step";
+  EXPECT_FALSE(failures(Fault::steps_unnoticed).contains(kLanding)) << "one of a two hundredth is not";
+  EXPECT_TRUE(failures(Fault::no_limit_at_first_touch).contains(kLanding)) << "looked at in the first micrometres";
   EXPECT_TRUE(failures(Fault::keeps_speed).contains(kRest));
   EXPECT_EQ(failures(Fault::speed_outlives_pause), Names{kPauses});
   EXPECT_TRUE(failures(Fault::ignores_periods).contains(kMissed));
@@ -172,6 +186,10 @@ TEST(damping_under_conform, holds_of_the_own_renderer) {
     EXPECT_EQ(its.judgement.all.wrong, 0U);
     EXPECT_GT(its.judgement.all.cases, 1900U);
     EXPECT_EQ(its.invariants.size(), 25U);
+    for (const Invariant& invariant : its.invariants)
+      if (invariant.name == kRest || invariant.name == kLeaving) {
+        EXPECT_FALSE(invariant.not_applicable) << invariant.name;
+      }
   }
 }
 

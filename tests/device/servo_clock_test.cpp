@@ -240,12 +240,20 @@ TEST(servo_loop, follows_the_frames_of_a_device_that_paces) {
 
 // Frames that are a little early are as many periods as those that are a little late.
 TEST(servo_loop, counts_the_nearest_number_of_periods_between_two_frames) {
-  World clock;
-  Framed device(clock, [&](std::size_t tick) { clock.pass(tick == 5 ? 3.1 : 0.2); });
-  device.period = 980'000;
-  const Kept run(device, wall(), {.max_seconds = 0.01, .damping = {.drag = 0.001F}});
-  EXPECT_EQ(run.samples[6].periods(), 3U);
-  EXPECT_EQ(device.frames[6] - device.frames[5], 3);
+  struct Case {
+    std::int64_t period;  // ns
+    double took;          // ms, the tick before
+    std::int64_t frames;
+    std::uint32_t periods;
+  };
+  for (const auto& [period, took, frames, periods] : {Case{980'000, 3.1, 3, 3}, {800'000, 1.7, 2, 2}, {700'000, 1.5, 2, 1}}) {
+    World clock;
+    Framed device(clock, [&, its = took](std::size_t tick) { clock.pass(tick == 5 ? its : 0.2); });
+    device.period = period;
+    const Kept run(device, wall(), {.max_seconds = 0.01, .damping = {.drag = 0.001F}});
+    EXPECT_EQ(run.samples[6].periods(), periods) << period;
+    EXPECT_EQ(device.frames[6] - device.frames[5], frames) << period;
+  }
 }
 
 TEST(servo_loop, follows_its_own_clock_where_it_is_told_to_or_where_nothing_is_paced) {

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <tuple>
 #include <vector>
 
@@ -50,6 +52,17 @@ TEST(servo_loop, commands_the_force_of_every_recorded_position) {
   EXPECT_LE(result.compute_us.p9999, result.compute_us.max);
   EXPECT_LE(result.compute_us.max, result.tick_us.max);
   EXPECT_TRUE(result.wakeup_us.histogram.empty());
+}
+
+// A count that the device no longer gives is none, and not the one before.
+TEST(servo_loop, records_the_counts_of_the_encoders_where_its_device_gives_them) {
+  auto path = path_of({{0, 0, -1}, {0, 0, -1}});
+  for (Reading& reading : path) reading.encoder = {7, -8, 9};
+  path[1].encoder.reset();
+  Replay replay(path);
+  const Kept result(replay, wall(), unpaced());
+  EXPECT_EQ(result.samples[0].encoder, (std::array<std::int64_t, 3>{7, -8, 9}));
+  EXPECT_EQ(result.samples[1].encoder, Sample{}.encoder);
 }
 
 // By hand, K = 0.5 N/mm. Forces held, in N along z: 0, 0.5, 1, 1.5, 0.5, 0. Steps along z, in mm: -2, -1, -1, +2, +3.

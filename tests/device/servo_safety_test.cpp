@@ -10,6 +10,7 @@
 #include "device/sent_forces.h"
 #include "device/simulated/simulated.h"
 #include "tests/device/servo_loop_fixture.h"
+#include "tests/support/words.h"
 
 namespace forceshade::device {
 namespace {
@@ -287,9 +288,16 @@ TEST(servo_loop, refuses_a_device_that_does_not_know_its_limits_or_lacks_the_but
   for (Unknowing* device : {&none, &low})
     EXPECT_THROW(run_servo_loop(*device, wall(), unpaced(), kNeverStop), std::invalid_argument);
   Pushing device;
+  Unknowing bare;
+  bare.known.buttons = 0;
+  const auto words = [](Device& its, int button) {
+    return tests::thrown_by<std::invalid_argument>(
+        [&] { run_servo_loop(its, wall(), {.dead_man_button = button}, kNeverStop); });
+  };
   for (const int button : {-1, 2})
-    EXPECT_THROW(run_servo_loop(device, wall(), {.dead_man_button = button}, kNeverStop), std::invalid_argument) << button;
-  EXPECT_TRUE(device.commands.empty() && none.commands.empty());
+    EXPECT_EQ(words(device, button), "dead-man button: expected 0 to 1, a button of the device, got " + std::to_string(button));
+  EXPECT_EQ(words(bare, 0), "dead-man button: expected none, because the device has no buttons, got 0");
+  EXPECT_TRUE(device.commands.empty() && none.commands.empty() && bare.commands.empty());
 }
 
 }  // namespace

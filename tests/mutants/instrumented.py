@@ -142,6 +142,6 @@ def wrapped(site, mutants, inner):
     if site.is_statement:
         parts = [f"if ({one}) {{ {mutant.changed}; }} else " for one, mutant in zip(chosen, mutants)]
         return "".join(parts).encode() + b"{ " + inner + b"; }"
-    parts = [f"{one} ? ({mutant.changed}) : " for one, mutant in zip(chosen, mutants)]
-    kept = b"static_cast<bool>(" if site.is_condition else b"("
-    return b"(" + "".join(parts).encode() + kept + inner + b"))"
+    cast = "static_cast<bool>" if site.is_condition else ""  # both sides: a bool would become an optional that has a value
+    parts = [f"{one} ? {cast}({mutant.changed}) : " for one, mutant in zip(chosen, mutants)]
+    return f"({''.join(parts)}{cast}(".encode() + inner + b"))"

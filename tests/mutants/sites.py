@@ -67,7 +67,7 @@ class File:
         original = " ".join(self.bytes[begin:end].decode().split())
         site = self.sites.setdefault(key, Site(self.name, cursor.extent.start.line, cursor.extent.end.line, begin, end, is_statement,
                                                original, [], kind))
-        site.is_condition |= kind == "condition"
+        site.is_condition |= kind in ("condition", "logical operator") or kind == "sign" and text.startswith("!")
         for one in changed:
             if one not in site.changed and one != text:
                 site.changed.append(one)
@@ -222,9 +222,10 @@ class Finder:
         arguments = [argument for argument in cursor.get_arguments() if argument is not None]
         name = cursor.spelling
         if name in ("operator==", "operator!=") and len(arguments) == 2 and type_of(cursor) == TypeKind.BOOL:
-            a, b = self.file.text(arguments[0]), self.file.text(arguments[1])
-            other = "!=" if name == "operator==" else "=="
-            self.file.add(cursor, [f"( {a} ) {other} ( {b} )"], "operator")
+            (left, right), a, b = map(span, arguments), *map(self.file.text, arguments)
+            sign = self.file.words(left[1], right[0])  # since C++20 an != may be a call of operator==
+            if sign in ("==", "!="):
+                self.file.add(cursor, [f"( {a} ) {SWAPS[sign][0]} ( {b} )"], "operator")
             return
         if name.startswith("operator"):
             return

@@ -33,7 +33,12 @@ int room(int used, bool is_open) {
   return is_open ? kRoom - used : -used;
 }
 Place place(int a) { return a < 0 ? Place::before : Place::behind; }
+#include <optional>
+struct Row { int number; bool operator==(const Row&) const = default; };
+void sit(std::optional<int> seat) { if (!seat || *seat > 1) count += 1; }
+bool is_elsewhere(Row a, Row b) { return a != b; }
 int main() {
+  sit(1);
   int first = room(1, true), second = room(5, true), third = static_cast<int>(place(2));
   std::printf("%d %d %d %d\\n", first, second, count, third);
 }
@@ -47,6 +52,8 @@ EXPECTED = {  # line: what may stand there
     14: {""},
     16: {"false", "true", "( kRoom ) + ( used )", "kRoom", "kRoom + 1", "used"},
     18: {"false", "true", "( a ) <= ( 0 )", "( a ) > ( 0 )", "1", "Place :: behind", "Place :: before"},
+    21: {"false", "true", "( ! seat ) && ( * seat > 1 )", "! seat", "* seat > 1", "seat", "( * seat ) >= ( 1 )", "( * seat ) < ( 1 )", "2"},
+    22: {"( a ) == ( b )"},
 }
 
 LISTED = """# file | original => changed
@@ -91,6 +98,7 @@ with tempfile.TemporaryDirectory() as name:
     assert usual == "2 2 3 1\n", usual
     one = {(mutant.site.line, mutant.changed): mutant for mutant in mutants}
     assert printed(active=[one[11, ""]])[0] == "2 2 1 1\n"
+    assert printed(active=[one[21, "seat"]])[0] == "2 2 4 1\n"
     assert printed(active=[one[10, "std :: min ( used - kRoom , 0 )"]])[0] == "2 0 3 1\n"
     assert printed(active=[one[18, "( a ) > ( 0 )"], one[14, ""]])[0] == "2 2 2 0\n"
     assert reached[one[11, ""].number] == 1 and reached[one[16, "used"].number] == 0

@@ -293,6 +293,7 @@ TEST(database, read_by_someone_who_does_not_trust_it_runs_no_view_and_nothing_wi
             "reading it takes more steps than a recording of its size needs");
   EXPECT_NE(words("SELECT length(zeroblob(2000000))"), "");
   EXPECT_NE(words("ATTACH ':memory:' AS other"), "");
+  EXPECT_EQ(words("SELECT y FROM chunk"), "no such column: y");
   EXPECT_NE(words("DELETE FROM chunk"), "");
 }
 

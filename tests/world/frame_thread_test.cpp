@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -260,6 +261,41 @@ TEST(framed_device, starts_once_its_frames_are_good_or_says_why_not) {
       EXPECT_EQ(!fault, its.words.empty());
       EXPECT_EQ(attendant.heard.find("move it home") != std::string::npos, its.calibrated_from > 0);
       EXPECT_EQ(journal.is_closed, fault.has_value());
+    });
+}
+
+// At once, and not when the time for the start is over.
+TEST(framed_device, that_breaks_while_it_starts_says_so_in_its_own_words) {
+  in_world([] {
+    Listener attendant(false);
+    Journal journal;
+    const auto device = opened({.change =
+                                    [](int frame, FrameState&) {
+                                      if (frame == 100) throw std::runtime_error("the arm was unplugged");
+                                    }},
+                               journal, attendant);
+    const auto fault = device->start(1000);
+    ASSERT_TRUE(fault);
+    EXPECT_STREQ(fault->words, "the arm was unplugged");
+    EXPECT_EQ(journal.forces.size(), 101U);
+    EXPECT_LT(system::now() - journal.begins.front(), 200'000'000);
+  });
+}
+
+TEST(framed_device, says_at_its_end_how_far_the_force_was_from_what_it_was_told) {
+  for (const bool says : {false, true})
+    in_world([says] {
+      Listener attendant(false);
+      Journal journal;
+      auto device = opened({.change =
+                                [=](int frame, FrameState& state) {
+                                  if (says) state.applied = Eigen::Vector3d(0, 0, frame == 100 ? 0.25 : 0);
+                                }},
+                           journal, attendant);
+      ASSERT_FALSE(device->start(1000));
+      device.reset();
+      const bool told = attendant.heard.find("differed from the commanded one by at most 0.25 N") != std::string::npos;
+      EXPECT_EQ(told, says) << attendant.heard;
     });
 }
 

@@ -79,6 +79,7 @@ TEST(command_device, names_what_is_wrong_with_a_hello) {
             its + "workspace_mm [[100,0,0],[0,1,1]]; expected [[x, y, z], [x, y, z]] in mm"},
            {"N\":1,", "N\":4,", its + "continuous_force_N 4; expected a number of N from 0.001 to peak_force_N"},
            {"buttons\":2", "buttons\":0.5", its + "buttons 0.5; expected a whole number from 0 to 16"},
+           {"buttons\":2", "buttons\":-1", its + "buttons -1; expected a whole number from 0 to 16"},
            {"paces\":false", "paces\":1", its + "paces 1; expected true or false"},
            {"\"paces", "\"buttons\":3,\"paces", "the key \"buttons\" twice"},
            {right, "hello", "the program wrote \"hello\"; expected a JSON object in one line"},
@@ -151,14 +152,15 @@ TEST(command_device, says_what_calibrates_it) {
       << listener.words;
 }
 
-// Opened for no force, it is sent none, whatever is commanded.
+// Opened for no force, or with its forces switched off, it is sent none, whatever is commanded.
 TEST(command_device, sends_no_force_that_is_forbidden) {
-  const Program program("right");
-  Attendant nobody;
-  {
+  for (const auto& [mode, may_force] : {std::pair{"right", false}, {"off", true}}) {
+    SCOPED_TRACE(mode);
+    const Program program(mode);
+    Attendant nobody;
     FramedOptions options = kPatient;
-    options.force = false;
-    const auto device = open_command(program.command(), options, nobody);
+    options.force = may_force;
+    auto device = open_command(program.command(), options, nobody);
     ASSERT_FALSE(device->start(kRate));
     device->allow({.work = 1e6, .longest_step = 1});
     for (int tick = 0; tick < 20; ++tick) {
@@ -167,9 +169,10 @@ TEST(command_device, sends_no_force_that_is_forbidden) {
       device->command({0, 0, 0.5F});
     }
     EXPECT_FALSE(device->state().forces_on);
+    device.reset();
+    for (const std::string& line : program.lines())
+      EXPECT_TRUE(line == R"({"force_N":[0,0,0]})" || line == R"({"end":true})") << line;
   }
-  for (const std::string& line : program.lines())
-    EXPECT_TRUE(line == R"({"force_N":[0,0,0]})" || line == R"({"end":true})") << line;
 }
 
 // A program that writes much on its standard error does not stop.
@@ -179,6 +182,7 @@ TEST(command_device, allocates_nothing_once_started) {
   const auto device = open_command(program.command(), kPatient, nobody);
   EXPECT_EQ(device->capabilities().model, "test arm");
   EXPECT_EQ(device->capabilities().peak_force, 3);
+  EXPECT_EQ(device->capabilities().resolution, 0.05F);
   EXPECT_EQ(device->capabilities().buttons, 2);
   EXPECT_TRUE(device->capabilities().paces);
   ASSERT_FALSE(device->start(kRate));

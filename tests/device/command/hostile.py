@@ -63,7 +63,7 @@ def main():
             print("a word to nobody " * 10, file=sys.stderr, flush=True)
             answer()
         else:
-            answer(calibrated=mode != "uncalibrated")
+            answer(calibrated=mode != "uncalibrated", forces_on=mode != "off")
     print(time.monotonic(), "end of input", file=log)
     if mode == "ignores-signals":
         wait()

@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 #include <tuple>
+#include <vector>
 
 #include "device/dhd/timed_calls.h"
 #include "tests/device/dhd/fake.h"
@@ -105,6 +106,27 @@ TEST(timed_calls, do_not_wait_for_one_that_does_not_return) {
     EXPECT_FALSE(calls.run(stuck, 10ms));
   }
   *may_return = true;
+}
+
+TEST(dhd_device_check, says_what_the_vendors_library_sees) {
+  struct Case {
+    const char* settings;
+    Grade grade;
+    const char* words;
+  };
+  for (const Case& its : {Case{"available=yes", Grade::ok, "the vendor's library sees 1, of which 1 can be opened"},
+                          {"available=no", Grade::wrong,
+                           "the vendor's library sees 1, of which 0 can be opened: end the program that uses it"}}) {
+    const StandIn stand_in(its.settings);
+    const Check devices = dhd_checks("").back();
+    EXPECT_EQ(devices.grade, its.grade) << its.settings;
+    EXPECT_EQ(devices.words, its.words);
+  }
+  ::setenv("FORCESHADE_DHD_LIBRARY", "/no/libdhd.so.3", 1);
+  const std::vector<Check> checks = dhd_checks("");
+  EXPECT_EQ(checks.front().grade, Grade::wrong);
+  EXPECT_EQ(checks.back().grade, Grade::unknown);
+  EXPECT_EQ(checks.back().words, "there is no library");
 }
 
 TEST(dhd_usb, check_says_what_is_missing) {
