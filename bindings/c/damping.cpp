@@ -15,8 +15,6 @@ namespace forceshade::c {
 namespace {
 
 constexpr std::size_t kNumbers = sizeof(forceshade_damping) - offsetof(forceshade_damping, rate);
-constexpr std::size_t kState =
-    offsetof(forceshade_damping_state, velocity) + 3 * sizeof(float) - offsetof(forceshade_damping_state, has_position);
 
 // The last damping of a thread, in the state that it left last: to look at numbers, arithmetic and a state takes as long as a
 // tick.
@@ -26,7 +24,11 @@ struct Last {
   forceshade_damping_state left{};  // 0: of a beginning
 
   void resume(const forceshade_damping_state& from) noexcept {
-    if (std::memcmp(&from.has_position, &left.has_position, kState) != 0) damping->resume(damping_state_of(from));
+    // In the pieces that leave() stores: a load across two of them would wait for both.
+    const bool is_same = from.has_position == left.has_position && from.periods == left.periods &&
+                         std::memcmp(from.position, left.position, sizeof left.position) == 0 &&
+                         std::memcmp(from.velocity, left.velocity, sizeof left.velocity) == 0;
+    if (!is_same) damping->resume(damping_state_of(from));
   }
   // Two times from the numbers: a copy of what was just stored would wait for it.
   void leave(forceshade_damping_state& state) noexcept {
@@ -95,7 +97,10 @@ forceshade_result forceshade_damping_step(const forceshade_damping* damping, for
   return with_damping(damping, state, [&](Last& its) {
     const Status spring = status == nullptr ? Status::contact : static_cast<Status>(*status);
     its.resume(*state);
-    const fast::Evaluation damped = its.damping->tick(*as_vectors(position), periods, {*as_vectors(force), spring});
+    // One by one, as they were just stored (give() in batch.h).
+    const volatile float* const components = force;
+    const fast::Evaluation answer{{float{components[0]}, float{components[1]}, float{components[2]}}, spring};
+    const fast::Evaluation damped = its.damping->tick(*as_vectors(position), periods, answer);
     its.leave(*state);
     return give(damped, force, status);
   });

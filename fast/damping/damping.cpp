@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 #include "fast/damping/exact.h"
@@ -43,11 +44,25 @@ bool is_valid(const damping::State& state) noexcept {
 double exactly(float a) noexcept {
   return static_cast<double>(a);
 }
-Quad quad(const std::array<double, 4>& a) noexcept {
-  return {Pair64{a[0], a[1]}, Pair64{a[2], 0}};
+bool is_power_of_two(float a) noexcept {
+  int exponent = 0;
+  return std::frexp(a, &exponent) == 0.5F;
 }
-std::array<double, 4> numbers_of(const Quad& a) noexcept {
-  return {a.low[0], a.low[1], a.high[0], 0};
+Quad quad(const std::array<double, 4>& a) noexcept {
+  return Quad::load(a.data());
+}
+// In two vectors, as the next tick loads them: a wider load than the store before it has to wait.
+void put(const Quad& from, std::array<double, 4>& to) noexcept {
+  std::memcpy(&to[0], &from.low, sizeof from.low);
+  std::memcpy(&to[2], &from.high, sizeof from.high);
+}
+void put(Four32 from, std::array<float, 3>& to) noexcept {
+  std::memcpy(to.data(), &from, sizeof to);
+}
+std::array<float, 3> in_binary32(const Quad& a) noexcept {
+  std::array<float, 3> numbers{};
+  put(to_binary32(a), numbers);
+  return numbers;
 }
 Eigen::Vector3f force_of(Four32 a) noexcept {
   a = a + Four32{};  // -0 becomes +0
@@ -55,11 +70,9 @@ Eigen::Vector3f force_of(Four32 a) noexcept {
 }
 
 // The velocities after any number of periods, below 2^-20 mm/s, too, in the last of them.
-[[gnu::noinline]] Quad decided_velocity(const Quad& v, const Quad& x, const Quad& before, const damping::Parameters& p,
-                                        int periods, Stage& stage) noexcept {
-  raise(stage, Stage::wide);
+Four32 decided_velocity(const Quad& v, Four32 x, const Quad& before, const damping::Parameters& p, int periods) noexcept {
   std::array<float, 3> velocity = in_binary32(v);
-  const std::array<float, 3> to = in_binary32(x), from = in_binary32(before);
+  const std::array<float, 3> to{x[0], x[1], x[2]}, from = in_binary32(before);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (int period = 0; period < periods; ++period) {
       if (std::fabs(velocity[axis]) < kLeastVelocity) velocity[axis] = 0;
@@ -69,19 +82,37 @@ Eigen::Vector3f force_of(Four32 a) noexcept {
 }
 
 // The same as filtered_force(), sure at last; and forces that are too large, or no numbers, are handed on.
-[[gnu::noinline]] Eigen::Vector3f decided_force(const Quad& v, const Eigen::Vector3f& force, const damping::Parameters& p,
-                                                Stage& stage) noexcept {
-  const std::array<float, 3> f{force.x(), force.y(), force.z()};
-  if (!std::ranges::all_of(f, [](float one) { return std::fabs(one) < kForcesEnd; })) return force;
+[[gnu::noinline]] Evaluation decided_force(const Quad& v, const Evaluation& spring, Stage stage,
+                                           const damping::Parameters& p) noexcept {
+  const std::array<float, 3> f{spring.force.x(), spring.force.y(), spring.force.z()};
+  if (!std::ranges::all_of(f, [](float one) { return std::fabs(one) < kForcesEnd; }))
+    return {spring.force, spring.status, stage};
   raise(stage, Stage::wide);
-  return Eigen::Vector3f(exact_force(in_binary32(v), f, p).data());
+  return {Eigen::Vector3f(exact_force(in_binary32(v), f, p).data()), spring.status, stage};
+}
+
+// The answer at a velocity.
+template <class Numbers>
+FORCESHADE_INLINE Evaluation damped(const Quad& v, const Evaluation& spring, Stage stage, const Numbers& numbers,
+                                    const damping::Parameters& p) noexcept {
+  const Rounded force = filtered_force(v, three_in_binary64(spring.force.data()), numbers);
+  if (force.is_sure()) [[likely]]
+    return {force_of(force.value), spring.status, stage};
+  return decided_force(v, spring, stage, p);
 }
 
 }  // namespace
 
 Damping::Damping(const damping::Parameters& p) noexcept
-    : parameters_(p), numbers_{exactly(p.rate), exactly(p.share), exactly(p.damping),
-                               exactly(p.most), exactly(p.drag),  1 / (exactly(p.full_at) * exactly(p.full_at))} {}
+    : parameters_(p),
+      numbers_{.keep = 1 - exactly(p.share),
+               .gain = exactly(p.share) * exactly(p.rate),
+               .damping = exactly(p.damping),
+               .most = exactly(p.most),
+               .drag = exactly(p.drag),
+               .per_square = 1 / (exactly(p.full_at) * exactly(p.full_at)),
+               .is_short = is_power_of_two(p.share),
+               .has_drag = p.drag != 0} {}
 
 std::variant<Damping, ParameterError> Damping::build(const damping::Parameters& p) noexcept {
   if (const char* fault = arithmetic_fault_here()) return ParameterError{"arithmetic", "", 0, 0, 0, fault};
@@ -90,43 +121,62 @@ std::variant<Damping, ParameterError> Damping::build(const damping::Parameters& 
 }
 
 damping::State Damping::state() const noexcept {
-  if (periods_ == kNoPosition) return {};
-  return {true, in_binary32(quad(position_)), in_binary32(quad(velocity_)), static_cast<std::uint8_t>(periods_)};
+  damping::State its;
+  if (periods_ == kNoPosition) return its;
+  its.has_position = true;
+  its.periods = static_cast<std::uint8_t>(periods_);
+  put(to_binary32(quad(position_)), its.position);
+  put(to_binary32(quad(velocity_)), its.velocity);
+  return its;
 }
 
 void Damping::resume(const damping::State& given) noexcept {
   const damping::State state = is_valid(given) ? given : damping::State{};
-  position_ = numbers_of(three(state.position.data()));
-  velocity_ = numbers_of(three(state.velocity.data()));
+  put(three_in_binary64(state.position.data()), position_);
+  put(three_in_binary64(state.velocity.data()), velocity_);
   periods_ = state.has_position ? state.periods : kNoPosition;
 }
 
+// The usual tick: a period after a valid position, and binary64 is sure.
 Evaluation Damping::tick(const Eigen::Vector3f& position, std::uint32_t periods, const Evaluation& spring) noexcept {
   if (parameters_.is_off()) return spring;
+  const Four32 read = three(position.data());
+  if (periods_ == 0 && periods == 1 && spring.status != Status::invalid &&
+      are_at_most(absolute(read), three(kLargestCoordinate))) [[likely]] {
+    const Quad x = to_binary64(flushed(read, three(kPositionQuantum)));
+    const Rounded velocity = filtered_velocity(quad(velocity_), x, quad(position_), numbers_);
+    if (velocity.is_sure()) [[likely]] {
+      const Quad v = to_binary64(flushed(velocity.value, three(kLeastVelocity)));
+      put(v, velocity_);
+      put(x, position_);
+      return damped(v, spring, spring.stage, numbers_, parameters_);
+    }
+  }
+  return rare_tick(position, periods, spring);
+}
+
+[[gnu::noinline]] Evaluation Damping::rare_tick(const Eigen::Vector3f& position, std::uint32_t periods,
+                                                const Evaluation& spring) noexcept {
   if (periods_ != kNoPosition) periods_ = std::min(periods_ + std::min(periods, kNoSpeed), kNoSpeed);
-  const Quad read = three(position.data());
-  if (spring.status == Status::invalid || !are_at_most(absolute(read), exactly(kLargestCoordinate))) [[unlikely]]
+  const Four32 read = three(position.data());
+  if (spring.status == Status::invalid || !are_at_most(absolute(read), three(kLargestCoordinate)))
     return {{0, 0, 0}, Status::invalid, spring.stage};
   Stage stage = spring.stage;
   Quad v = quad(velocity_);
-  if (periods != 0) [[likely]] {
-    const Quad x = flushed(read, exactly(kPositionQuantum)), before = quad(position_);
-    SurelyRounded after = filtered_velocity(v, x, before, numbers_.rate, numbers_.share);
-    if (!after.is_sure) after = velocity_of_short_numbers(v, x, before, numbers_.rate, numbers_.share);
-    if (periods_ == 1 && after.is_sure) [[likely]]
-      v = flushed(to_binary64(after.value), exactly(kLeastVelocity));
-    else if (periods_ >= kNoSpeed)
+  if (periods != 0) {
+    const Four32 x = flushed(read, three(kPositionQuantum));
+    if (periods_ >= kNoSpeed) {
       v = Quad(0.0);
-    else
-      v = flushed(decided_velocity(v, x, before, parameters_, static_cast<int>(periods_), stage), exactly(kLeastVelocity));
-    velocity_ = numbers_of(v);
-    position_ = numbers_of(x);
+    } else {
+      const Four32 decided = decided_velocity(v, x, quad(position_), parameters_, static_cast<int>(periods_));
+      v = to_binary64(flushed(decided, three(kLeastVelocity)));
+      raise(stage, Stage::wide);
+    }
+    put(v, velocity_);
+    put(to_binary64(x), position_);
     periods_ = 0;
   }
-  const SurelyRounded force = filtered_force(v, three(spring.force.data()), numbers_);
-  if (force.is_sure) [[likely]]
-    return {force_of(force.value), spring.status, stage};
-  return {decided_force(v, spring.force, parameters_, stage), spring.status, stage};
+  return damped(v, spring, stage, numbers_, parameters_);
 }
 
 }  // namespace forceshade::fast

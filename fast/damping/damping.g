@@ -7,41 +7,40 @@
 a = a_; b = b_; c = c_;
 sum_ab rel= a + b; sum rel= sum_ab + c;
 SUM = (a + b) + c;
-along = along_; square = square_; damping = damping_;
-v = v_; f = f_; scale = scale_; per_square = per_square_; rate = rate_; share = share_;
-inverse rel= 1 / square; ratio rel= along * inverse;
-turn rel= damping * ratio;
-TURN = damping * (ALONG * (1 / SQUARE));
-pull rel= ratio * f; across rel= v - pull;
-ACROSS = v - (ALONG * (1 / SQUARE)) * f;
-pressed rel= scale * square; full rel= pressed * per_square;
-FULL = scale * SQUARE * PER_SQUARE;
+along = along_; square = square_; damping = damping_; margin = margin_;
+v = v_; f = f_; scale = scale_; drag = drag_; per_square = per_square_; keep = keep_; gain = gain_;
+per rel= damping / square; moved rel= along + margin; turn rel= per * moved;
+TURN = (damping / SQUARE) * (ALONG + margin);
+part rel= square * per_square; full rel= scale * part;
+FULL = scale * (SQUARE * PER_SQUARE);
+inverse rel= 1 / square; ratio rel= along * inverse; pull rel= drag * ratio; both rel= scale + pull;
+pressed rel= both * f; dragged rel= drag * v; force rel= pressed - dragged;
+FORCE = (scale + drag * (ALONG * (1 / SQUARE))) * f - drag * v;
 x any= float<ieee_32, ne>(x_);
 before any= float<ieee_32, ne>(before_);
-way rel= x - before; speed rel= rate * way;
-gain rel= speed - v; part rel= share * gain; after rel= v + part;
-SPEED = rate * (x - before);
-AFTER = v + share * (SPEED - v);
+way rel= x - before; kept rel= keep * v; gained rel= gain * way; after rel= kept + gained;
+GAINED = gain * (x - before);
+AFTER = keep * v + GAINED;
 # A sum of three products, beside the sum of their sizes, 1. Of squares it is relative.
 #! piece part_sum
 { |a + b| <= 1 /\ |(a + b) + c| <= 1 -> sum - SUM in ? }
-# B (v·f)/f², beside B times the sum of the sizes of v·f over f².
+# B (v·f)/f², beside B times the sum of the sizes of v·f over f²; the margin is 16 units of 2^-53 of that sum.
 #! piece turn
-{ |ALONG| <= 1 /\ SQUARE in [1, 1] /\ damping in [1, 1]
+{ |ALONG| <= 1 /\ SQUARE in [1, 1] /\ damping in [1, 1] /\ |margin| <= 0x1.001p-49
 /\ |along - ALONG| <= 0x1.001p-52  # from damping part_sum
 /\ |square - SQUARE| <= 0x1.001p-52  # from damping part_sum
 -> turn - TURN in ? }
-# v less its part along f: a component, beside the larger of v and the part's size.
-#! piece across
-{ |ALONG| <= 1 /\ SQUARE in [1, 1] /\ |f| <= 1 /\ |v| <= 1
-/\ |along - ALONG| <= 0x1.001p-52  # from damping part_sum
-/\ |square - SQUARE| <= 0x1.001p-52  # from damping part_sum
--> across - ACROSS in ? }
 # s f²/F₀², relative; s as it was computed.
 #! piece full
 { scale in [1, 1] /\ SQUARE in [1, 1] /\ PER_SQUARE in [1, 1]
 /\ |square - SQUARE| <= 0x1.001p-52  # from damping part_sum
 /\ |per_square - PER_SQUARE| <= 1b-53 -> full - FULL in ? }
-# The velocity after a period, beside the larger of v and u.
+# A component of the force with drag, beside the largest of s|f|, q times the sum of the sizes of v·f over f² times |f|, and q|v|.
+#! piece force
+{ |scale| <= 1 /\ drag in [1, 1] /\ |f| <= 1 /\ |v| <= 1 /\ |ALONG| <= 1 /\ SQUARE in [1, 1]
+/\ |along - ALONG| <= 0x1.001p-52  # from damping part_sum
+/\ |square - SQUARE| <= 0x1.001p-52  # from damping part_sum
+-> force - FORCE in ? }
+# The velocity after a period, beside the larger of what is kept and what is gained.
 #! piece velocity
-{ |SPEED| <= 1 /\ rate in [1, 0x1p17] /\ |v| <= 1 /\ share in [1b-10, 1] -> after - AFTER in ? }
+{ |keep * v| <= 1 /\ |GAINED| <= 1 -> after - AFTER in ? }

@@ -16,6 +16,7 @@ namespace forceshade::fast {
 using Pair64 = double __attribute__((vector_size(16)));
 using PairOfBits = std::int64_t __attribute__((vector_size(16)));
 using Four32 = float __attribute__((vector_size(16)));
+using FourOfBits = std::int32_t __attribute__((vector_size(16)));
 
 struct Pair32 {
   std::int32_t first, second;
@@ -103,14 +104,15 @@ struct Quad {
     return {reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.low) & INT64_MAX),
             reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.high) & INT64_MAX)};
   }
-  // 0 in place of what is below `least` in size.
-  FORCESHADE_INLINE friend Quad flushed(Quad a, double least) {
-    const Pair64 bound{least, least};
-    const Quad size = absolute(a);
-    return {reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.low) & (size.low >= bound)),
-            reinterpret_cast<Pair64>(reinterpret_cast<PairOfBits>(a.high) & (size.high >= bound))};
-  }
 };
+
+FORCESHADE_INLINE Four32 absolute(Four32 a) {
+  return reinterpret_cast<Four32>(reinterpret_cast<FourOfBits>(a) & INT32_MAX);
+}
+// 0 in place of what is below `least` in size.
+FORCESHADE_INLINE Four32 flushed(Four32 a, Four32 least) {
+  return reinterpret_cast<Four32>(reinterpret_cast<FourOfBits>(a) & (absolute(a) >= least));
+}
 
 // Each lane rounded to binary32; each lane exactly; and whether two are the same, where 0 and -0 are.
 #if defined(__SSE2__)
@@ -123,9 +125,11 @@ FORCESHADE_INLINE Quad to_binary64(Four32 a) {
 FORCESHADE_INLINE bool are_equal(Four32 a, Four32 b) {
   return _mm_movemask_ps(_mm_cmpneq_ps(a, b)) == 0;
 }
-FORCESHADE_INLINE bool are_at_most(Quad a, double most) {
-  const Pair64 bound{most, most};
-  return (_mm_movemask_pd(_mm_cmple_pd(a.low, bound)) & _mm_movemask_pd(_mm_cmple_pd(a.high, bound))) == 3;
+FORCESHADE_INLINE bool are_equal(Quad a, Quad b) {
+  return (_mm_movemask_pd(_mm_cmpneq_pd(a.low, b.low)) | _mm_movemask_pd(_mm_cmpneq_pd(a.high, b.high))) == 0;
+}
+FORCESHADE_INLINE bool are_at_most(Four32 a, Four32 most) {
+  return _mm_movemask_ps(_mm_cmple_ps(a, most)) == 15;
 }
 #else
 // By __builtin_convertvector: g++ 12 takes a lane that is converted to binary32 and back for the lane itself.
@@ -140,8 +144,11 @@ FORCESHADE_INLINE Quad to_binary64(Four32 a) {
 FORCESHADE_INLINE bool are_equal(Four32 a, Four32 b) {
   return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
 }
-FORCESHADE_INLINE bool are_at_most(Quad a, double most) {
-  return a.low[0] <= most && a.low[1] <= most && a.high[0] <= most && a.high[1] <= most;
+FORCESHADE_INLINE bool are_equal(Quad a, Quad b) {
+  return a.low[0] == b.low[0] && a.low[1] == b.low[1] && a.high[0] == b.high[0] && a.high[1] == b.high[1];
+}
+FORCESHADE_INLINE bool are_at_most(Four32 a, Four32 most) {
+  return a[0] <= most[0] && a[1] <= most[1] && a[2] <= most[2] && a[3] <= most[3];
 }
 #endif
 

@@ -267,12 +267,19 @@ class Damping {
  private:
   // In binary64, as the first stage takes them.
   struct Numbers {
-    double rate, share, damping, most, drag, per_square;  // per_square: 1/F₀²
+    double keep, gain;  // 1 - α and αr
+    double damping, most, drag;
+    double per_square;  // 1/F₀²
+    bool is_short;      // α is a power of two
+    bool has_drag;
   };
 
   static constexpr std::uint32_t kNoPosition = 18;  // more than the 17 periods after which there is no velocity
 
   explicit Damping(const damping::Parameters& parameters) noexcept;
+
+  // Does what tick() leaves: late ticks, invalid ones, and velocities of which binary64 is not sure.
+  Evaluation rare_tick(const Eigen::Vector3f& position, std::uint32_t periods, const Evaluation& spring) noexcept;
 
   damping::Parameters parameters_;
   Numbers numbers_;

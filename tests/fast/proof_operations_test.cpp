@@ -186,12 +186,13 @@ void damping(ComparedScript& script, bool is_fused) {
   run.bind("square", sum);
   const fast::AlongForce<Recorded> along(three, three);
   EXPECT_EQ(run.expressions.difference(along.square.expression(), sum.expression()), "");
-  EXPECT_EQ(run.expressions.difference(along.size.expression(), along.ratio.expression()), "");
-  run.expect("turn", along.turn(run.input("damping", 0.002)));
-  run.expect("across", fast::across_force(v, run.input("f", 1.2), along.ratio));
-  run.expect("full", fast::fullness(run.input("scale", 0.8), along.square, run.input("per_square", 16)));
-  const Recorded speed = fast::speed_between(run.input("x", 1.5), run.input("before", 1.25), run.input("rate", 1000));
-  run.expect("velocity", fast::velocity_after(v, speed, run.input("share", 0.25)));
+  EXPECT_EQ(run.expressions.difference(along.size.expression(), along.sum.expression()), "");
+  run.expect("turn", along.turn(run.input("damping", 0.002), run.input("margin", 1e-15)));
+  const Recorded scale = run.input("scale", 0.8), drag = run.input("drag", 0.001), f = run.input("f", 1.2);
+  run.expect("full", fast::fullness(scale, along.square, run.input("per_square", 16)));
+  run.expect("force", fast::pressed(scale, drag, along.sum * (Recorded(1) / along.square)) * f - drag * v);
+  const Recorded x = run.input("x", 1.5), before = run.input("before", 1.25);
+  run.expect("velocity", fast::VelocityAfter<Recorded>(v, x, before, run.input("keep", 0.75), run.input("gain", 250)).value);
 }
 
 // By the name of the script below fast/, without its end.
