@@ -54,7 +54,7 @@ TEST(servo_loop, commands_the_force_of_every_recorded_position) {
   EXPECT_TRUE(result.wakeup_us.histogram.empty());
 }
 
-// A count that the device no longer gives is none, and not the one before.
+// A count that the device no longer gives is absent, and not the one before.
 TEST(servo_loop, records_the_counts_of_the_encoders_where_its_device_gives_them) {
   auto path = path_of({{0, 0, -1}, {0, 0, -1}});
   for (Reading& reading : path) reading.encoder = {7, -8, 9};
