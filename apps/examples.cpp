@@ -24,7 +24,7 @@ constexpr std::array kAll{
     Example{"plot", "forceshade plot --law bump-3p-shaded --out plots", "its four pictures, each as SVG and as PNG"},
     Example{"plot", "forceshade plot thesis --out figures", "figures of the thesis, with their numbers"},
     Example{"properties", "forceshade properties --law bump-2p", "the four properties of one law"},
-    Example{"certify", "forceshade certify --out certificate", "a certificate of all laws, with its page"},
+    Example{"certify", "forceshade certify --out cert", "a certificate of all laws, with its page"},
     Example{"certify", "forceshade certify --law bump-2p,bump-3p --points 20000 --out short", "a short check of two laws"},
     Example{"certify plan", "forceshade certify plan --exhaustive --law all --out plan",
             "the full sweep, divided into units of work"},
@@ -51,7 +51,7 @@ constexpr std::array kAll{
     Example{"conform compare", "forceshade conform compare before.json after.json",
             "the changes from one version of a renderer to the next"},
     Example{"drive",
-            "forceshade drive --law bump-2p --certificate certificate/certificate.json \\\n"
+            "forceshade drive --law bump-2p --certificate cert/certificate.json \\\n"
             "      --device simulated --seconds 5",
             "five seconds on a simulated PHANToM"},
     Example{"recording check", "forceshade recording check run.fsr",

@@ -58,7 +58,10 @@ void add_findings(Json& json, const Findings& law, bool is_unit) {
 
 Json subject_json(const SubjectResult& subject) {
   const Identity& identity = subject.identity;
-  Json json{{"kind", identity.kind}, {"name", identity.name}, {"held", subject.held()}};
+  Json json{{"kind", identity.kind},
+            {"name", identity.name},
+            {"renderer", kRenderedByNames[static_cast<std::size_t>(subject.rendered_by)]},
+            {"held", subject.held()}};
   add_assessment(json, assessed(subject));
   if (!identity.digest.empty()) json["digest"] = identity.digest;
   json["parameters"] = parameters_json(identity);

@@ -214,9 +214,17 @@ void expect_assessment(Fields& fields, Standing computed) {
                 lacks.empty() ? "what is missing, in words" : "nothing, as the standing is " + word);
 }
 
+RenderedBy rendered_by_from(Fields& fields) {
+  const std::string word = fields.text("renderer");
+  const auto found = std::find(kRenderedByNames.begin(), kRenderedByNames.end(), word);
+  fields.expect("renderer", found != kRenderedByNames.end(), one_of(kRenderedByNames));
+  return static_cast<RenderedBy>(found - kRenderedByNames.begin());
+}
+
 // seeds: of all subjects in schema 6; else they are the subject's own.
-SubjectResult subject_from(Fields& fields, const Build& build, const std::vector<std::uint64_t>& seeds) {
+SubjectResult subject_from(Fields& fields, std::uint64_t schema, const Build& build, const std::vector<std::uint64_t>& seeds) {
   SubjectResult result{{}, identity_from(fields)};
+  if (schema > 7) result.rendered_by = rendered_by_from(fields);
   if (result.identity.kind == kHeightMapKind || fields.has("parts")) {
     result.parts = fields.texts("parts");
     fields.expect("parts", !result.parts.empty(), "at least one part");
@@ -306,7 +314,7 @@ std::string date_from(Fields& fields) {
 Certificate certificate_from(Fields fields) {
   const std::uint64_t schema = fields.count("schema");
   if (schema < kOldestCertificateSchema || schema > kCertificateSchema)
-    throw Error("schema is " + std::to_string(schema) + "; expected " + std::to_string(kOldestCertificateSchema) + " or " +
+    throw Error("schema is " + std::to_string(schema) + "; expected " + std::to_string(kOldestCertificateSchema) + " to " +
                 std::to_string(kCertificateSchema) + ": certify again");
   for (const auto& [key, words] : {std::pair{"statement", kStatement}, {"method", kMethod}}) {
     const std::string text = fields.text(key);
@@ -322,7 +330,7 @@ Certificate certificate_from(Fields fields) {
   std::vector<std::uint64_t> seeds;
   if (schema == 6) seeds.push_back(fields.count("seed"));
   for (Fields& subject : fields.objects("subjects"))
-    certificate.subjects.push_back(subject_from(subject, certificate.build, seeds));
+    certificate.subjects.push_back(subject_from(subject, schema, certificate.build, seeds));
   if (fields.has("exhaustive")) certificate.sweeps = sweeps_from(fields.object("exhaustive"));
   read_flag(fields, "held", certificate.held());
   if (schema > 6) expect_assessment(fields, assessed(certificate).standing);
@@ -337,7 +345,7 @@ Certificate from_json(const std::string& text, const std::string& file) {
     const nlohmann::json json = json_from(text);
     return certificate_from({json, ""});
   } catch (const Error& error) {
-    throw Error(file + ": expected a forceshade certificate (schema " + std::to_string(kOldestCertificateSchema) + " or " +
+    throw Error(file + ": expected a forceshade certificate (schema " + std::to_string(kOldestCertificateSchema) + " to " +
                 std::to_string(kCertificateSchema) + "): " + error.what());
   }
 }

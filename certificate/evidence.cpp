@@ -34,6 +34,11 @@ Names stages_of(const Identity& identity) {
   return {kStageNames.begin(), kStageNames.end()};
 }
 
+// A subject of another kind is a program's, and so is what renders it.
+bool is_of_library(const std::string& kind) {
+  return kind == kLawKind || kind == kHeightMapKind || kind == kMeshKind || kind == kSceneKind;
+}
+
 // with: "" or the words for the spread.
 std::optional<std::string> too_few(const Comparison& found, const std::string& name, const std::string& with,
                                    std::uint64_t least) {
@@ -133,6 +138,11 @@ Assessment assessed(const Certificate& certificate) {
 
 std::optional<std::string> lacking(const SubjectResult& found) {
   const std::string& name = found.name();
+  if (is_of_library(found.identity.kind) && found.rendered_by != RenderedBy::library)
+    return "the certificate " +
+           std::string(found.rendered_by == RenderedBy::program ? "is of a program's own renderer"
+                                                                : "does not say whose renderer was compared") +
+           " for " + name + "; driving needs one of the library's, as 'forceshade certify' makes it";
   const std::uint64_t least = points_of_kind(found.identity.kind);
   if (auto words = too_few(found, name, "", least)) return words;
   if (auto words = too_few(found.spread, name, " with other parameters", spread_points(least))) return words;

@@ -76,8 +76,9 @@ std::vector<SubjectResult> joined_subjects(const std::vector<CertificateFile>& f
   std::vector<Entry> entries;
   for (const auto& [name, certificate] : files)
     for (const SubjectResult& subject : certificate.subjects) {
-      const auto found = std::find_if(entries.begin(), entries.end(),
-                                      [&](const Entry& entry) { return entry.subject.identity.is_same(subject.identity); });
+      const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
+        return entry.subject.identity.is_same(subject.identity) && entry.subject.rendered_by == subject.rendered_by;
+      });
       if (found == entries.end()) {
         entries.push_back({subject, name});
         continue;

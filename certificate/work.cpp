@@ -9,6 +9,7 @@
 #include "certificate/sweep_unit.h"
 #include "files/printable.h"
 #include "forceshade/properties.h"
+#include "properties/kind_of_library.h"
 #include "reference/height_energy.h"
 
 namespace forceshade::properties {
@@ -125,6 +126,7 @@ SubjectResult result_of(const Subject& subject, std::uint64_t seed, const std::a
   result.seeds = {seed};
   result.identity.name = files::printable(result.identity.name);
   result.properties = properties.properties;
+  result.rendered_by = is_rendered_by_library(subject) ? RenderedBy::library : RenderedBy::program;
   const Expected expected = subject.expected();
   result.jumps = expected.jumps;
   result.conservative = expected.is_conservative;

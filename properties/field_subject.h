@@ -6,6 +6,7 @@
 
 #include "forceshade/properties.h"
 #include "properties/height_map_claims.h"
+#include "properties/kind_of_library.h"
 #include "properties/law_claims.h"
 #include "properties/rendered.h"
 
@@ -13,7 +14,7 @@ namespace forceshade::properties {
 
 // Field: reference::Law or reference::HeightMapField. Claims: what is expected of it.
 template <class Field, class Claims>
-class FieldSubject : public Subject {
+class FieldSubject : public KindOfLibrary {
  public:
   const Rendering& rendering() const override { return rendering_; }
   std::unique_ptr<ReferenceSession> open_reference() const override;
@@ -22,8 +23,9 @@ class FieldSubject : public Subject {
   Violation check_passivity(Chooser& choose) const override;
 
  protected:
-  FieldSubject(Rendering rendering, Field field)
-      : rendering_(std::move(rendering)),
+  FieldSubject(Rendering rendering, Field field, bool is_rendered_by_library)
+      : KindOfLibrary(is_rendered_by_library),
+        rendering_(std::move(rendering)),
         rendered_{std::move(field), force_at_of(rendering_.renderer)},
         claims_(rendered_.law) {}
 

@@ -19,15 +19,15 @@ Renderer fast_height_map(const HeightMap& map, height::Mode mode, float stiffnes
 }
 
 HeightMapSubject::HeightMapSubject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
-                                   RenderHeightMap render)
+                                   RenderHeightMap render, bool is_rendered_by_library)
     : FieldSubject({identity_of(name, map, mode, stiffness), render(map, mode, stiffness)},
-                   built_or_throw(reference::HeightMapField::build(map, mode, stiffness))),
+                   built_or_throw(reference::HeightMapField::build(map, mode, stiffness)), is_rendered_by_library),
       render_(std::move(render)) {}
 
 HeightMapSubject::HeightMapSubject(const RenderedHeightMap& rendered, const std::string& name)
     : FieldSubject({identity_of(name, rendered.law.map(), rendered.law.mode(), rendered.law.stiffness()),
                     renderer_answering(rendered.force_at)},
-                   rendered.law),
+                   rendered.law, false),
       render_(&fast_height_map) {}
 
 // The normal of a conservative map is no unit vector, and is not meant to be one.
@@ -64,7 +64,8 @@ std::vector<LoopEnergy> HeightMapSubject::energies(const Monitor& monitor) const
 
 DrawnSubject HeightMapSubject::with_drawn_parameters(std::uint64_t seed) const {
   const float stiffness = ParameterSource(seed).next().stiffness;
-  return {std::make_unique<HeightMapSubject>(identity().name, rendered_.law.map(), rendered_.law.mode(), stiffness, render_),
+  return {std::make_unique<HeightMapSubject>(identity().name, rendered_.law.map(), rendered_.law.mode(), stiffness, render_,
+                                             is_rendered_by_library()),
           "K = " + show(stiffness) + " N/mm: "};
 }
 

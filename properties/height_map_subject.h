@@ -10,9 +10,11 @@ Renderer fast_height_map(const HeightMap& map, height::Mode mode, float stiffnes
 
 class HeightMapSubject final : public FieldSubject<reference::HeightMapField, HeightMapClaims> {
  public:
-  // name: of its file. Throws std::invalid_argument for a map or a stiffness outside the domain.
-  HeightMapSubject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
-                   RenderHeightMap render = &fast_height_map);
+  // name: of its file. Each throws std::invalid_argument for a map or a stiffness outside the domain.
+  HeightMapSubject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness)
+      : HeightMapSubject(name, map, mode, stiffness, &fast_height_map, true) {}
+  HeightMapSubject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness, RenderHeightMap render,
+                   bool is_rendered_by_library = false);
   // Any renderer of a map; drawn parameters are rendered by the fast path.
   explicit HeightMapSubject(const RenderedHeightMap& rendered, const std::string& name = "map");
 

@@ -19,14 +19,14 @@ Renderer fast_law(LawId law, const Parameters& parameters) {
   return renderer_of(built_or_throw(fast::Law::build(law, parameters)));
 }
 
-LawSubject::LawSubject(LawId law, const Parameters& parameters, RenderLaw render)
+LawSubject::LawSubject(LawId law, const Parameters& parameters, RenderLaw render, bool is_rendered_by_library)
     : FieldSubject({identity_of(law, parameters), render(law, parameters)},
-                   built_or_throw(reference::Law::build(law, parameters))),
+                   built_or_throw(reference::Law::build(law, parameters)), is_rendered_by_library),
       render_(std::move(render)) {}
 
 LawSubject::LawSubject(const RenderedLaw& rendered)
     : FieldSubject({identity_of(rendered.law.id(), rendered.law.parameters()), renderer_answering(rendered.force_at)},
-                   rendered.law),
+                   rendered.law, false),
       render_(&fast_law) {}
 
 std::unique_ptr<Positions> LawSubject::positions(std::uint64_t seed) const {
@@ -67,7 +67,8 @@ DrawnSubject LawSubject::with_drawn_parameters(std::uint64_t seed) const {
   const Parameters p = ParameterSource(seed).next();
   const std::string bump =
       has_bump_geometry(id) ? "R = " + show(p.radius) + " mm, w = " + show(p.width) + " mm, " : std::string();
-  return {std::make_unique<LawSubject>(id, p, render_), bump + "K = " + show(p.stiffness) + " N/mm: "};
+  return {std::make_unique<LawSubject>(id, p, render_, is_rendered_by_library()),
+          bump + "K = " + show(p.stiffness) + " N/mm: "};
 }
 
 std::vector<float> witness_depths(const reference::Law& law) {

@@ -10,8 +10,9 @@ Renderer fast_law(LawId law, const Parameters& parameters);
 
 class LawSubject final : public FieldSubject<reference::Law, LawClaims> {
  public:
-  // Throws std::invalid_argument for parameters outside the law's domain.
-  LawSubject(LawId law, const Parameters& parameters, RenderLaw render = &fast_law);
+  // Each throws std::invalid_argument for parameters outside the law's domain.
+  LawSubject(LawId law, const Parameters& parameters) : LawSubject(law, parameters, &fast_law, true) {}
+  LawSubject(LawId law, const Parameters& parameters, RenderLaw render, bool is_rendered_by_library = false);
   // Any renderer of a law; drawn parameters are rendered by the fast path.
   explicit LawSubject(const RenderedLaw& rendered);
 

@@ -144,8 +144,9 @@ OpenTicks fast_god_object(const MeshRendering& rendering) {
   };
 }
 
-MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open)
-    : mesh_(std::make_shared<const MeshRendering>(std::move(rendering))),
+MeshSubject::MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open, bool is_rendered_by_library)
+    : KindOfLibrary(is_rendered_by_library),
+      mesh_(std::make_shared<const MeshRendering>(std::move(rendering))),
       stiffness_(mesh_->stiffness),
       open_(std::move(open)),
       rendering_{identity_of(name, *mesh_), {[its = open_, K = stiffness_] { return its(K); }}} {
@@ -272,7 +273,7 @@ DrawnSubject MeshSubject::with_drawn_parameters(std::uint64_t seed) const {
   MeshRendering rendering = *mesh_;
   rendering.stiffness = ParameterSource(seed).next().stiffness;
   const std::string words = "K = " + show(rendering.stiffness) + " N/mm: ";
-  return {std::make_unique<MeshSubject>(identity().name, std::move(rendering), open_), words};
+  return {std::make_unique<MeshSubject>(identity().name, std::move(rendering), open_, is_rendered_by_library()), words};
 }
 
 std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering) {

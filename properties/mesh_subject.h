@@ -9,19 +9,21 @@
 #include "forceshade/identity.h"
 #include "forceshade/properties.h"
 #include "forceshade/reference.h"
+#include "properties/kind_of_library.h"
 
 namespace forceshade::properties {
 
 // The god-object of the fast path. Throws std::invalid_argument for what is no surface.
 OpenTicks fast_god_object(const MeshRendering& rendering);
 
-class MeshSubject final : public Subject {
+class MeshSubject final : public KindOfLibrary {
  public:
   // name: of its file. The mesh has been checked (include/forceshade/meshes.h). Throws std::invalid_argument where a side
   // refuses it.
-  MeshSubject(const std::string& name, const MeshRendering& rendering) : MeshSubject(name, rendering, fast_god_object(rendering)) {}
+  MeshSubject(const std::string& name, const MeshRendering& rendering)
+      : MeshSubject(name, rendering, fast_god_object(rendering), true) {}
   // Any renderer of it.
-  MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open);
+  MeshSubject(const std::string& name, MeshRendering rendering, OpenTicks open, bool is_rendered_by_library = false);
 
   const Rendering& rendering() const override { return rendering_; }
   std::vector<std::string> parts() const override;

@@ -81,10 +81,16 @@ Renderer renderer_of_all(const std::vector<MovingSubject>& objects) {
   return built_or_throw(renderer_of(std::move(renderers)));
 }
 
+bool are_rendered_by_library(const std::vector<MovingSubject>& objects) {
+  return std::ranges::all_of(objects, [](const MovingSubject& one) { return is_rendered_by_library(*one.subject); });
+}
+
 }  // namespace
 
 SceneSubject::SceneSubject(Identity identity, std::vector<MovingSubject> objects, double rate_hz)
-    : objects_(std::move(objects)), rendering_{std::move(identity), renderer_of_all(objects_), rate_hz} {}
+    : KindOfLibrary(are_rendered_by_library(objects)),
+      objects_(std::move(objects)),
+      rendering_{std::move(identity), renderer_of_all(objects_), rate_hz} {}
 
 std::vector<std::string> SceneSubject::parts() const {
   std::vector<std::string> words;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "forceshade/properties.h"
+#include "properties/kind_of_library.h"
 
 namespace forceshade::properties {
 
@@ -17,7 +18,7 @@ struct MovingSubject {
   std::shared_ptr<const scene::Motion> motion;
 };
 
-class SceneSubject final : public Subject {
+class SceneSubject final : public KindOfLibrary {
  public:
   // rate_hz: ticks per second, for the rendering. Throws std::invalid_argument where a side refuses the scene.
   SceneSubject(Identity identity, std::vector<MovingSubject> objects, double rate_hz);

@@ -82,7 +82,7 @@ struct Sweeps {
   }
 };
 
-inline constexpr int kCertificateSchema = 7;
+inline constexpr int kCertificateSchema = 8;
 inline constexpr int kOldestCertificateSchema = 6;  // that is still read
 
 // The build that was checked, and no other.
@@ -144,6 +144,11 @@ struct Findings : Comparison {
   bool has_held(std::string_view property) const;
 };
 
+// The owner of the renderer that was compared: the library, whose renderer is the one that is driven, or a program that made
+// its own. It is unknown of a certificate of an earlier schema.
+enum class RenderedBy { unknown, program, library };
+inline constexpr std::array<std::string_view, 3> kRenderedByNames{"unknown", "program", "library"};
+
 // A subject and its findings.
 struct SubjectResult : Findings {
   Identity identity;
@@ -156,6 +161,7 @@ struct SubjectResult : Findings {
   // The options of forceshade certify that name it, as a shell reads them; empty for a law, and where it was read from a file,
   // which does not keep where a mesh or height map lies.
   std::string options = {};
+  RenderedBy rendered_by = RenderedBy::unknown;
 
   const std::string& name() const { return identity.name; }
 };
@@ -232,9 +238,10 @@ Assessment assessed(const SubjectResult& subject);
 // their units alone, are insufficient.
 Assessment assessed(const Certificate& certificate);
 
-// The reasons why it does not permit driving: "the certificate has 1 point for wall; driving needs at least 1000000". Each aim
-// must be reached, with the given parameters and in the spread, and each stage that a law can reach in one of them. The stages
-// that another subject can reach depend on what it is made of: only binary64 is expected of it.
+// The reasons why it does not permit driving: "the certificate has 1 point for wall; driving needs at least 1000000". What was
+// compared must be the library's renderer, if the kind is one that the library renders. Each aim must be reached, with the
+// given parameters and in the spread, and each stage that a law can reach in one of them. The stages that another subject can
+// reach depend on what it is made of: only binary64 is expected of it.
 std::optional<std::string> lacking(const SubjectResult& subject);
 
 }  // namespace forceshade::properties

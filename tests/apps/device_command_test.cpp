@@ -152,6 +152,20 @@ TEST(device_try, leads_through_a_first_contact_and_keeps_its_recording) {
   EXPECT_FALSE(recording.metadata().contains("device_serial"));
 }
 
+// The gate is that of drive.
+TEST(device_try, refuses_a_certificate_of_a_program_s_own_renderer) {
+  const TemporaryDirectory here;
+  ASSERT_EQ(run_command(here, words_of("certify --law wall --stiffness 0.05 --out cert")).code, 0);
+  std::string text = here.read("cert/certificate.json");
+  const std::string library = "\"renderer\": \"library\"";
+  ASSERT_NE(text.find(library), std::string::npos);
+  here.write("own.json", text.replace(text.find(library), library.size(), "\"renderer\": \"program\""));
+  const auto run = run_command(here, words_of("device try simulated --certificate own.json --dead-man none"));
+  EXPECT_EQ(run.code, 1);
+  expect_holds(run.err, {"refused to drive: own.json: the certificate is of a program's own renderer for wall",
+                         "to have one: forceshade certify --law wall --stiffness 0.05 --out DIR"});
+}
+
 // A hand that means to be 30 mm below the plane: the law gives more than 2 N, and the peak is 0.5 N.
 TEST(device_try, never_pushes_with_more_than_half_a_newton) {
   const TemporaryDirectory here;

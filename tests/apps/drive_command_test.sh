@@ -58,6 +58,13 @@ expect 1 "no certificate was given" -- drive --law wall
 expect 0 "UNCERTIFIED" -- drive --law wall --certificate none
 sed 's/\("library_digest": "\)......../\1deadbeef/' here/certificate.json > other.json
 expect 1 "another build" -- drive --law bump-1p-shaded --certificate other.json
+# As a program writes it of a renderer of its own, and as a version wrote it that did not say whose renderer was compared.
+sed 's/"renderer": "library"/"renderer": "program"/' here/certificate.json > own.json
+expect 1 "refused to drive: own.json: the certificate is of a program's own renderer for bump-1p-shaded; driving needs one of the" -- \
+  drive --law bump-1p-shaded --certificate own.json
+sed -e 's/"schema": 8/"schema": 7/' -e '/"renderer": "library"/d' here/certificate.json > earlier.json
+expect 1 "the certificate does not say whose renderer was compared for bump-1p-shaded; driving needs one of the library's" -- \
+  drive --law bump-1p-shaded --certificate earlier.json
 sed 's/"mismatches": 0/"mismatches": 1/' here/certificate.json > failed.json
 expect 2 "subjects[0].counterexamples is an array; expected the first of 1 mismatches" -- \
   drive --law bump-1p-shaded --certificate failed.json

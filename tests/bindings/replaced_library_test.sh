@@ -29,6 +29,10 @@ said_by "$scratch/other" "$scratch/bump/certificate.json" && fail "an exchanged 
 grep -q "the certificate is for another build of the renderer: expected digest $other, got $digest" "$scratch/said" ||
   fail "expected the reason"
 
+sed 's/"renderer": "library"/"renderer": "program"/' "$scratch/bump/certificate.json" > "$scratch/own.json"
+said_by "$scratch/same" "$scratch/own.json" && fail "a certificate of a program's own renderer covers the bump"
+grep -q "is of a program's own renderer for bump-2p" "$scratch/said" || fail "expected whose renderer it is"
+
 said_by "$scratch/same" "$scratch/absent.json" && fail "a certificate that is not there covers the bump"
 grep -q 'absent.json' "$scratch/said" || fail "expected the name of the file"
 certify 20mm 5000 "$scratch/wide"

@@ -53,7 +53,7 @@ int refused_everywhere(const std::function<std::string(Json&, const Place&)>& ma
       ++faults;
       const std::string said = message(wrong.dump());
       EXPECT_NE(said.find(words), std::string::npos) << place << ": " << said;
-      EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 6 or 7): ")) << said;
+      EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 6 to 8): ")) << said;
     });
   }
   std::printf("  %d faults\n", faults);
@@ -128,36 +128,6 @@ bool is_seed(const Place& place) {
   return !place.parent_pointer().empty() && place.parent_pointer().back() == "seeds";
 }
 
-// As an earlier version wrote it: one seed for all, and no standing.
-Json in_schema_6(const Certificate& certificate) {
-  Json json = Json::parse(to_json(certificate));
-  json["schema"] = 6;
-  json["seed"] = certificate.seeds().front();
-  for (const char* key : {"standing", "lacks"}) {
-    json.erase(key);
-    for (Json& subject : json["subjects"]) subject.erase(key);
-  }
-  for (Json& subject : json["subjects"]) subject.erase("seeds");
-  return json;
-}
-
-TEST(certificate_reader, reads_schema_6) {
-  for (const Certificate& certificate :
-       {tests::made_certificate(), tests::made_certificate_with_sweeps(), tests::made_failed_certificate()}) {
-    const Certificate read = from_json(in_schema_6(certificate).dump(), "here.json");
-    EXPECT_EQ(to_json(read), to_json(certificate));
-  }
-}
-
-TEST(certificate_reader, takes_no_key_of_one_schema_in_the_other) {
-  Json early = in_schema_6(tests::made_certificate());
-  early["standing"] = "sufficient";
-  EXPECT_NE(message(early.dump()).find("standing"), std::string::npos);
-  Json late = Json::parse(to_json(tests::made_certificate()));
-  late["seed"] = 7;
-  EXPECT_NE(message(late.dump()).find("seed"), std::string::npos);
-}
-
 TEST(certificate_reader, refuses_a_count_that_is_no_whole_number) {
   const std::vector<Json> wrong{-1, 0.5, 1e30, -0.0, 18446744073709551616.0, 1.0};
   for (const Json& other : wrong)
@@ -215,7 +185,7 @@ TEST(certificate_reader, names_the_key_the_value_and_what_was_expected) {
   };
   const std::vector<Fault> faults{
       {"/schema", 4.9, "schema is 4.9; expected a whole number"},
-      {"/schema", 4, "schema is 4; expected 6 or 7: certify again"},
+      {"/schema", 4, "schema is 4; expected 6 to 8: certify again"},
       {"/subjects/0/mismatches", 0.5, "subjects[0].mismatches is 0.5; expected a whole number"},
       {"/subjects/0/mismatches", 1000000000000,
        "subjects[0].mismatches is 1000000000000; expected no more than there are points"},
@@ -264,8 +234,8 @@ TEST(certificate_reader, names_the_key_the_value_and_what_was_expected) {
       {"/build/instruction_set", "mmx", "build.instruction_set is \"mmx\"; expected scalar, avx2 or avx512"},
       {"/build/instruction_set", "avx512", "subjects[0].points_by_instruction_set is an object; expected 1000000 for each set"},
       {"/build/library_digest", std::string(64, 'A'), "build.library_digest is"},
-      {"/statement", "All is well.", "statement is \"All is well.\"; expected the words of schema 7"},
-      {"/method", "", "method is \"\"; expected the words of schema 7"},
+      {"/statement", "All is well.", "statement is \"All is well.\"; expected the words of schema 8"},
+      {"/method", "", "method is \"\"; expected the words of schema 8"},
       {"/domain/radius_mm/1", 2e4, "domain is an object; expected {"},
       {"/date", "2026-01-31 23:59:59", "date is \"2026-01-31 23:59:59\"; expected one like 2026-01-31T23:59:59Z"},
       {"/seconds", -1.5, "seconds is -1.5; expected 0 or more"},
@@ -275,6 +245,7 @@ TEST(certificate_reader, names_the_key_the_value_and_what_was_expected) {
       {"/standing", "green", "standing is \"green\"; expected one of sufficient, insufficient, failed"},
       {"/standing", "failed", "standing is \"failed\"; expected another, as nothing in the certificate failed"},
       {"/subjects/0/standing", "failed", "subjects[0].standing is \"failed\"; expected another, as nothing"},
+      {"/subjects/0/renderer", "mine", "subjects[0].renderer is \"mine\"; expected one of unknown, program, library"},
       {"/subjects/0/lacks", "a point", "subjects[0].lacks is \"a point\"; expected nothing, as the standing is sufficient"},
       {"/subjects/0/standing", "insufficient", "subjects[0].lacks is \"\"; expected what is missing, in words"},
       {"/exhaustive/units/next", 2000, "units: expected first <= next <= end <= of = 1024, got {"},
@@ -326,7 +297,7 @@ TEST(certificate_reader, ends_with_clear_words_on_hostile_text) {
   hostile.push_back(keys + '}');
   for (const std::string& text : hostile) {
     const std::string said = message(text);
-    EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 6 or 7): ")) << said;
+    EXPECT_TRUE(said.starts_with("here.json: expected a forceshade certificate (schema 6 to 8): ")) << said;
     EXPECT_LT(said.size(), 400U) << said;
     EXPECT_TRUE(files::is_printable(said)) << said;
   }

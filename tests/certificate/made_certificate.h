@@ -42,7 +42,7 @@ inline properties::Findings made_findings(std::uint64_t points) {
 
 inline properties::SubjectResult made_subject(Identity identity, std::vector<std::string> parts = {}) {
   const std::uint64_t points = properties::points_of_kind(identity.kind);
-  return {made_findings(points), std::move(identity), std::move(parts), true, {7}};
+  return {made_findings(points), std::move(identity), std::move(parts), true, {7}, {}, {}, properties::RenderedBy::library};
 }
 
 inline properties::SubjectResult made_law(LawId law = LawId::bump_2p, const Parameters& parameters = {15.24F, 25.4F, 0.5F}) {

@@ -67,6 +67,21 @@ TEST(merge_points, keeps_subjects_apart_and_in_their_order) {
   EXPECT_EQ(sum.subjects[2].points, 1000000U) << "other parameters are another subject";
 }
 
+// Points of one renderer are no evidence of another's.
+TEST(merge_points, adds_no_points_of_a_program_s_renderer_to_the_library_s) {
+  const CertificateFile library = file_of("a.json", 1, 600000);
+  for (const RenderedBy who : {RenderedBy::program, RenderedBy::unknown}) {
+    CertificateFile other = file_of("b.json", 2, 600000);
+    other.certificate.subjects[0].rendered_by = who;
+    for (const auto& files : {std::vector{library, other}, std::vector{other, library}}) {
+      const Certificate sum = merged(files);
+      ASSERT_EQ(sum.subjects.size(), 2U);
+      for (const SubjectResult& entry : sum.subjects) EXPECT_EQ(entry.points, 600000U);
+      EXPECT_NE(refusal(sum, tests::made_build(), sum.subjects[0].identity), std::nullopt);
+    }
+  }
+}
+
 // Only one of them may have been made with --subject, whose file says how to make the subject again.
 TEST(merge_points, keeps_the_subject_file_of_whichever_has_one) {
   const CertificateFile bare = file_of("a.json", 1);

@@ -153,6 +153,9 @@ std::vector<OneField> fields_of_points() {
        }),
        {"/subjects/0/parameters/stiffness_N_per_mm"},
        other},
+      {of_first([](SubjectResult& s) { s.rendered_by = RenderedBy::program; }),
+       {"/subjects/0/renderer"},
+       "the certificate is of a program's own renderer for bump-2p"},
       {of_first([](SubjectResult& s) { s.jumps = {"x = 0"}; }), {"/subjects/0/jumps/0"}},
       {of_first([](SubjectResult& s) { s.jumps = {}; }), {"/subjects/0/jumps", "/subjects/0/continuous"}},
       {of_first([](SubjectResult& s) {

@@ -87,6 +87,27 @@ TEST(refusal, says_that_a_check_failed) {
   EXPECT_EQ(of_law(swept, tests::made_build(), LawId::cylinder), "allowed") << "another law's sweep";
 }
 
+// A kind that the library does not have is rendered by a program alone (compares_subjects_of_any_kind).
+TEST(refusal, takes_no_renderer_of_a_program_s_for_the_library_s) {
+  for (const auto& [who, words] : {std::pair{RenderedBy::program, "is of a program's own renderer for "},
+                                   {RenderedBy::unknown, "does not say whose renderer was compared for "}})
+    for (const bool library_first : {true, false}) {
+      Certificate certificate = tests::made_certificate();
+      const auto another = [who = who](SubjectResult of) {
+        of.rendered_by = who;
+        return of;
+      };
+      const SubjectResult law = another(certificate.subjects[0]), map = another(certificate.subjects[2]);
+      const auto at = library_first ? certificate.subjects.end() : certificate.subjects.begin();
+      certificate.subjects.insert(at, {law, map});
+      EXPECT_EQ(of_law(certificate), "allowed") << "the library's is there, too";
+      EXPECT_EQ(of_map(certificate), "allowed");
+      certificate.subjects = {law, map};
+      expect_words(of_law(certificate), std::string(words) + "bump-2p; driving needs one of the library's");
+      expect_words(of_map(certificate), std::string(words) + "hill.toml; driving needs one of the library's");
+    }
+}
+
 // Either of two entries may come first, with any parameters.
 TEST(refusal, looks_at_every_entry_for_the_subject) {
   for (const bool failed_first : {true, false})
@@ -229,6 +250,7 @@ TEST(refusal, compares_subjects_of_any_kind) {
   const Identity springs{"pair of springs", "soft", {{"stiffness_N_per_mm", 0.5F}, {"order", std::string("first")}}, ""};
   Certificate certificate = tests::made_certificate();
   certificate.subjects.push_back(tests::made_subject(springs));
+  certificate.subjects.back().rendered_by = RenderedBy::program;
   EXPECT_EQ(of_map(certificate, tests::made_build(), springs), "allowed");
   Identity other = springs;
   other.name = "hard";

@@ -114,8 +114,7 @@ std::shared_ptr<const Subject> wrong_map(const std::function<Renderer(Renderer)>
 }
 
 TEST(wrong_in_one_thing, a_right_renderer_is_refused_for_its_few_points_alone) {
-  const Certificate certificate =
-      checked_alone(wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Renderer renderer) { return renderer; }));
+  const Certificate certificate = checked_alone(std::make_shared<LawSubject>(LawId::bump_2p, kBumpOfLaw));
   const Certificate end = after_the_whole_way(certificate);
   EXPECT_TRUE(end.held());
   EXPECT_EQ(refusal(end, current_build(), certificate.subjects[0].identity),

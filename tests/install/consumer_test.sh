@@ -42,6 +42,9 @@ cmake -S "$examples/programs" -B "$scratch/programs" -DCMAKE_PREFIX_PATH="$prefi
   -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
 cmake --build "$scratch/programs" > "$scratch/build.log" || { cat "$scratch/build.log"; exit 1; }
 "$scratch/programs/certify" "$scratch/wall.json"
+said=$("$prefix/bin/forceshade" drive --law wall --stiffness 0.5N/mm --certificate "$scratch/wall.json" --device null --seconds 0.1 2>&1) &&
+  fail "the library's wall was driven with the certificate of a program's"
+case $said in *"is of a program's own renderer for wall"*) ;; *) fail "expected whose renderer it is, got: $said" ;; esac
 "$prefix/bin/forceshade" certify --law bump-2p --radius 15.24mm --width 25.4mm --stiffness 0.5N/mm --out "$scratch/bump" \
   > "$scratch/certify.log"
 refusal=$("$scratch/programs/drive" "$scratch/wall.json" null "$scratch/refused.fsr") && fail "a bump was driven with a wall's certificate"

@@ -17,6 +17,7 @@ inline properties::Certificate certificate_of_every_law() {
     properties::SubjectResult law;
     law.identity = identity_of(name.id, {15.24F, 25.4F, 0.5F});
     law.unit_directions = true;
+    law.rendered_by = properties::RenderedBy::library;
     law.points = 2000;
     law.points_by_stage = {{"binary64", 1990}, {"double-double", 9}, {"wide", 1}};
     law.closest_call = {1.5F, 0, -0.25F, 3e-7};

@@ -28,6 +28,7 @@ def test_a_certificate_is_that_of_the_command(bump, tmp_path):
     assert certificate.held and certificate.standing == "insufficient" and "points" in certificate.lacks
     assert json.loads(path.read_text()) == certificate.contents
     assert certificate.contents["build"]["library_digest"] == forceshade.library_digest()
+    assert certificate.contents["subjects"][0]["renderer"] == "library"
     refused(FileExistsError, "is there already; expected another name, or overwrite=True", forceshade.certify, bump, out=path)
     ran = subprocess.run(
         [command(), "certify", "--law", "bump-2p", "--points", "2000", "--cases", "20", "--seed", "5", "--out", tmp_path / "c"],
@@ -72,6 +73,11 @@ def test_a_certificate_of_python_drives_a_device_with_the_command_and_no_other_s
     certified, other = drive("0.5N/mm"), drive("0.6N/mm")
     assert certified.returncode == 0, certified.stderr
     assert other.returncode != 0 and "certificate" in other.stderr, other.stderr
+    path.write_text(path.read_text().replace('"renderer": "library"', '"renderer": "program"'))
+    own = forceshade.Certificate.read(path)
+    assert own.held and own.standing == "insufficient", own
+    assert own.lacks.startswith("the certificate is of a program's own renderer for wall; driving needs one of the library's")
+    assert own.remedy.startswith("forceshade certify --law wall --stiffness 0.5 ")
 
 
 def test_what_is_refused(bump, tmp_path):
