@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade conform positions and judge: positions and forces as files, for programs in whose place anybody can be.
 
-#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -11,6 +10,7 @@
 #include "apps/output_options.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
+#include "apps/standard_input.h"
 #include "apps/subject_option.h"
 #include "files/csv.h"
 #include "files/npy.h"
@@ -78,7 +78,7 @@ int judge(const std::string& forces, const conformance::Tolerance& tolerance, co
   conformance::Judge judge(subject, tolerance, 0, damping);
   std::ifstream file;
   if (forces != "-") file = files::open_file(forces);
-  conformance::read_cases(forces == "-" ? std::cin : file, forces == "-" ? "standard input" : forces,
+  conformance::read_cases(forces == "-" ? standard_input() : file, forces == "-" ? "standard input" : forces,
                           [&](const conformance::Case& its) {
                             if (interrupted()) throw Interrupted("not all forces were compared, and nothing was written");
                             judge.add(its);

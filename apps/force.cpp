@@ -10,6 +10,7 @@
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
+#include "apps/standard_input.h"
 #include "apps/subject_option.h"
 #include "apps/tell.h"
 #include "files/csv.h"
@@ -34,28 +35,32 @@ RowStatus row_status(Status status) {
   return status == Status::unfinished ? RowStatus::unfinished : static_cast<RowStatus>(status);
 }
 
+// open(subject): the session of a path.
+template <class Open>
+Answer along(const std::shared_ptr<const properties::Subject>& subject, const Open& open) {
+  const auto session = std::make_shared<decltype(open(*subject))>(open(*subject));
+  return {[session](const auto& position) {
+            const auto answer = (*session)->step(position);
+            return AnsweredRow{answer.force, row_status(answer.status), std::nullopt};
+          },
+          [subject, session, open] { *session = open(*subject); }};
+}
+
 // By the fast path, or by the reference; in a CSV a law's to any number of digits. Built before anything is read.
 Answer answer_of(const ForceOptions& options, const SubjectOption& option) {
   const Description what = option.description();
   if (options.digits.value_or(0) > 0) {
     const auto* a_law = std::get_if<DescribedLaw>(&what.what);
     if (a_law == nullptr) throw Error("--digits: expected binary32 beside " + what.name + ", whose numbers have no other form");
-    return [law = built(reference::Law::build(a_law->law, a_law->parameters)),
-            digits = static_cast<unsigned>(*options.digits)](const auto& position) {
+    return {[law = built(reference::Law::build(a_law->law, a_law->parameters)),
+             digits = static_cast<unsigned>(*options.digits)](const auto& position) {
       reference::DecimalForce answer = law.decimal(position, digits);
       return AnsweredRow{{}, row_status(answer.status), {{std::move(answer.x), "0", std::move(answer.z)}}};
-    };
+    }};
   }
   const std::shared_ptr<const properties::Subject> subject = properties::subject_of(what);
-  if (options.digits)
-    return [subject, reference = std::shared_ptr(subject->open_reference())](const auto& position) {
-      const reference::Rounded answer = reference->step(position);
-      return AnsweredRow{answer.force, row_status(answer.status), std::nullopt};
-    };
-  return [session = std::shared_ptr(subject->renderer().open())](const auto& position) {
-    const fast::Evaluation answer = session->step(position);
-    return AnsweredRow{answer.force, row_status(answer.status), std::nullopt};
-  };
+  if (options.digits) return along(subject, [](const auto& its) { return its.open_reference(); });
+  return along(subject, [](const auto& its) { return its.renderer().open(); });
 }
 
 ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
@@ -64,7 +69,7 @@ ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
   const Answer answer = answer_of(options, subject);
   std::ifstream file;
   if (options.input != "-") file = files::open_input(options.input);
-  std::istream& in = options.input == "-" ? std::cin : file;
+  std::istream& in = options.input == "-" ? standard_input() : file;
   files::OutputFile output(options.out);
   const RowCount count = answer_rows(in, options.input == "-" ? "standard input" : options.input, format_of(options),
                                      output.stream(), std::cerr, answer);

@@ -35,16 +35,21 @@ void append(std::string& records, const Eigen::Vector3f& position, const Answere
 
 RowCount answer_rows(std::istream& in, const std::string& file, RowFormat format, std::ostream& out, std::ostream& complaints,
                      const Answer& answer) {
-  files::Reader rows(in, file, {"x_mm", "y_mm", "z_mm"});
+  constexpr std::size_t kReset = 3;
+  files::Reader rows(in, file, {"x_mm", "y_mm", "z_mm"}, {"reset"});
   std::string records;
   if (format == RowFormat::csv) out << "x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,status\n";
   RowCount count;
   for (; rows.next(); ++count.rows) {
     if (interrupted()) throw Interrupted("no output file was written");
     const Eigen::Vector3f position(rows.binary32(0), rows.binary32(1), rows.binary32(2));
+    if (rows.has(kReset)) {
+      if (rows.text(kReset) != "0" && rows.text(kReset) != "1") throw rows.unexpected(kReset, "0 or 1");
+      if (rows.text(kReset) == "1") answer.begin();
+    }
     AnsweredRow row;
     try {
-      row = answer(position);
+      row = answer.answer(position);
     } catch (const std::domain_error& error) {
       ++count.unanswered;
       row = {Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()), RowStatus::undecided, std::nullopt};

@@ -28,8 +28,11 @@ struct AnsweredRow {
   std::optional<std::array<std::string, 3>> decimal;
 };
 
-// Throws std::domain_error for a position that it cannot answer.
-using Answer = std::function<AnsweredRow(const Eigen::Vector3f&)>;
+// answer throws std::domain_error for a position that it cannot answer. begin: before the first position of another path.
+struct Answer {
+  std::function<AnsweredRow(const Eigen::Vector3f&)> answer;
+  std::function<void()> begin = [] {};
+};
 
 // npy: a structured array of one dimension, x_mm, y_mm, z_mm, fx_N, fy_N, fz_N as binary32 and status as an unsigned byte.
 enum class RowFormat { csv, npy };
@@ -38,9 +41,10 @@ struct RowCount {
   std::size_t rows = 0, unanswered = 0;
 };
 
-// A row for each row of `in`, which messages call `file`. One that cannot be answered gets nan for its force and the status
-// "undecided", and a line on `complaints` that names its line. An NPY file is kept in memory, 25 bytes a row, until its number
-// of rows is known. Throws Error for a row that cannot be read, and Interrupted.
+// A row for each row of `in`, which messages call `file`, and which begins another path where a column `reset` has a 1. One
+// that cannot be answered gets nan for its force and the status "undecided", and a line on `complaints` that names its line. An
+// NPY file is kept in memory, 25 bytes a row, until its number of rows is known. Throws Error for a row that cannot be read,
+// and Interrupted.
 RowCount answer_rows(std::istream& in, const std::string& file, RowFormat format, std::ostream& out, std::ostream& complaints,
                      const Answer& answer);
 

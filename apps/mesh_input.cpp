@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/mesh_input.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -14,6 +16,7 @@
 
 #include "apps/progress_line.h"
 #include "apps/signals.h"
+#include "apps/standard_input.h"
 #include "forceshade/error.h"
 
 namespace forceshade::apps {
@@ -56,13 +59,20 @@ bool is_binary_stl(std::string_view bytes) {
   return bytes.size() == kHeader + 4 + triangles * kTriangle;
 }
 
+// By the first word behind what a file of each format may begin with.
 std::string ending_of(std::string_view bytes) {
-  const std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));
-  const std::string_view word = line.substr(0, line.find_first_of(" \t#"));
+  constexpr std::string_view kBlank = " \t\v\f\r\n", kByteOrderMark = "\xEF\xBB\xBF";
   if (is_binary_stl(bytes)) return ".stl";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  const auto skip_to = [&bytes](std::size_t at) { bytes.remove_prefix(std::min(at, bytes.size())); };
+  for (skip_to(bytes.find_first_not_of(kBlank)); bytes.starts_with('#'); skip_to(bytes.find_first_not_of(kBlank)))
+    skip_to(bytes.find_first_of("\r\n"));
+  std::string word(bytes.substr(0, bytes.find_first_of(std::string(kBlank) + '#')));
   if (word == "ply") return ".ply";
-  if (word == "solid") return ".stl";
-  return word.ends_with("OFF") ? ".off" : ".obj";
+  word.erase(word.find_last_not_of("0123456789") + 1);  // OFF4 2 0
+  if (word.ends_with("OFF")) return ".off";
+  for (char& letter : word) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return word == "solid" ? ".stl" : ".obj";
 }
 
 }  // namespace
@@ -73,7 +83,8 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
   const fs::path unnamed = kept.named("");
   {
     std::ofstream copy(unnamed, std::ios::binary);
-    if (std::cin.peek() != std::char_traits<char>::eof()) copy << std::cin.rdbuf();
+    std::istream& in = standard_input();
+    if (in.peek() != std::char_traits<char>::eof()) copy << in.rdbuf();
     if (interrupted()) throw Interrupted();  // which ends the input, too
     if (!copy.flush()) throw Error("standard input: cannot be kept in " + unnamed.parent_path().string());
   }

@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
-#include <iostream>
 #include <memory>
 
 #include "apps/command.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
+#include "apps/standard_input.h"
 #include "apps/subject_option.h"
 #include "files/csv.h"
 #include "files/output_folder.h"
@@ -149,7 +149,7 @@ void draw(const std::vector<PlannedView>& views, const std::vector<Kind>& kinds,
 std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session) {
   std::ifstream file;
   if (input != "-") file = files::open_input(input);
-  files::Reader rows(input == "-" ? std::cin : file, input == "-" ? "standard input" : input, {"x_mm", "y_mm", "z_mm"});
+  files::Reader rows(input == "-" ? standard_input() : file, input == "-" ? "standard input" : input, {"x_mm", "y_mm", "z_mm"});
   std::vector<Ticked> path;
   while (rows.next()) {
     if (interrupted()) throw Interrupted("no picture was drawn");

@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <limits>
 #include <new>
 #include <optional>
@@ -143,7 +142,8 @@ Error Reader::no_text(unsigned char byte, std::size_t at, std::string_view words
 }
 
 Error Reader::error(std::size_t line, std::string_view words) const {
-  const std::string kind = line == 1 && line_ == 1 && !line_text_.empty() ? text_kind(line_text_) : "";
+  std::string kind;
+  if (line == 1 && line_ == 1 && !line_text_.empty()) kind = binary_kind(line_text_) + text_kind(line_text_);
   if (!kind.empty() && kind != kCsvFile) return Error(file_ + ": expected a CSV file, got " + kind);
   return Error(file_ + ':' + std::to_string(line) + ": " + std::string(words));
 }
@@ -214,11 +214,7 @@ bool Reader::next() {
 bool Reader::read_line() try {
   line_text_.clear();
   int c = in_.sbumpc();
-  if (c == kEnd) {
-    // A std::cin that shares its buffer with C reports an error as an end of file.
-    if (&in_ == std::cin.rdbuf() && std::ferror(stdin) != 0) throw error(line_ + 1, "cannot read");
-    return false;
-  }
+  if (c == kEnd) return false;
   ++line_;
   for (; c != kEnd && c != '\n'; c = in_.sbumpc()) {
     const auto byte = static_cast<unsigned char>(c);

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <linux/magic.h>
 #include <poll.h>
+#include <sys/stat.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
@@ -68,6 +69,15 @@ int opened(const OpenDescriptor& found) {
   return flags < 0 || (flags & O_ACCMODE) == O_RDONLY ? -1 : ::fcntl(*found.number, F_DUPFD_CLOEXEC, 0);
 }
 
+// The device and number of a file; none where there is no file.
+using FileIdentity = std::optional<std::pair<dev_t, ino_t>>;
+
+FileIdentity identity_of(const std::string& path) {
+  struct stat about {};
+  if (::stat(path.c_str(), &about) != 0) return std::nullopt;
+  return std::pair(about.st_dev, about.st_ino);
+}
+
 }  // namespace
 
 OutputError output_failure(const std::string& path, const std::string& what, int reason) {
@@ -126,7 +136,9 @@ bool is_written_directly(const std::string& path) {
 // A std::filebuf does not say why a write failed, and cannot be fsynced.
 class OutputFile::Buffer : public std::streambuf {
  public:
-  Buffer(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) { empty(); }
+  Buffer(std::string path, int descriptor) : path_(std::move(path)), before_(identity_of(path_)), descriptor_(descriptor) {
+    empty();
+  }
   ~Buffer() override {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
@@ -148,6 +160,12 @@ class OutputFile::Buffer : public std::streambuf {
 
   void reach_disk() {
     if (::fsync(descriptor_) != 0) throw output_failure(path_, "write", errno);
+  }
+
+  // Another program has put a file of its own there.
+  bool is_taken() const {
+    const FileIdentity now = identity_of(path_);
+    return now && now != before_;
   }
 
   // Some file systems say only here that a write failed.
@@ -176,6 +194,7 @@ class OutputFile::Buffer : public std::streambuf {
   }
 
   std::string path_;
+  FileIdentity before_;
   int descriptor_;
   std::array<char, 1 << 16> bytes_;
 };
@@ -215,6 +234,10 @@ void OutputFile::commit() {
   if (!partial_path_.empty()) buffer_->reach_disk();
   buffer_->close();
   if (partial_path_.empty()) return;
+  // The work of neither is lost: the other file stays, and so does the partial one, under its name.
+  if (buffer_->is_taken())
+    throw OutputError(final_name(path_) + ": another program has written it meanwhile; what this one wrote is in " +
+                      std::exchange(partial_path_, ""));
   if (::rename(partial_path_.c_str(), path_.c_str()) != 0) throw output_failure(path_, "replace", errno);
   partial_path_.clear();
   const fs::path folder = fs::path(path_).parent_path();

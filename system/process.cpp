@@ -32,8 +32,8 @@ constexpr std::chrono::milliseconds kBetweenLooks{1};
 constexpr int kKilledFirst = 1000, kKilledLast = -1000;  // order if memory runs out
 
 std::atomic<LastAct*> last_act = nullptr;
-std::atomic<int> others = 0;            // processes that this one has made
-std::atomic<int> readiness_before = 0;  // of this one to be killed, before it had made any
+std::atomic<int> others = 0;            // processes that are to outlive this one
+std::atomic<int> readiness_before = 0;  // of this one to be killed, before there was any
 
 [[noreturn]] void refuse(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -125,6 +125,14 @@ bool Packets::is_alone(std::int64_t deadline) noexcept {
   return closed || (other_process_ > 0 && ::getppid() != other_process_);
 }
 
+KilledFirst::KilledFirst() noexcept {
+  if (others++ == 0) readiness_before = be_victim(kKilledFirst);
+}
+
+KilledFirst::~KilledFirst() {
+  if (--others == 0) be_victim(readiness_before);
+}
+
 Process::Process(const char* name, const std::function<int(Packets&)>& body) : packets_(-1, 0) {
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse("no socket");
@@ -141,7 +149,7 @@ Process::Process(const char* name, const std::function<int(Packets&)>& body) : p
   ::close(ends[1]);
   packets_ = {ends[0], 0};
   if (id_ > 0) {
-    if (others++ == 0) readiness_before = be_victim(kKilledFirst);
+    first_.emplace();
     return;
   }
   const int error = errno;
@@ -152,7 +160,6 @@ Process::Process(const char* name, const std::function<int(Packets&)>& body) : p
 
 Process::~Process() {
   close();
-  if (--others == 0) be_victim(readiness_before);
 }
 
 void Process::close() noexcept {

@@ -32,6 +32,17 @@ class Packets {
   int end_, other_process_;
 };
 
+// While one lives, the system kills this process first where memory runs out, so that a program which holds a force, and ends
+// it when its other end is gone, outlives it. What was made before is as ready to be killed as it was; what is made meanwhile,
+// as this process.
+class KilledFirst {
+ public:
+  KilledFirst() noexcept;
+  ~KilledFirst();
+  KilledFirst(const KilledFirst&) = delete;
+  KilledFirst& operator=(const KilledFirst&) = delete;
+};
+
 // Another process, which begins as a copy of this one. Nothing that is sent to a terminal's programs reaches it, no handler of
 // a library's is ever called in it, no file of this process stays open there, and what it prints goes to standard error. Where
 // memory runs out, the system kills this process first, and the other one last.
@@ -61,6 +72,7 @@ class Process {
  private:
   int id_ = -1;
   Packets packets_;
+  std::optional<KilledFirst> first_;
 };
 
 // The last act of such a process before it ends, whatever ends it.

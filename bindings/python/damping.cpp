@@ -29,13 +29,15 @@ struct NumbersOfState {
   float position[3], velocity[3];
 };
 
+constexpr std::size_t kExactPart = 1024;  // positions, of some 10 us each: a signal is heard behind each part
+
 // Forces and statuses become the damped ones, of one position after the other; work(batch, its periods or null) returns how
 // many were invalid.
 template <class Work>
-std::size_t damp(const Batches& batches, const std::optional<py::buffer>& periods, const Work& work) {
+std::size_t damp(const Batches& batches, const std::optional<py::buffer>& periods, const Work& work, std::size_t part = kPart) {
   Periods since(periods, batches.size());
   std::size_t invalid = 0;
-  batches.for_each_part(kPart, [&](const forceshade_batch& batch) { invalid += work(batch, since.next(batch.count)); });
+  batches.for_each_part(part, [&](const forceshade_batch& batch) { invalid += work(batch, since.next(batch.count)); });
   return invalid;
 }
 
@@ -83,8 +85,9 @@ std::size_t damp_exactly(const DampingNumbers& numbers, const std::optional<py::
     exact = damping.tick(position, since, exact);
     return fast::Evaluation{exact.force, exact.status};
   };
-  return damp(Batches(positions, forces, statuses), periods,
-              [&](const forceshade_batch& batch, const std::uint32_t* since) { return c::damp_each(batch, since, tick); });
+  return damp(
+      Batches(positions, forces, statuses), periods,
+      [&](const forceshade_batch& batch, const std::uint32_t* since) { return c::damp_each(batch, since, tick); }, kExactPart);
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::size_t advance(const Subject& subject, const py::buffer& states, const py::
     throw py::value_error("states: expected one for each position, without gaps");
   auto* next = static_cast<PathState*>(its.ptr);
   std::size_t invalid = 0;
-  batches.for_each_part(kPart, [&](const forceshade_batch& batch) {
+  batches.for_each_part(kPart / 64 * threads, [&](const forceshade_batch& batch) {
     invalid += c::advance(subject, batch, [next](std::size_t i) -> PathState& { return next[i]; });
     next += batch.count;
   });

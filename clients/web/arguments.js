@@ -68,10 +68,10 @@ const forceshadeArguments = (() => {
       const expected = count === undefined ? "an array of three numbers for each" : `an array of ${count} numbers`;
       throw badValue(what, expected, isList(values) ? `an array of ${values.length}` : got(values));
     }
-    const numbers = Array.isArray(values) || ArrayBuffer.isView(values) ? values : Array.from(values);
-    for (let i = 0; i < numbers.length; ++i)
-      if (typeof numbers[i] !== "number") throw badValue(what, "numbers", `${got(numbers[i])} at ${i}`);
-    return numbers;
+    for (let i = 0; i < values.length; ++i)
+      if (typeof values[i] !== "number") throw badValue(what, "numbers", `${got(values[i])} at ${i}`);
+    // Only then, since an object that merely has a length may have one for which there is no memory.
+    return Array.isArray(values) || ArrayBuffer.isView(values) ? values : Array.from(values);
   }
 
   // Numbers from 0, of which WebAssembly would otherwise take the lowest 32 bits.

@@ -23,7 +23,7 @@
     check(result) {
       if (result === 0) return;
       const name = this.text(this.module._forceshade_name_of_result(result));
-      throw new ForceshadeError(name, this.text(this.module._forceshade_message()) || name);
+      throw new ForceshadeError(name, (this.text(this.module._forceshade_message()) || name).trimEnd());
     }
 
     text(address) {
@@ -327,6 +327,7 @@
       const faces = { Type: Uint32Array, values: indices("triangles", floats("triangles", triangles)) };
       const of = materialOfTriangle === undefined ? null : { Type: Uint32Array, values:
         indices("materialOfTriangle", floats("materialOfTriangle", materialOfTriangle, triangles.length / 3)) };
+      if (of !== null && materials.length === 0) throw badValue("materialOfTriangle", "materials beside it", "none");
       const numbersOf = list("materials", materials).flatMap((material) => {
         const names = ["stiffness", "staticFriction", "dynamicFriction"];
         const { stiffness: own = 0, staticFriction = 0, dynamicFriction = 0 } =

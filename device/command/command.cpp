@@ -8,6 +8,7 @@
 
 #include "device/command/command_messages.h"
 #include "files/child_process.h"
+#include "system/process.h"
 
 namespace forceshade::device {
 namespace {
@@ -44,6 +45,7 @@ class CommandLink final : public FrameLink {
   std::string remark() const override { return end_ == "ended" ? "" : "it " + end_; }
 
  private:
+  system::KilledFirst first_;  // and not the program, which reads the end of its input then and ends the force
   std::unique_ptr<LineProgram> program_;
   command::Answers answers_;
   bool may_force_;

@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 #include "rendering/heights/samples.h"
@@ -64,8 +65,13 @@ class Reader {
     if (png_get_valid(png_, info_, PNG_INFO_tRNS) != 0) refuse("has a transparent level (tRNS); expected greyscale alone");
     if (png_get_valid(png_, info_, PNG_INFO_pCAL) != 0) refuse("has a scale of its own (pCAL); expected none");
     if (png_get_valid(png_, info_, PNG_INFO_eXIf) != 0) refuse("has Exif data (eXIf), which may turn it; expected none");
-    if (png_get_x_pixels_per_meter(png_, info_) != png_get_y_pixels_per_meter(png_, info_))
-      refuse("has pixels that are not square (pHYs); expected one pitch");
+    png_uint_32 across = 1, along = 1;
+    int unit = 0;
+    png_get_pHYs(png_, info_, &across, &along, &unit);  // without a unit, too: the numbers are then a ratio alone
+    if (across != along) refuse("has pixels that are not square (pHYs); expected one pitch");
+    png_charp width = nullptr, height = nullptr;
+    if (png_get_sCAL_s(png_, info_, &unit, &width, &height) != 0 && std::strtod(width, nullptr) != std::strtod(height, nullptr))
+      refuse("has pixels that are not square (sCAL); expected one size");
     png_unknown_chunkp other = nullptr;
     if (png_get_unknown_chunks(png_, info_, &other) > 0) refuse("is animated (acTL); expected one picture");
   }

@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -91,14 +92,85 @@ const Kind& kind_of(TIFF* tiff, const std::filesystem::path& file) {
 }
 
 // Tags of GDAL and GeoTIFF, which are no names of libtiff's: the number that stands for "no data" as text, other text in XML,
-// the sizes of a pixel, and the matrix that stands in their place where a picture is turned.
-constexpr std::uint32_t kNoData = 42113, kMetadata = 42112, kPixelScale = 33550, kTransformation = 34264;
+// the sizes of a pixel, the places of some, the matrix that stands in their place where a picture is turned, and what they are
+// measured in.
+constexpr std::uint32_t kNoData = 42113, kMetadata = 42112, kPixelScale = 33550, kTiePoints = 33922, kTransformation = 34264,
+                        kGeoKeys = 34735;
 
 std::string_view text_of(TIFF* tiff, std::uint32_t tag) {
   std::uint32_t size = 0;
   const char* text = nullptr;
   if (TIFFGetField(tiff, tag, &size, &text) != 1 || text == nullptr) return {};
   return {text, ::strnlen(text, size)};
+}
+
+// None where the file has them as another type of number.
+template <class T>
+std::span<const T> numbers_of(TIFF* tiff, std::uint32_t tag, TIFFDataType type) {
+  std::uint32_t count = 0;
+  const T* numbers = nullptr;
+  const TIFFField* field = TIFFFindField(tiff, tag, TIFF_ANY);
+  if (field == nullptr || TIFFFieldDataType(field) != type || TIFFFieldReadCount(field) != TIFF_VARIABLE2 ||
+      TIFFGetField(tiff, tag, &count, &numbers) != 1 || numbers == nullptr)
+    return {};
+  return {numbers, count};
+}
+
+// The words role="scale" in XML, however they are quoted and spaced.
+bool has_role(std::string_view text, std::string_view role) {
+  constexpr std::string_view kName = "role", kBlank = " \t\r\n";
+  for (std::size_t at = text.find(kName); at < text.size(); at = text.find(kName, at + 1)) {
+    std::string_view rest = text.substr(at + kName.size());
+    for (const std::string_view between : {"", "=", "\"\'"}) {
+      if (!between.empty() && !rest.empty() && between.find(rest.front()) != between.npos) rest.remove_prefix(1);
+      if (between != "\"\'") rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
+    }
+    if (rest.starts_with(role) && rest.substr(role.size()).find_first_of("\"\'") == 0) return true;
+  }
+  return false;
+}
+
+// A height that GeoTIFF declares for a number of 1: neither 0, which stands for none, nor 1.
+bool is_scale(double number) {
+  return number != 0 && number != 1;
+}
+
+// Refuses what GeoTIFF says about pixels that are not square, turned, or scaled in height.
+void expect_square_pixels(TIFF* tiff, const std::filesystem::path& file) {
+  const std::string scaled = " its numbers; expected heights, which scale_mm scales";
+  const std::span<const double> scale = numbers_of<double>(tiff, kPixelScale, TIFF_DOUBLE),
+                                matrix = numbers_of<double>(tiff, kTransformation, TIFF_DOUBLE);
+  if (scale.size() >= 2 && !(scale[0] == scale[1]))
+    throw Error(file, "has pixels that are not square (ModelPixelScale); expected one size");
+  if (scale.size() >= 3 && is_scale(scale[2])) throw Error(file, "scales (ModelPixelScale)" + scaled);
+  if (matrix.size() >= 6 && !(matrix[0] > 0 && matrix[5] == -matrix[0] && matrix[1] == 0 && matrix[4] == 0))
+    throw Error(file, "has pixels that are turned or not square (ModelTransformation); expected one size, with y upwards");
+  if (matrix.size() >= 12 && (matrix[8] != 0 || matrix[9] != 0 || is_scale(matrix[10]) || matrix[11] != 0))
+    throw Error(file, "scales, tilts or moves (ModelTransformation)" + scaled);
+  const std::span<const double> points = numbers_of<double>(tiff, kTiePoints, TIFF_DOUBLE);
+  if (points.size() > 6 && scale.empty() && matrix.empty())
+    throw Error(file, "is placed by " + std::to_string(points.size() / 6) +
+                          " points (ModelTiepoint), between which a pixel may have any size; expected ModelPixelScale");
+  // Rows of four: a key, where its value is (0: in the row), how many, and the value. Key 1024 says what the model is: 2 is
+  // degrees of longitude and latitude.
+  const std::span<const std::uint16_t> keys = numbers_of<std::uint16_t>(tiff, kGeoKeys, TIFF_SHORT);
+  for (std::size_t at = 4; at + 4 <= keys.size(); at += 4)
+    if (keys[at] == 1024 && keys[at + 1] == 0 && keys[at + 3] == 2)
+      throw Error(file,
+                  "has pixels in degrees of longitude and latitude (GTModelTypeGeoKey), which are not square; expected a "
+                  "projection, in a unit of length");
+}
+
+// ImageJ's text: a line for each of its numbers. It writes a stack of pictures behind the page of the first, and what a number
+// of the file means: cf=0 is c0 + c1 number.
+void expect_no_calibration(TIFF* tiff, const std::filesystem::path& file) {
+  const char* description = nullptr;
+  if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &description) != 1 || description == nullptr) return;
+  const std::string_view text = description;
+  if (!text.starts_with("ImageJ=")) return;
+  if (text.find("\ncf=") != text.npos)
+    throw Error(file, "declares a calibration of its numbers (ImageJ's cf); expected heights, which scale_mm scales");
+  if (text.find("\nimages=") != text.npos) throw Error(file, "has a stack of pictures (ImageJ's images); expected one");
 }
 
 // Refuses whatever says that the numbers are no heights, or not where they stand.
@@ -120,16 +192,10 @@ void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
   if (TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &across) == 1 && TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &along) == 1 &&
       across != along)
     throw Error(file, "has pixels that are not square; expected one resolution");
-  std::uint32_t count = 0;
-  const double* scale = nullptr;
-  if (TIFFGetField(tiff, kPixelScale, &count, &scale) == 1 && count >= 2 && scale[0] != scale[1])
-    throw Error(file, "has pixels that are not square (ModelPixelScale); expected one size");
-  const double* matrix = nullptr;
-  if (TIFFGetField(tiff, kTransformation, &count, &matrix) == 1 && count >= 6 &&
-      !(matrix[0] > 0 && matrix[5] == -matrix[0] && matrix[1] == 0 && matrix[4] == 0))
-    throw Error(file, "has pixels that are turned or not square (ModelTransformation); expected one size, with y upwards");
+  expect_square_pixels(tiff, file);
+  expect_no_calibration(tiff, file);
   for (const char* role : {"scale", "offset"})
-    if (text_of(tiff, kMetadata).find("role=\"" + std::string(role) + '"') != std::string_view::npos)
+    if (has_role(text_of(tiff, kMetadata), role))
       throw Error(file, "declares a" + std::string(role[0] == 'o' ? "n " : " ") + role +
                             " of its numbers (GDAL_METADATA); expected heights, which scale_mm scales");
   if (TIFFLastDirectory(tiff) == 0 || TIFFGetField(tiff, TIFFTAG_SUBIFD, &below, &places) == 1)

@@ -114,20 +114,23 @@ class Text {
   Welder welder_;
 };
 
-// The first bytes of a file up to the end of its first triangle, if it is binary.
+constexpr std::string_view kBlank = " \t\v\f\r\n";
+
+// The first bytes of a file behind blanks, up to the end of its first triangle, if it is binary.
 std::string head_of(const std::filesystem::path& file) {
   std::string head;
-  for (Bytes bytes(file, 0, std::endian::little); head.size() < kHead + kTriangle && bytes.left() > 0;)
-    head += static_cast<char>(bytes.take<unsigned char>());
+  for (Bytes bytes(file, 0, std::endian::little); head.size() < kHead + kTriangle && bytes.left() > 0;) {
+    const char byte = bytes.take<char>();
+    if (!head.empty() || kBlank.find(byte) == kBlank.npos) head += byte;
+  }
   return head;
 }
 
 // Many binary files begin with the word solid, too. No text has a zero byte, but a binary file of less than 2^24 triangles has
 // one in their number.
-bool is_text(std::string_view head) {
-  if (head.find('\0') != std::string_view::npos) return false;
+bool begins_with_solid(std::string_view head) {
   if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
-  head.remove_prefix(std::min(head.find_first_not_of(" \t\v\f\r\n"), head.size()));
+  head.remove_prefix(std::min(head.find_first_not_of(kBlank), head.size()));
   const std::string_view solid = "solid";
   return head.size() >= solid.size() && std::equal(solid.begin(), solid.end(), head.begin(), [](char expected, char found) {
            return expected == std::tolower(static_cast<unsigned char>(found));
@@ -144,7 +147,12 @@ LoadedMesh read_stl(const std::filesystem::path& file, const FileUnits& units) {
     triangles = Bytes(file, kHead - 4, std::endian::little).take<std::uint32_t>();
     if (size == kHead + kTriangle * triangles) return read_binary(file, units.length, triangles);
   }
-  if (is_text(head_of(file))) return Text(file, units.length).read();
+  const std::string head = head_of(file);
+  const bool is_text = head.find('\0') == head.npos;
+  if (is_text && begins_with_solid(head)) return Text(file, units.length).read();
+  if (is_text && std::ranges::all_of(head, [](unsigned char byte) { return std::isprint(byte) || std::isspace(byte); }))
+    throw Error(file, "is no STL file: expected the word solid" +
+                          std::string(size < kHead ? ", or 84 bytes and more" : ", got another text"));
   if (size < kHead) throw Error(file, "is no STL file: expected the word solid, or 84 bytes and more");
   throw Error(file, "byte 80: declares " + std::to_string(triangles) + " triangles, which take " +
                         std::to_string(kHead + kTriangle * triangles) + " bytes; the file has " + std::to_string(size));

@@ -187,7 +187,8 @@ expect 2 "pz_m: expected columns" -- \
 expect 2 '--columns: has no fz' -- "$forceshade" conform recording "$clean" --columns t=time_s,x=px,y=py,z=pz,fx=fx,fy=fy
 expect 2 '--columns: expected one of mm, cm, m, in, because the column px does not end in its unit' -- \
   "$forceshade" conform recording "$clean" "${columns[@]%,m,mN}"
-expect 2 '--columns: the column x_mm ends in mm; expected the unit m' -- wall turned.csv --columns m
+expect 2 '--columns: the column x_mm ends in mm; expected this unit, got m' -- wall turned.csv --columns m
+expect 2 '--columns: x and y are both px;' -- "$forceshade" conform recording "$clean" --columns t=time_s,x=px,y=px,z=pz,fx=fx,fy=fy,fz=fz,m,mN
 expect 2 'and of force (N, mN), each once; got "kN"' -- wall turned.csv --columns mm,kN
 expect 2 '--frame: expected three different ones' -- wall turned.csv --frame x,y,y
 expect 2 "--fit: expected --law" -- alone "$clean" --fit --tolerance "1 %"

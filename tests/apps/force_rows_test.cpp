@@ -20,21 +20,25 @@ namespace {
 struct Answered {
   RowCount count;
   std::string rows, complaints;
+  std::string begun = {};  // a letter for each answer and for each beginning
 };
 
 // Answers x for a position of positive x, and nothing for another.
 Answered answered(const std::string& text, RowFormat format = RowFormat::csv) {
   std::istringstream in(text);
   std::ostringstream out, complaints;
-  const RowCount count = answer_rows(in, "in.csv", format, out, complaints, [](const Eigen::Vector3f& position) {
+  std::string begun;
+  const auto answer = [&begun](const Eigen::Vector3f& position) {
+    begun += 'a';
     if (position.x() <= 0) throw std::domain_error("nobody knows \x1b[2J");
     return AnsweredRow{{position.x(), 0, 0}, position.x() > 3 ? RowStatus::unfinished : RowStatus::contact, std::nullopt};
-  });
-  return {count, out.str(), complaints.str()};
+  };
+  const RowCount count = answer_rows(in, "in.csv", format, out, complaints, {answer, [&begun] { begun += 'b'; }});
+  return {count, out.str(), complaints.str(), begun};
 }
 
 TEST(force_rows, that_cannot_be_answered_are_reported_and_the_others_answered) {
-  const auto [count, rows, complaints] = answered("z_mm,x_mm,y_mm\n3,1,2\n3,-1,2\n\n3,4,2\n3,0,2\n");
+  const auto [count, rows, complaints, begun] = answered("z_mm,x_mm,y_mm\n3,1,2\n3,-1,2\n\n3,4,2\n3,0,2\n");
   EXPECT_EQ(count.rows, 4U);
   EXPECT_EQ(count.unanswered, 2U);
   EXPECT_EQ(rows,
@@ -47,7 +51,7 @@ TEST(force_rows, that_cannot_be_answered_are_reported_and_the_others_answered) {
 
 // The bytes as the description of the format has them: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 TEST(force_rows, of_an_npy_file_are_records_of_the_same_numbers) {
-  const auto [count, file, complaints] = answered("x_mm,y_mm,z_mm\n1,2,3\n-1,2,3\n4,0.1,3\n", RowFormat::npy);
+  const auto [count, file, complaints, begun] = answered("x_mm,y_mm,z_mm\n1,2,3\n-1,2,3\n4,0.1,3\n", RowFormat::npy);
   EXPECT_EQ(count.rows, 3U);
   EXPECT_EQ(count.unanswered, 1U);
   ASSERT_EQ(file.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
@@ -86,7 +90,7 @@ TEST(force_rows, are_as_many_as_were_read_whichever_are_answered) {
       expected += !answers;
       text += answers ? "1,2,3\n" : "-1,2,3\n";
     }
-    const auto [count, out, complaints] = answered(text);
+    const auto [count, out, complaints, begun] = answered(text);
     EXPECT_EQ(count.rows, rows);
     EXPECT_EQ(count.unanswered, expected);
     EXPECT_EQ(static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n')), rows + 1);
@@ -96,6 +100,13 @@ TEST(force_rows, are_as_many_as_were_read_whichever_are_answered) {
 
 TEST(force_rows, that_cannot_be_read_end_it) {
   EXPECT_THROW(answered("x_mm,y_mm,z_mm\n1,2,3\n1,here,3\n"), Error);
+  EXPECT_THROW(answered("x_mm,y_mm,z_mm,reset\n1,2,3,yes\n"), Error);
+}
+
+// As `conform positions` writes them: without it a hand would go from the end of a path to the beginning of the next one.
+TEST(force_rows, begin_another_path_where_the_column_reset_says_so) {
+  EXPECT_EQ(answered("x_mm,y_mm,z_mm,reset,aim\n1,2,3,1,surface\n1,2,3,0,surface\n1,2,3,1,any\n").begun, "baaba");
+  EXPECT_EQ(answered("x_mm,y_mm,z_mm\n1,2,3\n1,2,3\n").begun, "aa");
 }
 
 }  // namespace

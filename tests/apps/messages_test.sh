@@ -97,6 +97,18 @@ for command in "mesh check fan.off --unit mm" "force --mesh fan.off --unit mm"; 
   expect 0 "fan.off" -- grep "^forceshade: interrupted: [a-hj-z]" stopped.txt
 done
 
+# Also while it waits for standard input.
+printf 'x_mm,y_mm,z_mm,fx_N,fy_N,fz_N\n0,0,-1,0,0,0.5\n' > rows.csv
+mkfifo waiting
+for command in "force --law wall" "conform judge - --law wall" "mesh check - --unit mm"; do
+  exec 9<> waiting
+  cat rows.csv >&9
+  env --default-signal=INT "$forceshade" $command > stopped.txt 2>&1 < waiting &
+  stopped INT; same 130 $?
+  expect 0 "forceshade: interrupted" -- grep "^forceshade: interrupted" stopped.txt
+  exec 9>&-
+done
+
 # A file of another kind.
 expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --height-map "$examples/leather.png"
 expect 2 "leather.png: expected a CSV file, got a PNG picture" -- "$forceshade" force "$examples/leather.png" --law wall
@@ -112,6 +124,8 @@ for file in object.json list.json; do
   done
 done
 expect 2 "positions.csv: expected a TOML file, got a CSV file" -- "$forceshade" force --height-map positions.csv
+printf 'version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 12345\n' > lfs.csv
+expect 2 "lfs.csv: expected a CSV file, got a pointer of Git LFS" -- "$forceshade" force lfs.csv --law wall
 expect 2 "object.json: expected a CSV file, got a JSON file" -- "$forceshade" force object.json --law wall
 for command in "recording check" "recording export"; do
   for file in "positions.csv a CSV file" "object.json a JSON file" "wall.toml a TOML file" "empty.txt an empty file" \
@@ -169,7 +183,11 @@ done
 "$forceshade" mesh make icosphere --cells 2 --out ball.obj
 printf 'solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid one\n' > one.stl
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' > one.ply
-for file in ball.off ball.obj one.stl one.ply; do
+# Behind what its reader passes over.
+printf '# a ball\n\n' | cat - ball.off > remark.off
+{ printf '\n  OFF%s' "$(sed -n 2p ball.off)"; sed 1,2d ball.off; } > word.off
+{ printf '\xef\xbb\xbf \r\n'; sed 's/solid/SOLID/' one.stl; } > blank.stl
+for file in ball.off ball.obj one.stl one.ply remark.off word.off blank.stl; do
   same "$("$forceshade" mesh check $file --unit mm)" "$("$forceshade" mesh check - --unit mm < $file)"
   same "$("$forceshade" mesh check $file --unit mm)" "$(cat $file | "$forceshade" mesh check - --unit mm)"
 done

@@ -100,6 +100,32 @@ TEST(fit_coverage, the_stated_errors_hold_the_truth) {
   }
 }
 
+// A spline between two noisy positions has less noise than they, which pulls the lag of a slow hand to half an interval.
+TEST(fit_coverage, the_stated_error_of_a_lag_holds_where_positions_alone_are_noisy) {
+  const auto subject = properties::subject_of(tests::described(kLaws.front(), 0.5F));
+  for (const double noise : {0.0, 0.01})
+    for (const double lag : {0.0, 0.003}) {
+      std::mt19937_64 random(1);
+      std::normal_distribution<double> normal(0, noise);
+      const auto hand = [](double time) {
+        return Eigen::Vector3d(60 * std::sin(3 * time), 30 * std::cos(2 * time), 2 - 3.5 * std::pow(std::sin(5 * time), 2));
+      };
+      Measurements measured{"made.csv", {}};
+      for (std::size_t i = 0; i < 1500; ++i) {
+        const double time = static_cast<double>(i) / 1000, force = 0.5 * std::max(0.0, -hand(time - lag).z());
+        const Eigen::Vector3d off =
+            noise > 0 ? Eigen::Vector3d(normal(random), normal(random), normal(random)) : Eigen::Vector3d(0, 0, 0);
+        measured.samples.push_back({time, hand(time) + off, {0, 0, force}, i + 2, i == 0 ? 0 : 0.001});
+      }
+      const Fit fit = fit_of(measured, *subject, 0.5F, {});
+      ASSERT_FALSE(fit.refusal) << *fit.refusal;
+      std::printf("noise %g mm, lag %g ms: %.4g +- %.4g ms\n", noise, 1000 * lag, 1000 * fit.placement.lag,
+                  1000 * fit.lag_error);
+      EXPECT_LE(std::fabs(fit.placement.lag - lag), fit.lag_error);
+      EXPECT_LT(fit.lag_error, noise > 0 ? 1.5e-3 : 1e-4);
+    }
+}
+
 // Sums of equal numbers are rounded, so that their mean may be another number.
 TEST(fit_coverage, the_reading_of_no_force_is_known_exactly_without_noise) {
   for (int tenths = -30; tenths <= 30; ++tenths) {

@@ -62,8 +62,28 @@ TEST(stays, are_stale_where_the_rates_are_no_multiples_or_the_holds_differ) {
   EXPECT_GT(stale_of(lost.stays), 100U);
 }
 
+// As a filter or a second program leaves it.
+Path with_noise(const Path& path, double size) {
+  return [=, random = std::mt19937(1)](double time) mutable {
+    std::normal_distribution<double> noise(0, size);
+    return Eigen::Vector3d(path(time) + Eigen::Vector3d(noise(random), noise(random), noise(random)));
+  };
+}
+
+TEST(stays, are_stale_where_noise_was_added_to_copies) {
+  for (const double noise : {1e-12, 1e-7, 1e-5})
+    for (const int hold : {2, 3, 7, 10, 17, 50}) {
+      const Recorded stays{recorded(with_noise(stroke, noise), [&](int i) { return i / hold * hold / 1000.0; })};
+      EXPECT_GT(stale_of(stays.stays), stays.stays.all().size() / 4) << noise << ' ' << hold;
+      EXPECT_NEAR(stays.stays.rate(), 1000.0 / hold, 1) << "two copies are nearly at one position, too, where the hand turns";
+    }
+  const Recorded sixty{recorded(with_noise(stroke, 1e-7), [](int i) { return std::floor(i * 0.06) / 60; })};
+  EXPECT_GT(stale_of(sixty.stays), sixty.stays.all().size() / 4);
+}
+
 TEST(stays, are_none_of_a_whole_recording) {
-  for (const Path& path : {Path(stroke), Path(circle)}) {
+  for (const Path& path :
+       {Path(stroke), Path(circle), with_noise(stroke, 1e-7), with_noise(stroke, 0.01), with_noise(pause, 1e-7)}) {
     const Recorded stays{recorded(path, [](int i) { return i / 1000.0; })};
     EXPECT_EQ(stale_of(stays.stays), 0U);
     EXPECT_NEAR(stays.stays.rate(), 1000, 1e-6);

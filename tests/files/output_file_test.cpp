@@ -38,6 +38,23 @@ TEST(output_file, appears_whole_at_commit) {
   EXPECT_EQ(directory.entries(), 1);
 }
 
+// Two runs with one name: the one that ends last was to replace nothing, or what it had seen.
+TEST(output_file, replaces_no_file_that_another_program_put_there_meanwhile) {
+  for (const char* before : {"", "before"}) {
+    const TemporaryDirectory directory;
+    if (*before != '\0') directory.write("out.csv", before);
+    OutputFile slow(directory.file("out.csv"));
+    slow.stream() << "slow";
+    write_file(directory.file("out.csv"), "quick");
+    const std::string words = tests::thrown_by<OutputError>([&] { slow.commit(); });
+    tests::expect_words(words,
+                        {"out.csv: another program has written it meanwhile; what this one wrote is in ", "out.csv.partial-"});
+    EXPECT_EQ(directory.read("out.csv"), "quick");
+    const std::string kept = words.substr(words.rfind("out.csv.partial-"));
+    EXPECT_EQ(directory.read(kept), "slow");
+  }
+}
+
 TEST(output_file, makes_and_replaces_what_a_symbolic_link_points_to) {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory.file("other"));

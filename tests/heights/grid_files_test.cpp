@@ -100,6 +100,8 @@ TEST(grid_files, that_say_something_odd_are_refused_in_words) {
       {"png/interlaced.png", "is interlaced"},
       {"png/transparent.png", "has a transparent level (tRNS); expected greyscale alone"},
       {"png/not_square.png", "has pixels that are not square (pHYs); expected one pitch"},
+      {"png/not_square_ratio.png", "has pixels that are not square (pHYs); expected one pitch"},
+      {"png/not_square_subject.png", "has pixels that are not square (sCAL); expected one size"},
       {"png/exif.png", "has Exif data (eXIf), which may turn it; expected none"},
       {"png/scaled.png", "has a scale of its own (pCAL); expected none"},
       {"png/animated.png", "is animated (acTL); expected one picture"},

@@ -253,6 +253,51 @@ TEST_F(GridSamples, without_data_or_with_pixels_that_are_not_square_are_refused)
             "declares a scale of its numbers (GDAL_METADATA); expected heights, which scale_mm scales");
   EXPECT_EQ(described("<Item name=\"OFFSET\" sample=\"0\" role=\"offset\">9</Item>"),
             "declares an offset of its numbers (GDAL_METADATA); expected heights, which scale_mm scales");
+  for (const char* item : {"<Item role='scale'>2</Item>", "<Item role = \"scale\">2</Item>", "<Item role=\n'scale' >2</Item>"})
+    EXPECT_EQ(described(item), "declares a scale of its numbers (GDAL_METADATA); expected heights, which scale_mm scales")
+        << item;
+  for (const char* item :
+       {"<Item role=\"unittype\">m</Item>", "<Item role=\"scales\">m</Item>", "<Item name=\"scale\">m</Item>"})
+    EXPECT_EQ(described(item), "") << item;
+}
+
+TEST_F(GridSamples, that_geotiff_scales_or_places_on_pixels_of_any_size_are_refused) {
+  const auto written = [&](const tests::TiffOptions& options) {
+    write_tiff(directory_.file("a.tif"), 3, 3, std::vector<float>(9, 0.5F), options);
+    return refusal(directory_.file("a.tif"), 1);
+  };
+  const std::string scaled = " its numbers; expected heights, which scale_mm scales";
+  EXPECT_EQ(written({.scale = {2, 2, 1}}), "");
+  EXPECT_EQ(written({.scale = {2, 2, 0.01}}), "scales (ModelPixelScale)" + scaled);
+  EXPECT_EQ(written({.matrix = {2, 0, 0, 7, 0, -2, 0, 8, 0, 0, 1, 0, 0, 0, 0, 1}}), "");
+  for (const auto& [x, y, z, offset] : {std::array{0., 0., 2., 0.}, {0., 0., 1., 9.}, {1., 0., 1., 0.}, {0., 1., 1., 0.}})
+    EXPECT_EQ(written({.matrix = {2, 0, 0, 7, 0, -2, 0, 8, x, y, z, offset, 0, 0, 0, 1}}),
+              "scales, tilts or moves (ModelTransformation)" + scaled);
+  const std::vector<double> one{0, 0, 0, 5, 6, 0}, two{0, 0, 0, 5, 6, 0, 3, 3, 0, 8, 0, 0};
+  EXPECT_EQ(written({.points = one}), "");
+  EXPECT_EQ(written({.scale = {1, 1, 0}, .points = two}), "");
+  EXPECT_EQ(written({.points = two}),
+            "is placed by 2 points (ModelTiepoint), between which a pixel may have any size; expected ModelPixelScale");
+  const auto of_model = [](std::uint16_t model) {
+    return std::vector<std::uint16_t>{1, 1, 0, 2, 1025, 0, 1, 2, 1024, 0, 1, model};
+  };
+  EXPECT_EQ(written({.keys = of_model(1)}), "");
+  EXPECT_EQ(
+      written({.keys = of_model(2)}),
+      "has pixels in degrees of longitude and latitude (GTModelTypeGeoKey), which are not square; expected a projection, in "
+      "a unit of length");
+}
+
+TEST_F(GridSamples, that_imagej_calibrates_or_stacks_are_refused) {
+  const auto described = [&](const char* words) {
+    write_tiff(directory_.file("a.tif"), 3, 3, std::vector<std::uint16_t>(9, 5), {.description = words});
+    return refusal(directory_.file("a.tif"), 1);
+  };
+  EXPECT_EQ(described("ImageJ=1.53t\nunit=mm\nmin=0.0\n"), "");
+  EXPECT_EQ(described("a picture with\ncf=0\n"), "") << "is no text of ImageJ's";
+  EXPECT_EQ(described("ImageJ=1.53t\ncf=0\nc0=-32768.0\nc1=1.0\nvunit=gray value\n"),
+            "declares a calibration of its numbers (ImageJ's cf); expected heights, which scale_mm scales");
+  EXPECT_EQ(described("ImageJ=1.53t\nimages=3\nslices=3\n"), "has a stack of pictures (ImageJ's images); expected one");
 }
 
 // The number is text, and a sample has fewer bits or runs from black to white.

@@ -43,6 +43,9 @@ struct TiffOptions {
   const char* metadata = nullptr;
   std::array<double, 3> scale = {};  // GeoTIFF's, unless they are 0
   std::array<double, 16> matrix = {};
+  std::vector<double> points = {};
+  std::vector<std::uint16_t> keys = {};
+  const char* description = nullptr;  // ImageJ's
 };
 
 // The first row is the top one.
@@ -65,12 +68,17 @@ void write_tiff(const std::filesystem::path& file, std::uint32_t columns, std::u
   static const TIFFFieldInfo kTags[]{{42113, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_NODATA")},
                                      {33550, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelPixelScale")},
                                      {34264, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelTransformation")},
-                                     {42112, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_METADATA")}};
-  TIFFMergeFieldInfo(tiff, kTags, 4);
+                                     {42112, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_METADATA")},
+                                     {33922, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelTiepoint")},
+                                     {34735, -1, -1, TIFF_SHORT, FIELD_CUSTOM, 1, 1, const_cast<char*>("GeoKeyDirectory")}};
+  TIFFMergeFieldInfo(tiff, kTags, 6);
   if (options.no_data) TIFFSetField(tiff, kTags[0].field_tag, options.no_data);
   if (options.metadata) TIFFSetField(tiff, kTags[3].field_tag, options.metadata);
   if (options.scale[0] != 0) TIFFSetField(tiff, kTags[1].field_tag, 3, options.scale.data());
   if (options.matrix[15] != 0) TIFFSetField(tiff, kTags[2].field_tag, 16, options.matrix.data());
+  if (!options.points.empty()) TIFFSetField(tiff, kTags[4].field_tag, options.points.size(), options.points.data());
+  if (!options.keys.empty()) TIFFSetField(tiff, kTags[5].field_tag, options.keys.size(), options.keys.data());
+  if (options.description) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, options.description);
   const std::uint32_t size = options.tile;
   if (size > 0) {
     TIFFSetField(tiff, TIFFTAG_TILEWIDTH, size);

@@ -87,13 +87,16 @@ libraries=$(dirname "$pc")
 ! nm -D -C --defined-only "$scratch/plugin.so" | grep -E '^[0-9a-f]+ . ((vtable|typeinfo|typeinfo name) for )?forceshade::' ||
   fail "the plugin shows functions of the libraries in it"
 
-echo "== the sources inside another project"
-cmake -S "$source/inside" -B "$scratch/inside" -G Ninja -DFORCESHADE_SOURCES="$source/../.." -DCMAKE_CXX_COMPILER="$compiler" \
+echo "== the sources inside another project, which has them twice and compiles its own files together"
+cmake -S "$source/inside" -B "$scratch/inside" -G Ninja -DCMAKE_UNITY_BUILD=ON \
+  -DFORCESHADE_SOURCES="$source/../.." -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log" 2>&1 || { cat "$scratch/configure.log"; exit 1; }
 ! grep -E '^(BUILD_TESTING|CMAKE_INSTALL_LIBDIR|CPACK_[A-Z_]*):' "$scratch/inside/CMakeCache.txt" ||
   fail "it sets what belongs to the other project"
 ! ninja -C "$scratch/inside" -t commands all | grep -E '/tests/[a-z_]*/CMakeFiles|/apps/|/python/' ||
   fail "the other project builds more than it links"
+ninja -C "$scratch/inside" -t targets all | grep -q 'fast_objects.dir/law.cpp.o:' ||
+  fail "the objects that a certificate counts are compiled together"
 object=$(ninja -C "$scratch/inside" -t targets all | sed -n 's/^\([^ ]*consumer\.cpp\.o\):.*/\1/p')
 # The last command compiles the consumer; those before it compile the libraries, once more.
 mkdir -p "$(dirname "$scratch/inside/$object")"

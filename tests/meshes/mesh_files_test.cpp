@@ -278,7 +278,9 @@ std::string binary_stl(const std::string& head, const std::vector<Vertex>& corne
 TEST(mesh_files, of_stl_have_vertices_with_equal_coordinates_once) {
   const std::string words = "STL repeats its vertices: of 6, those with equal coordinates are one, 4 in all";
   std::string text;
-  for (const char* head : {"solid a\n", "SOLID\n\n", "\n \r\n\tsolid a\n", "\xEF\xBB\xBF\nsolid a\n"}) {
+  for (const std::string& head :
+       {std::string("solid a\n"), std::string("SOLID\n\n"), std::string("\n \r\n\tsolid a\n"),
+        std::string("\xEF\xBB\xBF\nsolid a\n"), std::string(200, '\n') + std::string(300, ' ') + "solid a\n"}) {
     text = head;
     for (const char* facet :
          {"vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n", "vertex 0 0 -0\n vertex\t1e0 1 1e-20\nVertex 0 1 0\n"})

@@ -272,6 +272,7 @@ Hd::Hd(Arm& arm) : arm_(arm) {
   the_hd = this;
   world::current()->on_process_end = [this](int process) {
     if (process == 0) return;
+    seen_.is_left |= seen_.initialised;
     seen_.initialised = seen_.scheduler = seen_.output = false;
     if (arm_.is_closed()) return;
     if (!arm_.felt().isZero(0) && !arm_.plan().may_be_lost) arm_.on_misuse("its process ends under force");

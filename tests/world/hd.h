@@ -101,6 +101,7 @@ class Hd {
   struct Seen {
     std::optional<std::string> name;
     bool initialised = false, scheduler = false, output = false;
+    bool is_left = false;  // by a process that ended without hdDisableDevice
     int updates = 0;
     double rate = 1000;
     std::vector<Frame> frames;

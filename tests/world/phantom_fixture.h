@@ -60,7 +60,7 @@ inline std::string fault_of(Device& device) {
   return words;
 }
 
-// Every test leaves the device without a misuse, closed and without force, and no thread.
+// Every test leaves the device without a misuse, disabled, closed and without force, and no thread.
 class phantom : public testing::Test {
  protected:
   static void in_world(const std::function<void()>& body) {
@@ -72,6 +72,7 @@ class phantom : public testing::Test {
     const Hd hd(arm);
     EXPECT_EQ(world.run(body, 200 * system::kSecond), World::End::over);
     EXPECT_FALSE(seen().initialised || seen().scheduler || seen().output);
+    EXPECT_FALSE(seen().is_left) << "without hdDisableDevice";
     EXPECT_TRUE(last_force().isZero(0));
     for (int thread = 0; thread < world.threads(); ++thread) EXPECT_TRUE(world.is_over(thread)) << world.name(thread);
   }

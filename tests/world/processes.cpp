@@ -184,6 +184,9 @@ bool Packets::is_alone(std::int64_t deadline) noexcept {
   return ProcessCalls::waits(end_, deadline, false);
 }
 
+KilledFirst::KilledFirst() noexcept = default;
+KilledFirst::~KilledFirst() = default;
+
 Process::Process(const char* name, const std::function<int(Packets&)>& body)
     : id_(ProcessCalls::begin(name, body)), packets_(2 * id_, 0) {}
 

@@ -51,6 +51,9 @@ class Scene(_forceshade.Scene):
     def __reduce__(self) -> str:
         raise TypeError("a Scene cannot be pickled or copied; expected a new one")
 
+    def __repr__(self) -> str:
+        return f"<Scene of {', '.join(repr(one) for one in self._objects)}>"
+
     @property
     def objects(self) -> tuple[Subject, ...]:
         """The subjects that it renders."""

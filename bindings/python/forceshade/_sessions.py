@@ -99,6 +99,9 @@ class Session(_forceshade.Session):
     def __reduce__(self) -> str:
         raise TypeError("a Session cannot be pickled or copied; expected a new one, and resume() with the state of this one")
 
+    def __repr__(self) -> str:
+        return f"<Session of {self._subject!r}>"
+
     @property
     def subject(self) -> Subject:
         """The subject that it renders."""

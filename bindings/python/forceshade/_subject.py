@@ -71,7 +71,10 @@ def text_of(value: object, name: str, what: str) -> str:
         return value
     if isinstance(value, bool) or not isinstance(value, (numbers.Real, np.number)):
         raise TypeError(f"{name}: expected a number or a text such as {what}, got {value!r}")
-    return repr(float(value))
+    try:
+        return repr(float(value))
+    except OverflowError:
+        raise ValueError(f"{name}: expected a number that binary64 holds, got one of more than 300 digits") from None
 
 
 def length_of(value: Quantity, name: str) -> float:

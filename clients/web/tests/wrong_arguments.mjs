@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 
 const VALUES = [undefined, null, 3, -1, 0.5, NaN, "x", "", "wall\0", true, Symbol("s"), 1n, {}, [], [1, 2, "3"], [[1, 2, 3]], () => 0,
                 new Date(0), Object.create(null), new Map(), new DataView(new ArrayBuffer(12)), new BigInt64Array(3), { length: 3 },
-                { length: 1e9 }];
+                { length: 1e9 }, { length: 3e9 }];
 
 export function refusesWrongArguments(library, ForceshadeError) {
   const law = (options) => library.law("wall", { stiffness: 1, ...options });
@@ -102,6 +102,7 @@ export function refusesWrongArguments(library, ForceshadeError) {
     [/^selfIntersecting: expected true or false, got the text "no"$/, () => mesh({ selfIntersecting: "no" })],
     [/^materials: expected an array, got an object$/, () => mesh({ materials: {} })],
     [/^materialOfTriangle: expected an array of 1 numbers, got the number 0$/, () => mesh({ materialOfTriangle: 0 })],
+    [/^materialOfTriangle: expected materials beside it, got none$/, () => mesh({ materialOfTriangle: [0] })],
     [/^objects: expected an array, got undefined$/, () => library.scene()],
     [/^objects: expected subjects of this library, got an object$/, () => library.scene([path])],
     [/^damping: expected options with rate, got undefined$/, () => library.damping()],

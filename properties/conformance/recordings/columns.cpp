@@ -42,8 +42,8 @@ double unit_of(std::span<const std::string> names, std::span<const FileUnit> uni
     if (its == nullptr)
       throw Error("--columns: expected one of " + choices + ", because the column " + name + " does not end in its unit");
     if (unit != nullptr && unit != its)
-      throw Error("--columns: the column " + name + " ends in " + std::string(ending) + "; expected the unit " +
-                  std::string(unit->name));
+      throw Error("--columns: the column " + name + " ends in " + std::string(ending) +
+                  (is_given ? "; expected this unit, got " : "; expected the unit ") + std::string(unit->name));
     unit = its;
   }
   return unit->size;
@@ -79,8 +79,12 @@ Columns columns_of(const std::string& text) {
     name = part.substr(sign + 1);
   }
   if (std::ranges::any_of(given, [](const std::string& name) { return !name.empty(); })) {
-    for (std::size_t i = 0; i < given.size(); ++i)
+    for (std::size_t i = 0; i < given.size(); ++i) {
       if (given[i].empty()) throw refused("has no " + std::string(Columns::kWhat[i]));
+      for (std::size_t k = 0; k < i; ++k)
+        if (given[k] == given[i])
+          throw refused(std::string(Columns::kWhat[k]) + " and " + std::string(Columns::kWhat[i]) + " are both " + given[i]);
+    }
     columns.names = given;
   }
   const std::span<const std::string> names(columns.names);

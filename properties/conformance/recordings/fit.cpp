@@ -27,7 +27,7 @@ constexpr std::size_t kMostSamples = 5000, kTriedSamples = 200;  // that are fit
 constexpr std::size_t kTurns = 24, kBeginnings = 16;             // of each that is laid
 constexpr int kRounds = 2, kLimits = 20, kLags = 20;
 constexpr double kLagStep = 0.005;  // s
-constexpr double kFree = 0.1, kLeastForce = 1e-6, kAsGood = 1.1, kLittle = 1e-3;
+constexpr double kFree = 0.1, kAsGood = 1.1, kLittle = 1e-3;
 constexpr double kNear = 0.02;  // mm
 constexpr const char* kNeverLeaves =
     "the hand never leaves the surface, or hardly, so that the sensor's reading of no force is unknown; expected samples "
@@ -76,8 +76,8 @@ class Fitting {
     }
     if (!best_rest) return refused(refusal.value_or("no placement of the subject explains a force of the recording"));
     look_for_contacts(usable, {best.placement.offset, best_rest->noise});
-    // A fitted offset is hardly ever the sensor's to the last digit.
-    if (!options_.offset) look_for_contacts(usable, {rest_, std::max(best_rest->noise, kLeastForce * largest_force())});
+    if (!options_.offset)
+      look_for_contacts(usable, {rest_, std::max(best_rest->noise, doubt_of(rest_, rests, largest_force()))});
     Fit fit = trimmed(all, best);
     if (options_.offset || fit.refusal) return fit;
     for (const Solution& other : solutions)
@@ -371,7 +371,9 @@ class Fitting {
     if (unknowns.turns) fit.turn_error = errors.segment<3>(1).norm() / scale_.lever * 180 / std::numbers::pi;
     fit.shift_error = errors.segment<3>(unknowns.turns ? 4 : 1).norm();
     if (unknowns.offset) fit.offset_error = errors.segment<3>(offset_at);
-    if (unknowns.lag) fit.lag_error = errors[errors.size() - 1] / scale_.speed;
+    if (unknowns.lag)
+      fit.lag_error = errors[errors.size() - 1] / scale_.speed +
+                      pull_of_noisy_positions(derivatives.rightCols<1>() * scale_.speed, best.residuals, kept);
   }
 
   const Measurements& measured_;

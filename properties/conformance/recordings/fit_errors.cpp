@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace forceshade::conformance {
 namespace {
@@ -66,6 +67,28 @@ FitErrors fit_errors_of(const Eigen::MatrixXd& derivatives, const Eigen::VectorX
   errors.error = boost::math::quantile(student, kOneSide) * plain.cwiseMax(robust).cwiseMax(0).cwiseSqrt() +
                  rounding * std::sqrt(values) * inverse.diagonal().cwiseSqrt();
   return errors;
+}
+
+// A cardinal cubic spline through independent noise of positions, which is noise of forces with the variance e, has 0.76 e
+// halfway between two samples, and there a slope with 3.42 e/T^2. So the mean square of residuals at a lag t from the true one,
+// which is at a sample, is about a t^2 + e (0.88 + 0.12 cos 2 pi t / T), and where it is least, |t| <= 0.12 pi e / (a T).
+double pull_of_noisy_positions(const Eigen::VectorXd& slopes, const Eigen::VectorXd& residuals,
+                               const std::vector<Measured>& samples) {
+  double slope = 0, squares = 0, rest = 0, interval = 0;
+  Eigen::Index contacts = 0;
+  for (Eigen::Index i = 0; i < residuals.size(); i += 3) {
+    const bool is_rest = slopes.segment<3>(i).isZero(0);
+    contacts += is_rest ? 0 : 1;
+    interval += samples[static_cast<std::size_t>(i / 3)].interval / static_cast<double>(samples.size());
+    slope += slopes.segment<3>(i).squaredNorm();
+    (is_rest ? rest : squares) += residuals.segment<3>(i).squaredNorm();
+  }
+  const Eigen::Index rests = residuals.size() / 3 - contacts;
+  if (contacts == 0 || !(slope > 0) || !(interval > 0)) return 0;
+  const auto mean = [](double sum, Eigen::Index count) { return count > 0 ? sum / static_cast<double>(count) : 0; };
+  const double noise = std::max(0.0, mean(squares, contacts) - mean(rest, rests)) / 0.76;
+  const double own_slope = mean(slope, contacts) - 3.42 * noise / (interval * interval);
+  return std::min(interval / 2, own_slope > 0 ? 0.12 * std::numbers::pi * noise / (own_slope * interval) : interval);
 }
 
 Eigen::MatrixXd without_weak_forces(Eigen::MatrixXd derivatives, double least) {

@@ -3,6 +3,9 @@
 // The errors of a fit's numbers that its samples leave.
 
 #include <Eigen/Core>
+#include <vector>
+
+#include "properties/conformance/recordings/recording.h"
 
 namespace forceshade::conformance {
 
@@ -21,6 +24,12 @@ struct FitErrors {
 // many samples their autocorrelation lasts; that of what each sample pushes the numbers by, so that noise which is larger in
 // contact counts where it is, times the same; and that of Newey and West, which sums the products of neighbours' pushes.
 FitErrors fit_errors_of(const Eigen::MatrixXd& derivatives, const Eigen::VectorXd& residuals, double force, double rounding);
+
+// The most (s) by which a fit's lag is pulled towards the middle between two samples: a spline through noisy positions has less
+// noise there than at a sample. slopes: of the residuals by the lag, 0 where there is no force, so that the residuals there are
+// the noise of forces, and what those in contact have more is that of positions.
+double pull_of_noisy_positions(const Eigen::VectorXd& slopes, const Eigen::VectorXd& residuals,
+                               const std::vector<Measured>& samples);
 
 // The derivatives, with zeros for the samples whose force, which is the first column, is at most `least` (N).
 Eigen::MatrixXd without_weak_forces(Eigen::MatrixXd derivatives, double least);

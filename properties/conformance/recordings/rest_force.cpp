@@ -40,4 +40,10 @@ RestForce rest_force_of(const std::vector<Measured>& samples) {
   return rest;
 }
 
+double doubt_of(const Eigen::Vector3d& offset, const std::vector<RestForce>& rests, double largest) {
+  double doubt = 1e-3 * largest;
+  for (const RestForce& rest : rests) doubt = std::min(doubt, (offset - rest.force).norm());
+  return std::max(doubt, 1e-6 * largest);
+}
+
 }  // namespace forceshade::conformance

@@ -18,4 +18,9 @@ struct RestForce {
 // a hand that never leaves the surface it is some force. There is one sample at least, and all forces are finite.
 RestForce rest_force_of(const std::vector<Measured>& samples);
 
+// The distance (N) that the fitted offset may have from what the sensor reads of no force: that from the nearest of these, at
+// least a millionth and at most a thousandth of the largest force. No fit finds it to the last digit, nor noisy positions to
+// many.
+double doubt_of(const Eigen::Vector3d& offset, const std::vector<RestForce>& rests, double largest);
+
 }  // namespace forceshade::conformance

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/recordings/stays.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -12,14 +13,22 @@ namespace {
 // A slow hand moves a sensor by one of its steps at a time, which may be along three axes at once, or by two.
 constexpr double kFewSteps = 4;
 
+// Copies to which noise was added move by less than this share of a large step. A hand that turns does so, too, but not after
+// each second sample, or each third one.
+constexpr double kNearly = 0.001;
+
 }  // namespace
 
 Stays::Stays(const Measurements& measured) : samples_(measured.samples) {
-  for (std::size_t i = 0; i < samples_.size(); ++i)
-    if (i > 0 && samples_[i].position == samples_[i - 1].position)
-      stays_.back().last = i;
-    else
-      stays_.push_back({i, i});
+  divide(0);
+  are_copied_ = are_copied();
+  if (!are_copied_) {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < samples_.size(); ++i) steps.push_back(step(i));
+    divide(kNearly * quantile(steps, 0.995));
+    are_copied_ = are_copied();
+    if (!are_copied_) divide(0);
+  }
   std::vector<double> speeds, steps;
   for (const Stay& stay : stays_) {
     if (!has_neighbours(stay)) continue;
@@ -28,7 +37,15 @@ Stays::Stays(const Measurements& measured) : samples_(measured.samples) {
   }
   usual_speed_ = quantile(speeds, 0.5);
   small_step_ = quantile(steps, 0.01);
-  are_copied_ = are_copied();
+}
+
+void Stays::divide(double nearly) {
+  stays_.clear();
+  for (std::size_t i = 0; i < samples_.size(); ++i)
+    if (i > 0 && step(i) <= nearly)
+      stays_.back().last = i;
+    else
+      stays_.push_back({i, i});
 }
 
 double Stays::step(std::size_t i) const {

@@ -12,7 +12,8 @@ namespace forceshade::conformance {
 // The longest time that a force may be held without a new position.
 inline constexpr double kLongestHold = 0.01;  // s
 
-// Samples first to last are at one position, and those beside them at others.
+// Samples first to last are at one position, and those beside them at others. Where all samples were copied, and noise was
+// added to them, they are nearly at one.
 struct Stay {
   std::size_t first, last;
 };
@@ -43,6 +44,7 @@ class Stays {
   double rate() const;
 
  private:
+  void divide(double nearly);        // at steps of more mm
   double step(std::size_t i) const;  // mm, to a sample from the one before
   bool has_neighbours(const Stay& stay) const { return stay.first > 0 && stay.last + 1 < samples_.size(); }
   bool are_copied() const;

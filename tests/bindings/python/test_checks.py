@@ -122,7 +122,12 @@ def test_a_signal_ends_what_is_computed_for_long(tetrahedron):
     reference = forceshade._forceshade.Reference(forceshade.HeightMap(at[:9] + np.ones((9, 3), np.float32), pitch=9))
     stopped_after(0.02, reference.rounded, at, forces, statuses)
     assert forces[-1, 0] == statuses[-1] == 7 and statuses[0] != 7
+    damping = forceshade.Damping(rate=1000, damping=0.002)
+    forces[:] = 1
+    stopped_after(0.02, lambda: forceshade._forceshade.damp_exactly(damping._numbers(), None, at[: 1 << 18], forces[: 1 << 18], None))
+    assert forces[(1 << 18) - 1, 0] == 1
     session = forceshade.Session(tetrahedron)
+    forces[-1, 0] = 7
     stopped_after(0.02, lambda: session.steps(at, out=forces))
     assert forces[-1, 0] == 7 and forces[0, 0] != 7
     assert session.steps(at[:1]).shape == (1, 3)  # and it goes on

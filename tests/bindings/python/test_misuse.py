@@ -101,6 +101,7 @@ def test_laws():
     refused(ValueError, 'got "nan"', law, "wall", stiffness=float("nan"))
     refused(ValueError, 'stiffness: expected a stiffness such as 0.5, 0.5N/mm or 500N/m, got "1mm"', law, "wall", stiffness="1mm")
     refused(TypeError, "radius: expected a number or a text such as", law, "bump-1p", **{**good, "radius": [1]})
+    refused(ValueError, "radius: expected a number that binary64 holds", law, "bump-1p", **{**good, "radius": 10**400})
     refused(TypeError, "the wall has no width", law, "wall", width=3, stiffness=1)
     refused(TypeError, "unexpected keyword argument 'diameter'", law, "wall", diameter=3, stiffness=1)
     refused(forceshade.Error, "the wall has no geometry", law("wall", stiffness=1).geometry)

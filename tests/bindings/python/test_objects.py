@@ -232,3 +232,9 @@ def test_pytest_shows_where_a_renderer_is_wrong(tmp_path):
     path = {"PYTHONPATH": ":".join(sys.path[1:] + [str(ROOT / "tests/bindings/python")])}
     ran = subprocess.run(words, capture_output=True, text=True, cwd=tmp_path, env={**os.environ, **path})
     assert ran.returncode == 1 and "the simplest beyond it, to paste into a test:" in ran.stdout, ran.stdout
+
+
+def test_what_renders_says_what_in_one_line():
+    wall = forceshade.Law("wall", stiffness=0.5)
+    assert repr(forceshade.Session(wall)) == "<Session of Law('wall', stiffness=0.5)>"
+    assert repr(forceshade.Scene([wall, wall])) == "<Scene of Law('wall', stiffness=0.5), Law('wall', stiffness=0.5)>"

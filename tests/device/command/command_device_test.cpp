@@ -34,17 +34,18 @@ struct Program {
 
   std::string command() const { return "exec python3 '" HOSTILE_PROGRAM "' " + mode + " '" + log + "'"; }
 
-  // The number of processes that have its log in their command line.
-  int left() const {
-    int count = 0;
+  // The folders in /proc of the processes that have its log in their command line.
+  std::vector<std::string> processes() const {
+    std::vector<std::string> all;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
       std::ifstream in(entry.path() / "cmdline");
       std::string line;
       std::getline(in, line);  // empty where the process ended meanwhile
-      count += line.find(log) != std::string::npos;
+      if (line.find(log) != std::string::npos) all.push_back(entry.path());
     }
-    return count;
+    return all;
   }
+  std::size_t left() const { return processes().size(); }
 
   // The lines that it was sent, without their times.
   std::vector<std::string> lines() const {
@@ -99,7 +100,7 @@ TEST(command_device, ends_a_run_in_words_where_the_program_crashes) {
   Attendant nobody;
   tests::expect_words(driven(*open_command(program.command(), kPatient, nobody), kRate),
                       {"the program was killed by signal 6"});
-  EXPECT_EQ(program.left(), 0);
+  EXPECT_EQ(program.left(), 0U);
 }
 
 // The lines of a program that still reads end with a zero force and the end.
@@ -118,7 +119,7 @@ TEST(command_device, sends_zero_last) {
     ASSERT_GE(lines.size(), 2U);
     EXPECT_EQ(lines.back(), R"({"end":true})");
     EXPECT_EQ(lines[lines.size() - 2], R"({"force_N":[0,0,0]})");
-    EXPECT_EQ(program.left(), 0);
+    EXPECT_EQ(program.left(), 0U);
     if (program.mode == "garbage") {
       EXPECT_NE(std::ranges::find(lines, R"({"force_N":[0,0,0.5]})"), lines.end());
     }
@@ -136,7 +137,7 @@ TEST(command_device, ends_what_does_not_end_by_itself) {
       const auto device = open_command(program.command(), options, listener);
       ASSERT_FALSE(device->start(kRate));
     }
-    EXPECT_EQ(program.left(), 0);
+    EXPECT_EQ(program.left(), 0U);
     const bool is_ended = listener.words.find("it did not end within 1 s, and was ended") != std::string::npos;
     EXPECT_EQ(is_ended, program.mode == "hangs-at-end") << listener.words;
   }
@@ -173,6 +174,27 @@ TEST(command_device, sends_no_force_that_is_forbidden) {
     for (const std::string& line : program.lines())
       EXPECT_TRUE(line == R"({"force_N":[0,0,0]})" || line == R"({"end":true})") << line;
   }
+}
+
+// The loop's process is killed first where memory runs out, and the program then reads the end of its input.
+TEST(command_device, has_a_program_that_memory_is_taken_from_last) {
+  const auto readiness = [](const std::string& process) {
+    int score = 0;
+    std::ifstream(process + "/oom_score_adj") >> score;
+    return score;
+  };
+  const int before = readiness("/proc/self");
+  if (!(std::ofstream("/proc/self/oom_score_adj") << before << std::flush))
+    GTEST_SKIP() << "/proc/self/oom_score_adj is not to be written";
+  const Program program("right");
+  Attendant nobody;
+  {
+    const auto device = open_command(program.command(), kPatient, nobody);
+    EXPECT_EQ(readiness("/proc/self"), 1000);
+    ASSERT_GT(program.left(), 0U);
+    for (const std::string& process : program.processes()) EXPECT_EQ(readiness(process), before);
+  }
+  EXPECT_EQ(readiness("/proc/self"), before);
 }
 
 // A program that writes much on its standard error does not stop.
