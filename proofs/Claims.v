@@ -27,6 +27,7 @@ From Forceshade Require Import MeshConstants MeshSigns MeshSide SoupNumbers Soup
 From Forceshade Require Import NewtonThirdStage SineThirdStage ThreePolygonsThird.
 From Forceshade Require Import BumpLanes PolygonLanes ThreePolygonLanes WalkRight CylinderLaneV CylinderLaneRough CylinderLaneRoughForm
   CylinderLaneStep CylinderLaneScale CylinderLanes.
+From Forceshade Require Import Work Conservative EdgeLoops EdgeLoopsExist Strokes StrokesExist.
 From Forceshade Require Import Main RecordedParts RecordedLaws.
 Import ListNotations.
 Arguments third_nearest_is_recorded : clear implicits. Arguments third_sine_is_recorded : clear implicits.
@@ -130,6 +131,11 @@ Definition claims : list claim := [
   claimed exactly_contains; claimed negated_contains; claimed add_contains; claimed subtract_contains; claimed multiply_contains;
   claimed difference_of_products_contains; claimed dot_contains; claimed sure_is_right; claimed sign_of_is_right;
   claimed sign_of_determinant_is_right; claimed side_of_plane_is_right;
+  claimed closed_path_gives_nothing; claimed wall_is_conservative; claimed cylinder_is_conservative;
+  claimed bump_cylinder_is_conservative; claimed bump_1p_is_conservative; claimed bump_2p_loop_gives_at_most;
+  claimed bump_3p_loop_gives_at_most; claimed bump_2p_loop_gives_all; claimed bump_3p_loop_gives_all;
+  claimed bump_1p_shaded_stroke_gives; claimed bump_2p_shaded_stroke_gives; claimed bump_3p_shaded_stroke_gives;
+  claimed bump_1p_shaded_stroke_exists; claimed bump_2p_shaded_stroke_exists; claimed bump_3p_shaded_stroke_exists;
   claimed damper_dissipates; claimed sampling_gives_at_most; claimed side_of_plane_changes_by;
   claimed passes_edge_changes_by; claimed product_is_off_by; claimed quotient_is_off_by; claimed root_is_off_by; claimed sum_is_recorded;
   claimed difference_is_recorded; claimed product_is_recorded; claimed quotient_is_recorded; claimed root_is_recorded;

@@ -182,6 +182,9 @@ refuses proofs/meshes/MeshConsequences.v "<= 6 * (s * t * delta)." "<= 3 * (s * 
 refuses proofs/device/Damping.v "m * dot (damper B S t f v) v <= - square" "m * dot (damper B S t f v) v <= - 2 * square" "Error"
 refuses proofs/device/Damping.v "1 / (4 * (1 - a) * (2 - a))." "1 / (4.01 * (1 - a) * (2 - a))." "Error"
 refuses proofs/device/Damping.v "(spring k = zero -> along_share k = 0 /\\ across_share k = 0)." "True." "Error"
+refuses proofs/energy/Conservative.v "K * half_square (Rad - distance" "K * half_square (distance" "Error"
+refuses proofs/energy/EdgeLoops.v "(1 - sqrt ((Rad + axis_depth Rad w) / (2 * Rad)))" "(1 - sqrt ((Rad + axis_depth Rad w) / Rad))" "Error"
+refuses proofs/energy/Strokes.v "p e - work p a = K * D / Rad * (w * w / 8)." "p e - work p a = K * D / Rad * (w * w / 4)." "Error"
 refuses proofs/device/Placement.v "then (from, negb (snd d)) else d" "then (from, snd d) else d" "Error"
 refuses include/forceshade/placement.h "direction = {from, !direction.is_against};" "direction = {from, direction.is_against};" \
   "is not the code"
