@@ -11,6 +11,33 @@
 
 namespace forceshade::fast::soups {
 
+// The box of a short way, with a margin beyond all roundings: triangles whose boxes miss it hold no point of the way.
+class Surroundings {
+ public:
+  // The ends: within 2^-50, relative to 2^14 mm.
+  Surroundings(const Vector3<double>& from, const Vector3<double>& to) noexcept {
+    constexpr double kMargin = 0x1p-34;  // mm
+    const std::array<double, 3> a{from.x, from.y, from.z}, b{to.x, to.y, to.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      low_[i] = static_cast<float>(std::min(a[i], b[i]) - kMargin);
+      high_[i] = static_cast<float>(std::max(a[i], b[i]) + kMargin);
+    }
+  }
+
+  // Rounded to binary32 their order stays that of the true numbers, for corners are such numbers.
+  bool is_at(const Face& face) const noexcept {
+    const auto& [a, b, c] = face.corner;
+    bool meets = true;
+    for (std::size_t i = 0; i < 3; ++i)
+      meets = meets & ((a[i] >= low_[i]) | (b[i] >= low_[i]) | (c[i] >= low_[i])) &
+              ((a[i] <= high_[i]) | (b[i] <= high_[i]) | (c[i] <= high_[i]));
+    return meets;
+  }
+
+ private:
+  std::array<float, 3> low_, high_;
+};
+
 class Looks {
  public:
   // The points outlive it.

@@ -12,7 +12,9 @@
 
 namespace forceshade::fast::soups {
 
-// |true value - value| <= error. kLeast covers what is lost below the least normal number, in the value and in its bound.
+// |true value - value| <= error. kLeast covers what is lost below the least normal number, in the value and in its bound: at
+// most 2^-1075 in each operation, of which a product has four and a quotient, where the divisor multiplies what is lost, is
+// told below.
 struct Ball {
   double value = 0, error = 0;
 
@@ -35,12 +37,14 @@ struct Ball {
   FORCESHADE_INLINE friend Ball operator*(const Ball& a, const Ball& b) noexcept {
     return rounded(a.value * b.value, __builtin_fabs(a.value) * b.error + (__builtin_fabs(b.value) + b.error) * a.error);
   }
-  // A divisor that may be 0 gives an infinite error.
+  // A divisor that may be 0 gives an infinite error. The exact quotient of the values is within 2^-1075 of what is rounded, and
+  // is multiplied by the divisor's error; what the product loses comes to that. Both are divided by a `size` that may be small,
+  // so kLeast stands in for them before the division, too.
   FORCESHADE_INLINE friend Ball operator/(const Ball& a, const Ball& b) noexcept {
     const double size = __builtin_fabs(b.value) - b.error;
     if (!(size > 0)) return {0, HUGE_VAL};
     const double quotient = a.value / b.value;
-    return rounded(quotient, (a.error + __builtin_fabs(quotient) * b.error) / size);
+    return rounded(quotient, (a.error + (__builtin_fabs(quotient) + kLeast) * b.error + kLeast) / size);
   }
   FORCESHADE_INLINE Ball shifted(int count) const noexcept { return {std::ldexp(value, count), std::ldexp(error, count)}; }
 };

@@ -139,6 +139,12 @@ class Point {
   std::array<std::uint32_t, 2> edge{kNone, kNone};  // it lies between these, ends included
   std::array<const Face*, 3> faces{};               // these hold it
 
+  // The same point, by the numbers of another one, which may be shorter.
+  void take_numbers(const Point& same) noexcept {
+    exact_ = same.exact_;
+    about_ = same.about_;
+  }
+
   void forget() noexcept {
     vertex = kNone;
     edge = {kNone, kNone};

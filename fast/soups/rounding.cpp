@@ -70,9 +70,13 @@ Point line_point(const Soup& soup, const GridLine& line, std::int64_t m) {
 At* Session::rounded(At* at) {
   rounded_place_.reset();
   switch (at->star->kind()) {
-    case Star::Kind::point:
-      if (at->x.vertex == kNone) at->x = *point_of(*soup_, point_place(*at->star));
+    case Star::Kind::point: {
+      // As its place tells it: the numbers of one that a way led to are longer with each move.
+      const std::uint32_t name = at->x.vertex;
+      at->x =
+          *point_of(*soup_, name == kNone ? point_place(*at->star) : Place{PlaceKind::vertex, PlaceKind::nowhere, {name}, {}});
       return at;
+    }
     case Star::Kind::line: return rounded_on_line(at);
     case Star::Kind::plane: return rounded_in_plane(at);
   }

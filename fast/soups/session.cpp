@@ -56,9 +56,13 @@ Session::Session(std::shared_ptr<const Soup> soup, float stiffness, bool is_shad
   times_.reserve(kUsual);
 }
 
-void Session::find_near(const Point& a, const Point& b, Near& near) const {
+void Session::find_near(const Point& a, const Point& b, Near& near) {
+  const Surroundings around(a.about(), b.about());
   near.clear();
-  soup_->tree().along(a.about(), b.about(), [&](std::uint32_t f) { near.push_back(&soup_->faces()[f]); });
+  soup_->tree().along(a.about(), b.about(), [&](std::uint32_t f) {
+    ++boxes_;
+    if (around.is_at(soup_->faces()[f])) near.push_back(&soup_->faces()[f]);
+  });
 }
 
 // Those whose boxes the way from a to b meets: all that hold a point of it are among them.
@@ -66,6 +70,7 @@ void Session::look_along(const Point& a, const Point& b, Near& near) {
   const Looks looks(a, b);
   near.clear();
   soup_->tree().along(a.about(), b.about(), [&](std::uint32_t f) {
+    ++boxes_;
     if (looks.is_at(soup_->faces()[f])) near.push_back(&soup_->faces()[f]);
   });
   looks_ += near.size();
@@ -135,13 +140,7 @@ Session::End Session::flight(const Point& g) {
     const Time& t = times_[i];
     const bool is_at_p = segment.compare(t, most) == 0;
     Point x = segment.point(t);
-    if (is_at_p) {
-      Point exact = p_;
-      exact.edge = x.edge;
-      exact.faces = x.faces;
-      exact.vertex = x.vertex;
-      x = exact;
-    }
+    if (is_at_p) x.take_numbers(p_);
     At& at = *end_;
     at.x = x;
     at.star = &star_at(x, near_at(segment, i));
@@ -263,6 +262,7 @@ Tick Session::ended(const At& r, unsigned moves, bool is_slipping, bool is_at_go
 // r is an end where it rests; *on_ becomes where the state is.
 Tick Session::resting_at_end(At& end, unsigned moves, bool is_slipping) {
   At* r = &end;
+  if (is_same(r->x, p_)) r->x.take_numbers(p_);
   points_ = 0;
   // The force and the bit are those of r, before the state is rounded.
   const Tick tick = ended(*r, moves, is_slipping, true, Status::contact);
@@ -305,7 +305,7 @@ Tick Session::tick(const std::array<float, 3>& position) {
   if (!in_domain(position)) return {Status::invalid, 0, {}, state_};
   hand_ = quantised(position);
   p_ = Point::of(hand_);
-  looks_ = 0;
+  looks_ = boxes_ = 0;
   return run();
 }
 

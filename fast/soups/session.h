@@ -42,6 +42,7 @@ class Session {
 
   const State& state() const noexcept { return state_; }
   std::size_t looks() const noexcept { return looks_; }  // of the last tick
+  std::size_t boxes() const noexcept { return boxes_; }  // of triangles that the last tick tested
   // A state that the soup does not have counts as none.
   void resume(const State& state);
 
@@ -65,7 +66,7 @@ class Session {
   Tick resting_at_end(At& r, unsigned moves, bool is_slipping);
   Tick ended(const At& r, unsigned moves, bool is_slipping, bool is_at_goal, Status status);
 
-  void find_near(const Point& a, const Point& b, Near& near) const;
+  void find_near(const Point& a, const Point& b, Near& near);
   void look_along(const Point& a, const Point& b, Near& near);
   void look_at(const Star& star) noexcept {
     points_ += star.looks();
@@ -111,7 +112,7 @@ class Session {
   std::optional<Place> rounded_place_;      // of a triangle's grid that gave what was rounded, where it is strictly inside
   Near near_, near_end_, along_, near_at_;  // of a way; of its end; those in whose plane a way is; at a time
   std::vector<Time> times_;
-  std::size_t looks_ = 0, points_ = 0;  // of the tick; at the points of a move or a rest
+  std::size_t looks_ = 0, boxes_ = 0, points_ = 0;  // of the tick; of the tick; at the points of a move or a rest
 };
 
 }  // namespace forceshade::fast::soups

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "reference/soups/force.h"
+#include "tests/meshes/costly_meshes.h"
 #include "tests/meshes/soup_words.h"
 #include "tests/support/drawn.h"
 
@@ -168,13 +169,16 @@ std::string text_of(const fast::soups::Tick& tick, const fast::soups::Tick& shad
 TEST(soups_on_both_sides, every_column_of_drawn_paths_is_the_same) {
   constexpr float kStiffness = 0.3F;
   constexpr int kTicks = 40;
+  // Each was found by a mistake, or by a mutant that few sets find: a point of a triangle's grid on another sheet, a first cell
+  // that is not the least, a corner before the next point of a line's grid, pieces that lead to the hand alike, a rounding that
+  // is stopped.
+  constexpr std::uint64_t kFirst[]{103263, 99, 249, 660, 296};
   std::size_t ticks = 0, sets = 0, touching = 0;
   std::map<int, std::size_t> places;
   const char* const first = std::getenv("FORCESHADE_FIRST");  // of the numbers of sets, for searches by hand
   const std::uint64_t seed = first == nullptr ? 0 : std::strtoull(first, nullptr, 10);
   for (; sets < tests::drawn(250); ++sets) {
-    // In the first one a point of a triangle's grid lies on another sheet.
-    const std::uint64_t number = seed + sets == 0 ? 103263 : seed + sets;
+    const std::uint64_t number = seed + sets < std::size(kFirst) ? kFirst[seed + sets] : seed + sets;
     Draw draw(number);
     const Drawn set = draw.set(number % 50 == 49);
     const exact::Soup exact_soup(set.mesh, set.sides, set.materials);
@@ -238,6 +242,14 @@ TEST(soups_on_both_sides, of_two_edges_alike_the_lower_names_count) {
   EXPECT_EQ(last_place({vertices, {right, right_wall, left, left_wall, back}}, path).substr(0, 5), "e 0 1");
 }
 
+// The right one of these valleys is a line in which triangles cross. Edges come before it, though its triangles are lower than
+// the edge's vertices.
+TEST(soups_on_both_sides, of_an_edge_and_a_crossing_alike_the_edge_counts) {
+  const std::vector<mesh::Vertex> vertices{{4, 0, 0}, {0, -8, 8}, {0, 8, 8}, {4, 8, -8}, {8, 4, -12}, {4, -4, -4}, {0, 0, 0}};
+  const std::vector<mesh::Triangle> triangles{{6, 0, 3}, {6, 4, 2}, {6, 5, 0}, {6, 1, 5}, {6, 2, 1}};
+  EXPECT_EQ(last_place({vertices, triangles}, {{0, 0, 0}, {2, 0, -5}}).substr(0, 5), "e 5 6");
+}
+
 // A line in which two triangles cross, and a third one that lies in the first one's plane and begins between two points of the
 // line's grid: the point at which it begins is where its side meets the other one's plane.
 TEST(soups_on_both_sides, a_line_may_be_met_by_a_triangle_in_the_plane_of_either_side) {
@@ -268,6 +280,16 @@ TEST(soups_on_both_sides, a_flight_along_the_surface_ends_on_the_side_that_it_ca
   const fast::soups::State state = last_state(mesh, {{-1, 0.5F, 0}, {2, 0.5F, 0}}, {mesh::Sides::both, mesh::Sides::front});
   EXPECT_EQ(state.cell.triangle, 0U);
   EXPECT_TRUE(state.cell.is_behind);
+}
+
+// Along the bottom of a valley each move ends at a vertex, until too much was looked at. The vertex has the numbers of the
+// file, however many moves led there: made from the one before it, and so on, its numbers become longer than an integer may be.
+TEST(soups_on_both_sides, a_tick_leads_from_vertex_to_vertex) {
+  const tests::CostlyMesh valley = tests::valley(40, 14);
+  std::vector<Position> path{{0.25F, 0, 2}, {0.25F, 0, -1}, {35.0938606F, 0.01F, -1}};
+  EXPECT_EQ(tests::words(last_state(valley.mesh, path, {valley.sides}).place), "v 20");
+  path.push_back({35.0999985F, -2.47103453F, 1.20601344F});
+  EXPECT_EQ(tests::words(last_state(valley.mesh, path, {valley.sides}).place).substr(0, 8), "e 26 974");
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ TEST(soup_budget, no_point_of_more_than_two_to_the_fourteenth_looks_is_entered) 
 }
 
 struct Cost {
-  std::size_t looks = 0, moves = 0, allocations = 0;
+  std::size_t looks = 0, boxes = 0, moves = 0, allocations = 0;
   double microseconds = 0;
   Status status = Status::free;
 };
@@ -166,7 +166,7 @@ Cost cost_of(fast::soups::Session& session, const Position& p) {
   const std::clock_t start = std::clock();  // other programs do not count
   const fast::soups::Tick tick = session.tick(p);
   const double time = 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  return {session.looks(), tick.moves, tests::allocations() - before, time, tick.status};
+  return {session.looks(), session.boxes(), tick.moves, tests::allocations() - before, time, tick.status};
 }
 
 // From where a path has led, whatever position costs more, then from there on.
@@ -213,6 +213,9 @@ TEST(soup_budget, holds_for_the_worst_ticks_that_a_search_finds) {
       // last of these; and so does a rest.
       EXPECT_LE(cost.looks, kMostLooks + one.mesh.triangles.size() + 4 * kMostLooks) << one.family;
       EXPECT_LE(cost.moves, 256U);
+      // A move goes three times through the boxes at most: for its way, and for the rounding of its end, which may be stopped
+      // on a line and be rounded there. A first position, a rest and a move that is not made add to that.
+      EXPECT_LE(cost.boxes, 3 * (cost.moves + 2) * one.mesh.triangles.size()) << one.family;
       if (cost.looks <= worst.looks) continue;
       worst = cost;
       before_worst = before;
@@ -226,8 +229,8 @@ TEST(soup_budget, holds_for_the_worst_ticks_that_a_search_finds) {
       worst.allocations = again.allocations;
       EXPECT_EQ(again.looks, worst.looks) << one.family;
     }
-    std::printf("  | %s | %zu | %zu | %zu | %.0f | %zu | %zu |\n", one.family, one.mesh.triangles.size(), worst.looks,
-                worst.moves, worst.microseconds, worst.allocations, unfinished);
+    std::printf("  | %s | %zu | %zu | %zu | %zu | %.0f | %zu | %zu |\n", one.family, one.mesh.triangles.size(), worst.looks,
+                worst.boxes, worst.moves, worst.microseconds, worst.allocations, unfinished);
     std::fflush(stdout);  // a long search shows what it has found so far
     EXPECT_GT(worst.looks, 0U) << one.family;
   }
