@@ -17,7 +17,7 @@ namespace {
 
 nlohmann::ordered_json described(const device::DriverFolder& folder) {
   nlohmann::ordered_json kinds = nlohmann::ordered_json::array(), models = nlohmann::ordered_json::array();
-  for (const device::Kind& kind : device::kinds()) kinds.push_back({{"device", kind.form()}, {"what", kind.what}});
+  for (const device::Kind& kind : device::kinds()) kinds.push_back({{"device", kind.form()}, {"what", kind.words()}});
   for (const auto& make : device::kModels) models.push_back(make().name);
   return {{"kinds", kinds},
           {"models", models},
@@ -31,7 +31,7 @@ int list(const std::string& json) {
   write_json(json, described(folder));
   if (json == "-") return kHeld;
   std::printf("Kinds of device, for --device:\n");
-  for (const device::Kind& kind : device::kinds()) std::printf("  %-30s %s\n", kind.form().c_str(), kind.what.data());
+  for (const device::Kind& kind : device::kinds()) std::printf("  %-30s %s\n", kind.form().c_str(), kind.words().c_str());
   std::printf("Models that can be simulated:");
   for (const auto& make : device::kModels) std::printf(" %s", make().name.data());
   const std::string path = files::printable(folder.path.string());

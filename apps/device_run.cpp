@@ -16,6 +16,7 @@
 #include "apps/tell.h"
 #include "apps/terminal_attendant.h"
 #include "apps/trip_words.h"
+#include "device/kinds.h"
 #include "device/passive_rate.h"
 #include "files/output_file.h"
 #include "files/printable.h"
@@ -107,6 +108,7 @@ RunOutcome run_on(device::Device& device, const Rendering& what, RunPlan plan) {
     if (const device::Placement& placement = plan.run.servo.placement; !(placement == device::Placement{}))
       std::printf("placement         origin at %s mm, x, y, z along %s of the device\n", run::origin_words(placement).c_str(),
                   run::axes_words(placement).c_str());
+    if (device::is_untried(plan.run.device)) std::printf("driver            never tried on hardware\n");
     if (!capabilities.forces.empty())
       std::printf("forces            %s\n", files::printable(std::string(capabilities.forces)).c_str());
     print(result);

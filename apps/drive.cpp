@@ -110,8 +110,7 @@ int run(const DriveOptions& options, const SubjectOption& subject) {
 // "null, at rest, feels nothing; ..."
 std::string kinds_of_device() {
   std::string all;
-  for (const device::Kind& kind : device::kinds())
-    all += (all.empty() ? "" : "; ") + kind.form() + ", " + std::string(kind.what);
+  for (const device::Kind& kind : device::kinds()) all += (all.empty() ? "" : "; ") + kind.form() + ", " + kind.words();
   return all;
 }
 

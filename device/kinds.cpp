@@ -28,13 +28,13 @@ constexpr std::array kKinds{
     Kind{"mouse", "[:MODEL]", "a simulated PHANToM whose hand goes where the mouse points over a window that shows the surface",
          [](const std::string& model, Attendant& attendant, Forces) { return open_mouse(model, attendant); }, nullptr, true},
     Kind{"phantom", "[:NAME]", "a real PHANToM (Premium, Omni, Touch) through the vendor's driver", open_phantom,
-         phantom_checks},
-    Kind{"command", ":PROGRAM", "whatever a program of one's own drives: it answers forces with positions, in lines of JSON",
-         open_command},
-    Kind{"haply", "[:ID]", "a Haply Inverse3 through Haply's Inverse Service", open_haply, haply_checks},
+         phantom_checks, false, true},
+    Kind{"command", ":PROGRAM", "a program of yours, which answers forces with positions in lines of JSON", open_command,
+         nullptr, false, true},
+    Kind{"haply", "[:ID]", "a Haply Inverse3 through Haply's Inverse Service", open_haply, haply_checks, false, true},
     Kind{"dhd", "[:SERIAL]",
          "a Force Dimension omega, delta, sigma or lambda, or a Novint Falcon (dhd:#INDEX), through the vendor's library",
-         open_dhd, dhd_checks},
+         open_dhd, dhd_checks, false, true},
 };
 
 // True if a device may have this name, which begins with the kind's.
@@ -65,6 +65,10 @@ std::vector<Check> checks_before_opening(const std::string& name) {
 
 bool is_simulated(const std::string& name) {
   return std::ranges::any_of(kKinds, [&](const Kind& kind) { return kind.is_simulated && kind.name == kind_of(name); });
+}
+
+bool is_untried(const std::string& name) {
+  return std::ranges::any_of(kKinds, [&](const Kind& kind) { return kind.is_untried && kind.name == kind_of(name); });
 }
 
 std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces) {

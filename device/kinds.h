@@ -26,8 +26,10 @@ struct Kind {
   std::vector<Check> (*checks)(const std::string& rest) = nullptr;
 
   bool is_simulated = false;  // a model of an arm that could be taken for a real one
+  bool is_untried = false;    // a driver that nobody has tried on hardware
 
   std::string form() const { return std::string(name) + std::string(rest); }
+  std::string words() const { return std::string(what) + (is_untried ? " (never tried on hardware)" : ""); }
 };
 
 std::span<const Kind> kinds();
@@ -37,5 +39,8 @@ std::vector<Check> checks_before_opening(const std::string& name);
 
 // True of the name of a simulated device.
 bool is_simulated(const std::string& name);
+
+// True of the name of a device whose driver nobody has tried on hardware.
+bool is_untried(const std::string& name);
 
 }  // namespace forceshade::device

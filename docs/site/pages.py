@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """pages.py FOLDER PAGE...: copies these pages of the sources, the pages that their links lead to, and every other file that a page
-names, into FOLDER, each with its path. It stops at a link to a folder, which a page of the site cannot show."""
+names, into FOLDER, each with its path; a browser keeps each option in a table on one line. It stops at a link to a folder, which a page of
+the site cannot show."""
 import os
 import pathlib
 import re
@@ -9,6 +10,7 @@ import shutil
 import sys
 
 SOURCES = pathlib.Path(__file__).resolve().parents[2]
+OPTION = re.compile(r"(`--[^`|]{1,24}`)(?=.*\|$)", re.M)
 LINK = re.compile(r"\]\(([^)\s#]+)[^)]*\)|src=\"([^\"#]+)\"")
 
 
@@ -32,6 +34,7 @@ def main(folder, pages):
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(SOURCES / path, to)
         if path.suffix == ".md":
+            to.write_text(OPTION.sub(r"\1{.option}", to.read_text(encoding="utf-8")), encoding="utf-8")
             waiting += [pathlib.Path(link) for link in links_of(path)]
 
 

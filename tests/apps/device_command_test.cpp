@@ -48,7 +48,8 @@ TEST(device_list, names_the_devices_that_are_set_up_and_the_folder_that_was_read
   const CommandRun none = run_command(here, words_of("device"));
   EXPECT_EQ(none.code, 0);
   expect_holds(none.out,
-               {"replay:FILE.csv", "simulated[:MODEL", "phantom[:NAME]", "haply[:ID]", "premium-1.5 premium-1.0 omni",
+               {"replay:FILE.csv", "simulated[:MODEL", "phantom[:NAME]",
+                "through the vendor's driver (never tried on hardware)\n", "haply[:ID]", "premium-1.5 premium-1.0 omni",
                 "No device is set up for the vendor's driver: " + here.file("config") + ": No such file or directory"});
   std::filesystem::create_directory(here.file("config"));
   expect_holds(run_command(here, words_of("device")).out, {here.file("config") + " is empty"});

@@ -42,7 +42,7 @@ def periods_of(periods: Periods, shape: tuple[int, ...]) -> npt.NDArray[np.uint3
         raise ValueError("periods: expected numbers from 0 to 4294967295")
     if array.shape not in ((), shape):
         raise ValueError(f"periods have the shape {array.shape}; expected {shape}, or one number")
-    return np.ascontiguousarray(np.broadcast_to(array.astype(np.uint32), shape))
+    return np.array(np.broadcast_to(array, shape), np.uint32, order="C")
 
 
 @dataclass(frozen=True)

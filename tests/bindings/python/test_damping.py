@@ -13,6 +13,7 @@ from test_misuse import read_only, refused
 
 import forceshade
 from forceshade import DAMPING_STATE, Damping, DampingState
+from forceshade._damping import periods_of
 
 F = np.float32
 OIL = Damping(rate=1000, damping=0.01, drag=0.002, share=0.3)
@@ -265,3 +266,9 @@ def test_other_arguments_are_refused(wall):
     for periods, its in ((-1, DampingState()), (17, DampingState((1, 2, 3), periods=17)), (18, DampingState()), (2**40, DampingState())):
         session.resume(session.state, DampingState((1, 2, 3), periods=periods))  # one that no tick leaves is that of a beginning
         assert session.damping_state == its
+
+
+def test_one_position_has_one_number_of_periods_and_no_array_of_one():
+    for given in (3, np.uint8(3), np.array(3)):
+        assert periods_of(given, ()).shape == ()  # int() of an array of one is deprecated since NumPy 1.25
+    assert periods_of(3, (2, 2)).tolist() == [[3, 3], [3, 3]]

@@ -46,4 +46,9 @@ for device, code, words in (("command:echo no arm is connected >&2; exit 1", 3,
     run = subprocess.run([sys.argv[1], "drive", "--law", "wall", "--certificate", "none", "--device", device],
                          text=True, capture_output=True)
     checks.expect(run.returncode == code and all(word in run.stderr for word in words), f"{device}: {run}")
-sys.exit(checks.exit_code(3))
+hand = f"command:{sys.executable} {sources}/examples/devices/stroking_hand.py"
+for device, said in ((hand, 1), ("null", 0)):
+    run = subprocess.run([sys.argv[1], "drive", "--law", "wall", "--certificate", "none", "--device", device, "--seconds", "0.05"],
+                         text=True, capture_output=True)
+    checks.expect(run.stdout.count("driver            never tried on hardware\n") == said, f"{device}: {run}")
+sys.exit(checks.exit_code(5))
