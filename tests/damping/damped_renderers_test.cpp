@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -129,14 +130,16 @@ TEST(damped_renderers, are_the_definition_in_every_bit) {
 // As many as the shorter span has; where there are no periods, they are 1.
 TEST(damped_renderers, of_batches_are_as_long_as_the_shorter_span) {
   auto damping = std::get<fast::Damping>(fast::Damping::build({.rate = 1000, .damping = 1}));
-  const std::array<Eigen::Vector3f, 4> positions{Eigen::Vector3f(0, 0, 0), {0, 0, -1}, {0, 2e4F, 0}, {0, 0, 0}};
-  std::array<Eigen::Vector3f, 3> forces{Eigen::Vector3f(0, 0, 1), {0, 0, 1}, {0, 0, 1}};
+  const Eigen::Vector3f one(0, 0, 1), none(0, 0, 0);
+  const std::array<Eigen::Vector3f, 5> positions{none, {0, 2e4F, 0}, {0, -2e4F, 0}, {0, 0, -3}, none};
+  std::array<Eigen::Vector3f, 4> forces{one, one, one, one};
   const std::array<std::uint32_t, 1> periods{5};
-  EXPECT_EQ(fast::damp(damping, positions, forces, periods).invalid, 1U);
-  EXPECT_EQ(forces[0], Eigen::Vector3f(0, 0, 1));
-  EXPECT_EQ(forces[1], Eigen::Vector3f(0, 0, 2));
-  EXPECT_EQ(forces[2], Eigen::Vector3f(0, 0, 0));
-  EXPECT_EQ(damping.state(), (damping::State{true, {0, 0, -1}, {0, 0, -1000}, 1}));
+  EXPECT_EQ(fast::damp(damping, positions, forces, periods).invalid, 2U);
+  EXPECT_EQ(forces, (std::array<Eigen::Vector3f, 4>{one, none, none, {0, 0, 2}}));
+  EXPECT_EQ(damping.state(), (damping::State{true, {0, 0, -3}, {0, 0, -1000}, 0}));
+  forces.fill(one);
+  EXPECT_EQ(fast::damp(damping, std::span(positions).first(1), forces).invalid, 0U);
+  EXPECT_EQ(forces, (std::array<Eigen::Vector3f, 4>{none, one, one, one}));
 }
 
 }  // namespace

@@ -78,9 +78,17 @@ TEST(damped_session, hands_on_all_but_the_force) {
   EXPECT_EQ(looks, 1);
   EXPECT_EQ(session->shown(), 17U);
   session->step({0, 0, 0});
-  const fast::Evaluation pressed = session->step({0, 0, -1});
+  const fast::Evaluation pressed = session->step({0, 0, -0x1p-11F});
   EXPECT_EQ(pressed.status, Status::unfinished) << "a tick that is not finished is damped, too";
-  EXPECT_EQ(pressed.force, Eigen::Vector3f(0, 0, 2));
+  EXPECT_EQ(pressed.force, Eigen::Vector3f(0, 0, 1 + 1000 * 0x1p-11F)) << "one period after the tick before";
+}
+
+TEST(damped_session, begins_from_the_state_that_its_damping_has) {
+  int looks = 0;
+  auto damping = std::get<fast::Damping>(fast::Damping::build({.rate = 1000, .damping = 1}));
+  damping.resume({true, {0, 0, 0}, {0, 0, 0}, 0});
+  fast::DampedSession session(std::make_unique<Counting>(looks), damping);
+  EXPECT_EQ(session.step({0, 0, -1}).force, Eigen::Vector3f(0, 0, 2));
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include <string>
 
 #include "fast/damping/exact.h"
-#include "fast/damping/filter.h"
 #include "tests/damping/both_sides.h"
 #include "tests/support/allocations.h"
 #include "tests/support/drawn.h"
@@ -202,29 +201,6 @@ TEST(damping, integers_alone_are_the_reference_in_every_bit) {
   }
 }
 
-// Numbers of which one on the way has more than 53 bits are not sure: NaN here.
-TEST(damping, only_short_numbers_decide_a_velocity_without_a_bound) {
-  struct Numbers {
-    double keep, gain;
-    bool is_short;
-  };
-  const auto velocity = [](float v, float x, float before, float rate, float share, bool is_short = true) {
-    const auto one = [](float a) { return fast::Quad(fast::Pair64{double{a}, 0}, fast::Pair64{}); };
-    const Numbers numbers{1 - double{share}, double{share} * double{rate}, is_short};
-    const fast::Rounded found = fast::filtered_velocity(one(v), one(x), one(before), numbers);
-    return found.is_sure() ? found.value[0] : NAN;
-  };
-  // (v + 1000·2^-9)/2 with the last bit of v at 2^-23: a tie, to the even neighbour.
-  const float even = (1 + 1000 * 0x1p-9F) / 2;
-  EXPECT_EQ(velocity(1 + 0x1p-23F, 1 + 0x1p-9F, 1, 1000, 0.5F), even);
-  EXPECT_EQ(velocity(1 + 0x1.8p-22F, 1 + 0x1p-9F, 1, 1000, 0.5F), even + 0x1p-22F);
-  EXPECT_TRUE(std::isnan(velocity(1 + 0x1p-22F, 1 + 0x1p-9F, 1, 1000, 0.75F, false))) << "α is no power of two";
-  EXPECT_TRUE(std::isnan(velocity(0, 8192, 0x1p-12F, 1, 1))) << "x - x⁻ has more bits than a binary32";
-  EXPECT_TRUE(std::isnan(velocity(0x1.000002p-20F, 8192 + 0x1p-10F, 0, 98304, 0.5F))) << "a bit of what is kept is lost";
-  EXPECT_TRUE(std::isnan(velocity(0x1p32F, 256 - 0x1p-15F, 0, 1 + 0x1p-23F, 0.5F))) << "a bit of what is gained is lost";
-  EXPECT_EQ(velocity(1, 1e4F, -1e4F, 131072, 1), 20000 * 131072.0F);
-}
-
 TEST(damping, what_binary64_knows_takes_no_integers) {
   tests::DampingOfBothSides filtered({.rate = 1000, .share = 0.3F, .damping = 1});
   filtered.resume({true, {0, 0, 0.1F}, {0, 0, 10}, 0});
@@ -236,15 +212,6 @@ TEST(damping, what_binary64_knows_takes_no_integers) {
   both.resume({true, {0, 0, 1}, {0, 0, 1 + 0x1p-23F}, 0});
   EXPECT_NE(both.tick({0, 0, 1 + 0x1p-9F}, 1, {0, 0, 1}).stage, fast::Stage::wide);
   EXPECT_EQ(both.fast.state().velocity[2], (1 + 1000 * 0x1p-9F) / 2);
-}
-
-TEST(damping, the_slowest_velocity_is_kept) {
-  tests::DampingOfBothSides both({.rate = 1, .share = 0.5F, .damping = 1});
-  for (const auto& [way, velocity] : {std::pair{0x1p-19F, 0x1p-20F}, {0x1.fffffep-20F, 0.0F}}) {
-    both.resume({true, {0, 0, 0}, {0, 0, 0}, 0});
-    both.tick({0, 0, way}, 1, {0, 0, 1});
-    EXPECT_EQ(both.reference.state().velocity[2], velocity);
-  }
 }
 
 // In binary64 s is S, though it is less; or the force is no tie, though it is; or λ is 1, though it is less. Each gives another

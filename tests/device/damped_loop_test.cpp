@@ -6,6 +6,7 @@
 #include <bit>
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <stdexcept>
 #include <vector>
@@ -83,8 +84,23 @@ TEST(damped_loop, bounds_the_work_of_even_ticks) {
   work.add(at(0.5F), 1, kOil.rate);
   const double factor = 4.0 / 21 * static_cast<double>(kOil.damping) * static_cast<double>(kOil.rate);
   EXPECT_DOUBLE_EQ(work.most(kOil), factor / 4);
-  work.add(at(0), 2, kOil.rate);
-  EXPECT_TRUE(std::isnan(work.most(kOil)));
+  damping::Parameters thick = kOil;
+  thick.drag = 2 * kOil.damping;
+  EXPECT_DOUBLE_EQ(work.most(thick), 2 * factor / 4);
+  for (const std::uint32_t periods : {0U, 2U}) {
+    DampedWork<double> uneven = work;
+    uneven.add(at(0), periods, kOil.rate);
+    EXPECT_TRUE(std::isnan(uneven.most(kOil))) << periods;
+  }
+}
+
+TEST(damped_loop, splits_the_work_over_all_periods_to_the_next_tick) {
+  DampedWork<double> work;
+  work.add(DampedTick{{0, 0, 0}, {0, 0, 1}, {0, 0, 3}, {0, 0, 125}}, 1, 1000);
+  work.add(DampedTick{{0, 0, 0.5F}, {0, 0, 1}, {0, 0, 1}, {}}, 3, 1000);
+  EXPECT_EQ(work.spring, 0.5);
+  EXPECT_EQ(work.damper, 2 * 0.375);
+  EXPECT_EQ(work.sampling, 2 * 0.125);
 }
 
 TEST(damped_loop, damps_whatever_a_stage_shows) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -75,6 +76,20 @@ TEST(servo_loop, counts_the_periods_that_passed_for_damping) {
   const Kept run(device, wall(), {.max_seconds = 0.012, .damping = {.damping = 0.001F}});
   ASSERT_EQ(run.ticks, 12U);
   for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(run.samples[k].periods(), k == 6 ? 3U : k == 7 || k == 8 ? 0U : 1U) << k;
+  EXPECT_TRUE(std::isnan(run.damped_energy.most)) << "nothing is proved of late ticks";
+}
+
+// Tick 100 jumps into the wall.
+TEST(servo_loop, has_no_velocity_to_damp_after_more_than_sixteen_periods) {
+  for (const auto& [late, is_damped] : {std::pair{16.0, true}, std::pair{17.0, false}}) {
+    World clock;
+    Timed device(clock, [&, late = late](std::size_t tick) { clock.pass(tick == 99 ? late : 0.1); });
+    const Kept run(device, wall(), {.max_seconds = 0.13, .damping = {.damping = 0.001F}});
+    ASSERT_GT(run.samples.size(), 100U);
+    const float spring = wall().evaluate({0, 0, -0.3F}).force.z();
+    EXPECT_EQ(run.samples[100].law_force[2] > spring, is_damped) << late;
+    EXPECT_GE(run.samples[100].law_force[2], spring) << late;
+  }
 }
 
 TEST(servo_loop, counts_an_overrun_only_if_it_computed_for_longer_than_a_period) {
