@@ -13,7 +13,6 @@
 #include "apps/junit.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
-#include "apps/part_times.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/subject_option.h"

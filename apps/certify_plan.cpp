@@ -18,7 +18,7 @@
 #include "apps/tell.h"
 #include "files/printable.h"
 #include "forceshade/certify.h"
-#include "report/thesis.h"
+#include "report/thesis_figures.h"
 
 namespace forceshade::apps {
 namespace {

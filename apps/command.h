@@ -31,28 +31,12 @@ void make_directory(const std::string& option, const std::string& path);
 // behind.
 void remove_unused_directories();
 
-// One function per subcommand and, each in a file of its own, verb; each runs through `result` when the user calls it.
-void add_laws(CLI::App& app, int& result);
-void add_force(CLI::App& app, int& result);
-void add_energy(CLI::App& app, int& result);
-void add_plot(CLI::App& app, int& result);
-void add_properties(CLI::App& app, int& result);
-void add_certify(CLI::App& app, int& result);
-void add_certify_plan(CLI::App& certify, int& result);
-void add_certify_work(CLI::App& certify, int& result);
-void add_certify_merge(CLI::App& certify, int& result);
-void add_conform(CLI::App& app, int& result);
-void add_conform_positions(CLI::App& conform, int& result);
-void add_conform_judge(CLI::App& conform, int& result);
-void add_conform_recording(CLI::App& conform, int& result);
-void add_conform_simulator(CLI::App& conform, int& result);
-void add_conform_compare(CLI::App& conform, int& result);
-void add_drive(CLI::App& app, int& result);
-void add_recording(CLI::App& app, int& result);
-void add_device(CLI::App& app, int& result);
-void add_device_check(CLI::App& device, int& result);
-void add_device_try(CLI::App& device, int& result);
-void add_mesh(CLI::App& app, int& result);
-void add_mesh_make(CLI::App& mesh, int& result);
+// One function per subcommand and, each in a file of its own, verb, of the program or command that it is added to; each runs
+// through `result` when the user calls it.
+using Add = void(CLI::App& parent, int& result);
+Add add_laws, add_force, add_energy, add_plot, add_properties, add_certify, add_conform, add_drive, add_recording, add_device,
+    add_mesh;
+Add add_certify_plan, add_certify_work, add_certify_merge, add_device_check, add_device_try, add_mesh_make;
+Add add_conform_positions, add_conform_judge, add_conform_recording, add_conform_simulator, add_conform_compare;
 
 }  // namespace forceshade::apps

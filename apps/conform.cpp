@@ -6,7 +6,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include "apps/command.h"
 #include "apps/conform_outputs.h"
@@ -17,7 +16,6 @@
 #include "apps/subject_option.h"
 #include "files/csv.h"
 #include "forceshade/certificate.h"
-#include "properties/conformance/doors/object_door.h"
 #include "properties/conformance/doors/process_door.h"
 #include "properties/conformance/judgement_text.h"
 #include "properties/conformance/simulators/conform_simulator.h"

@@ -12,7 +12,7 @@
 
 #include "apps/junit.h"
 #include "properties/conformance/conform.h"
-#include "properties/conformance/tolerance.h"
+#include "properties/conformance/distance.h"
 #include "report/report.h"
 
 namespace forceshade::apps {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The text of --help: at most 100 columns, the options by what they are for.
 
-#include <algorithm>
 #include <sstream>
 
 #include "apps/documentation.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "apps/irregular_mesh.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "text/number_text.h"

@@ -19,7 +19,7 @@
 #include "forceshade/reference.h"
 #include "reference/profile.h"
 #include "reference/theta_critical.h"
-#include "report/thesis.h"
+#include "report/thesis_figures.h"
 #include "subjects/height_map.h"
 
 namespace forceshade::apps {

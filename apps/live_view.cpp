@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <string>
 
 #include "apps/live_line.h"
 #include "run/rule_names.h"

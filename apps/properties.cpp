@@ -11,7 +11,6 @@
 #include "apps/junit.h"
 #include "apps/options.h"
 #include "apps/output_options.h"
-#include "apps/part_times.h"
 #include "apps/progress_line.h"
 #include "apps/signals.h"
 #include "apps/standard_streams.h"

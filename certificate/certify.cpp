@@ -31,7 +31,7 @@ Done second_part(const Done& done) {
 std::optional<SubjectResult> checked(const CertifyOptions& options, std::size_t of, const Done& done,
                                      const std::atomic<bool>& stop) {
   const Sweeps none;
-  const Work work(options, none);
+  const DividedWork work(options, none);
   const Subject& subject = *options.subjects[of];
   std::array<Found, 4> found;
   const auto counted = [&](ItemKind kind, const Done& progress) {

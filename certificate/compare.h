@@ -14,7 +14,7 @@
 #include "certificate/tally.h"
 #include "forceshade/properties.h"
 #include "properties/binary32.h"
-#include "properties/equivalence.h"
+#include "properties/field_properties.h"
 #include "properties/second_answer.h"
 
 namespace forceshade::properties {

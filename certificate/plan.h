@@ -3,6 +3,7 @@
 // A plan: what is to be certified, by which build, and how it is cut into units of work. Its file is written once and names no
 // time, host or processor; the digest of a plan is that of the file's text.
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,5 +38,15 @@ std::string refusal_of_build(const Plan& plan, const Build& build);
 
 // The number of parts of a unit that makes about so many units.
 std::uint64_t parts_for_units(const std::vector<Item>& items, std::uint64_t units);
+
+// The result of a unit of work, as text: identical for identical work. It has no time, no host and no processor.
+
+// plan: the digest of the plan that the unit is of. One line of JSON, without its end. Throws Error where an energy
+// is not finite.
+std::string text_of_unit(const std::string& plan, std::uint64_t number, const Units& units, const Found& found);
+
+// Throws Error, naming the file, where the text is of another plan or unit, or is no such text.
+Found unit_from_text(const std::string& text, const std::string& plan, std::uint64_t number, const Units& units,
+                     const std::string& file);
 
 }  // namespace forceshade::properties

@@ -14,7 +14,6 @@
 #include "certificate/build.h"
 #include "certificate/plan.h"
 #include "certificate/plan_folder.h"
-#include "certificate/unit_result.h"
 #include "certificate/worker.h"
 #include "files/output_file.h"
 #include "files/printable.h"
@@ -39,7 +38,7 @@ struct OpenedPlan {
   CertifyOptions what = {};
   Sweeps sweeps = {};
 
-  Work work() const { return {what, sweeps}; }
+  DividedWork work() const { return {what, sweeps}; }
   Units units() const { return {work().items(), plan.parts_of_a_unit}; }
 };
 
@@ -225,7 +224,7 @@ Worked work_on_plan(const std::string& path, const PlanWorker& worker, const std
   Claims claims(folder, lease, host() + " process " + std::to_string(::getpid()));
   const fs::path run = folder.path() / "runs" / (claims.token() + ".json");
   draw(0);
-  const Work its = plan.work();
+  const DividedWork its = plan.work();
   const Worked worked = work_through(
       folder, claims, {worker.threads, lease, worker.waits},
       [&](std::uint64_t number) -> std::string {

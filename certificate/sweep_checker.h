@@ -11,7 +11,7 @@
 
 #include "certificate/sweep_unit.h"
 #include "properties/binary32.h"
-#include "properties/equivalence.h"
+#include "properties/field_properties.h"
 #include "reference/consecutive_floats.h"
 
 namespace forceshade::properties {

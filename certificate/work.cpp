@@ -39,16 +39,16 @@ void Found::add(const Found& other) {
 }
 
 // An odd multiple from the golden ratio separates the streams: no two chunks or seeds in reach share one.
-std::uint64_t Work::stream(std::uint64_t chunk) const {
+std::uint64_t DividedWork::stream(std::uint64_t chunk) const {
   return (what_.seed + 1) * 0x9E3779B97F4A7C15U + chunk;
 }
 
 // The stream of the spread is as far from those as can be.
-std::uint64_t Work::spread_stream(std::uint64_t chunk) const {
+std::uint64_t DividedWork::spread_stream(std::uint64_t chunk) const {
   return stream(chunk) ^ 0x8000000000000000U;
 }
 
-Item Work::item(ItemKind kind, std::size_t of) const {
+Item DividedWork::item(ItemKind kind, std::size_t of) const {
   const std::uint64_t spread = spread_points(what_.points);
   switch (kind) {
     case ItemKind::points: return {kind, of, (what_.points + kChunk - 1) / kChunk};
@@ -61,7 +61,7 @@ Item Work::item(ItemKind kind, std::size_t of) const {
   }
 }
 
-std::vector<Item> Work::items() const {
+std::vector<Item> DividedWork::items() const {
   std::vector<Item> all;
   for (std::size_t of = 0; of < what_.subjects.size(); ++of)
     for (const ItemKind kind : {ItemKind::points, ItemKind::spread, ItemKind::properties, ItemKind::energies})
@@ -70,7 +70,7 @@ std::vector<Item> Work::items() const {
   return all;
 }
 
-void Work::count(const Item& item, std::uint64_t part, Tally& tally) const {
+void DividedWork::count(const Item& item, std::uint64_t part, Tally& tally) const {
   if (item.kind == ItemKind::points) {
     compare_chunk(subject(item.of), stream(part), std::min(kChunk, what_.points - part * kChunk), part, "", tally);
   } else if (item.kind == ItemKind::spread) {
@@ -83,7 +83,8 @@ void Work::count(const Item& item, std::uint64_t part, Tally& tally) const {
   }
 }
 
-std::vector<PropertyResult> Work::properties(std::size_t of, const OnCase& on_case, const std::atomic<bool>& stop) const {
+std::vector<PropertyResult> DividedWork::properties(std::size_t of, const OnCase& on_case,
+                                                    const std::atomic<bool>& stop) const {
   std::vector<PropertyResult> all = run_properties(subject(of), what_.cases, what_.seed, nullptr, on_case, &stop);
   std::erase_if(all, [](const PropertyResult& property) {
     return std::find(kPropertyNames.begin(), kPropertyNames.end(), property.name) == kPropertyNames.end();
@@ -91,7 +92,7 @@ std::vector<PropertyResult> Work::properties(std::size_t of, const OnCase& on_ca
   return all;
 }
 
-Energies Work::energies(std::size_t of, const Monitor& monitor) const {
+Energies DividedWork::energies(std::size_t of, const Monitor& monitor) const {
   try {
     return {subject(of).energies(monitor)};
   } catch (const reference::NotEnclosed& error) {
@@ -103,7 +104,7 @@ Energies Work::energies(std::size_t of, const Monitor& monitor) const {
   }
 }
 
-Found Work::found(const Item& item, std::uint64_t first, std::uint64_t end, const std::atomic<bool>& stop) const {
+Found DividedWork::found(const Item& item, std::uint64_t first, std::uint64_t end, const std::atomic<bool>& stop) const {
   Found found;
   if (item.kind == ItemKind::properties)
     found.properties = properties(item.of, nullptr, stop);

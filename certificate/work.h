@@ -65,10 +65,10 @@ struct Found {
   void add(const Found& other);  // in any order
 };
 
-class Work {
+class DividedWork {
  public:
   // what: subjects, points, cases and seed count. Both outlive this.
-  Work(const CertifyOptions& what, const Sweeps& sweeps) : what_(what), sweeps_(sweeps) {}
+  DividedWork(const CertifyOptions& what, const Sweeps& sweeps) : what_(what), sweeps_(sweeps) {}
 
   // Those of each subject in turn, and then those of the sweeps.
   std::vector<Item> items() const;
@@ -92,7 +92,7 @@ class Work {
   const Sweeps& sweeps_;
 };
 
-// The part of a certificate for one subject, from the results of its items in the order of Work::items().
+// The part of a certificate for one subject, from the results of its items in the order of DividedWork::items().
 SubjectResult result_of(const Subject& subject, std::uint64_t seed, const std::array<Found, 4>& found,
                         std::uint64_t parameter_sets);
 

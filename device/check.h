@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "device/phantom/device_nodes.h"
 #include "device/phantom/driver_folder.h"
 #include "device/quiet_watch.h"
 #include "forceshade/device.h"

@@ -3,7 +3,11 @@
 // The samples of a device's frames, from the thread or process that makes them to the servo loop, which waits for the next
 // one. Two processes may map it.
 
+#include <Eigen/Core>
+#include <cstdint>
+
 #include "device/triple_buffer.h"
+#include "forceshade/device.h"
 #include "system/system.h"
 
 namespace forceshade::device {
@@ -35,6 +39,14 @@ class FrameSamples {
  private:
   TripleBuffer<Sample> samples_;
   system::Number frames_ = 0;  // published
+};
+
+// The force that the servo loop orders from frames that run beside it.
+
+struct ForceOrder {
+  Eigen::Vector3d force{0, 0, 0};  // N
+  std::int64_t time = 0;           // CLOCK_MONOTONIC, ns
+  Allowance allowance;
 };
 
 }  // namespace forceshade::device

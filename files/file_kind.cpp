@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "files/git_lfs.h"
-
 namespace forceshade::files {
 namespace {
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/field_subject.h"
 
+#include "properties/field_properties.h"
 #include "properties/generators.h"
 #include "properties/height_properties.h"
-#include "properties/passivity.h"
-#include "properties/unit_normals.h"
 
 namespace forceshade::properties {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "properties/binary32.h"
 #include "properties/built_or_throw.h"
+#include "properties/field_properties.h"
 #include "properties/generators.h"
-#include "properties/height_loops.h"
 #include "properties/height_properties.h"
 #include "properties/spread.h"
 #include "reference/estimates.h"

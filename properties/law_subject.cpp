@@ -6,9 +6,8 @@
 
 #include "properties/binary32.h"
 #include "properties/built_or_throw.h"
-#include "properties/continuity.h"
+#include "properties/field_properties.h"
 #include "properties/generators.h"
-#include "properties/passivity.h"
 #include "properties/spread.h"
 #include "reference/energy.h"
 #include "rendering/control_words.h"

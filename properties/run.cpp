@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "forceshade/properties.h"
-#include "properties/equivalence.h"
+#include "properties/field_properties.h"
 #include "properties/second_answer.h"
 #include "properties/words_of_violation.h"
 #include "rendering/breakdown.h"

@@ -13,7 +13,6 @@
 #include "report/html.h"
 #include "report/panels.h"
 #include "report/pictures.h"
-#include "report/thesis.h"
 
 namespace forceshade::properties {
 namespace {

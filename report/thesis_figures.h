@@ -2,6 +2,7 @@
 #pragma once
 // Figures of the thesis, drawn again from the laws themselves.
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,16 @@ struct ThesisFigure {
 // 2-3, 4-2, 5-1, 5-4 and 5-5. What the thesis does not print (the function of 2-3, the middle bump of 5-1) is stated in the
 // picture's description.
 std::vector<ThesisFigure> thesis_figures();
+
+// The bumps of the thesis's experiments (5.5): five radii, one width.
+
+struct ThesisRadius {
+  int mil;
+  float mm;
+};
+
+inline constexpr std::array<ThesisRadius, 5> kThesisRadii{
+    {{600, 15.24F}, {800, 20.32F}, {1000, 25.4F}, {1200, 30.48F}, {1400, 35.56F}}};
+inline constexpr float kThesisWidth = 25.4F;  // mm: 1000 mil
 
 }  // namespace forceshade::properties

@@ -49,8 +49,7 @@ TEST(layers, each_folder_and_module_is_built_before_those_that_use_it) {
 const std::map<std::string, std::string> kExceptions{
     {"apps/certify.cpp", "the number of processors, for certification, which no clock judges"},
     {"apps/certify_plan.cpp", "the same"},
-    {"apps/part_times.h", "how long each part of a check takes"},
-    {"apps/keyboard_buttons.cpp", "waits for a key of the terminal"},
+    {"apps/progress_line.h", "how long each part of a check takes"},
     {"apps/terminal_attendant.cpp", "waits for a key of the terminal"},
     {"device/haply/haply_socket.cpp", "waits for a network"},
     {"device/lasting_words.cpp", "a lock that is held for a moment, and across no step"},

@@ -2,6 +2,9 @@
 #pragma once
 // Draws the picture for the participant: from a screen of the session and the state of the scene, without a display.
 
+#include <functional>
+#include <span>
+
 #include "window/composition.h"
 #include "window/picture.h"
 #include "window/scene.h"
@@ -19,5 +22,17 @@ struct Look {
 // area is one colour (but see Scene::shows_tip_alone). The four pictures of a classification are always drawn, for they are the
 // answers. Text that is too long for its place is made smaller until it fits (text.h).
 Picture picture_of(const Screen& screen, const Scene& scene, const Look& look, Size window, const Measure& measure);
+
+// A profile drawn out along y: how a bump on its plane looks.
+
+struct Solid {
+  double depth = 0, thickness = 0;  // mm: along y, around y = 0; of the slab under the profile
+  double edge = 1;                  // pixels: of its lines
+  bool has_ridges = false;          // a line along every edge between two faces
+  std::function<Point(const Position&)> pixel;
+};
+
+// Each face between two points in the shade of its slope, lit from above left; the cut in front; the lines of both ends.
+std::vector<Item> drawn_out(std::span<const ProfilePoint> profile, const Solid& solid);
 
 }  // namespace forceshade::window

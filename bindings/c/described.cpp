@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "bindings/c/still.h"
 #include "forceshade/meshes.h"
 #include "rendering/heights/coefficients.h"
 #include "rendering/mesh_rendering.h"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "forceshade/description.h"
+#include "forceshade/error.h"
 #include "forceshade/fast.h"
 #include "forceshade/identity.h"
 #include "forceshade/renderer.h"
@@ -51,5 +52,14 @@ struct Subject {
 };
 
 std::variant<Subject, ParameterError> build(const Description& description);
+
+// Rejects descriptions with moving objects, of which a binding makes no subject.
+
+// Throws Error for a scene with motions: a program gives the poses of each tick itself.
+inline void expect_still(const Description& description) {
+  if (description.moves())
+    throw Error(description.name +
+                ": expected no object with a motion here; a session of a scene takes the poses of each tick");
+}
 
 }  // namespace forceshade::c

@@ -2,20 +2,16 @@
 // Subjects of the C interface: from numbers, freed, and what they are.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "bindings/c/described.h"
 #include "bindings/c/errors.h"
 #include "bindings/c/strided.h"
 #include "bindings/c/subject.h"
-#include "bindings/c/text.h"
 #include "forceshade/meshes.h"
 #include "rendering/mesh_rendering.h"
 #include "subjects/options.h"

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "bindings/c/batch.h"
-#include "bindings/c/still.h"
+#include "bindings/c/described.h"
 #include "bindings/c/strided.h"
 
 namespace forceshade::exact {

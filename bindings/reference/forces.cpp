@@ -9,7 +9,6 @@
 #include "bindings/c/batch.h"
 #include "bindings/c/errors.h"
 #include "bindings/c/strided.h"
-#include "bindings/c/text.h"
 #include "bindings/reference/handles.h"
 #include "bindings/reference/rational.h"
 

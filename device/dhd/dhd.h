@@ -3,18 +3,28 @@
 // A device of Force Dimension (omega, delta, sigma, lambda) or a Novint Falcon, through the vendor's library DHD. docs/dhd.md
 // says what was taken from its documents, and what is assumed.
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "device/check.h"
-#include "device/dhd/usb.h"
 #include "device/frames/link.h"
 #include "forceshade/device.h"
 
 namespace forceshade::device::dhd {
 
 struct Functions;
+
+// A device of Force Dimension or Novint on the USB, found without the vendor's library.
+struct UsbDevice {
+  std::string id;           // "1451:0402"
+  std::string node;         // "/dev/bus/usb/001/005"
+  bool accessible = false;  // this user may read and write the node, which the library has to
+};
+
+// root: of a file system, for tests.
+std::vector<UsbDevice> usb_devices(const std::filesystem::path& root = "/");
 
 // open_dhd() with these functions. Throws DeviceError.
 std::unique_ptr<Device> open(const Functions& functions, const std::string& name, const FramedOptions& options,

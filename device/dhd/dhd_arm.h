@@ -9,11 +9,25 @@
 #include <string>
 
 #include "device/dhd/dhd_library.h"
-#include "device/dhd/dhd_models.h"
 #include "device/frames/link.h"
 #include "system/system.h"
 
 namespace forceshade::device::dhd {
+
+// The devices that DHD drives, and what is assumed of each: the vendor's library has no function for its limits.
+
+struct Model {
+  int type;  // as dhdGetSystemType() has it
+  const char* name;
+  float reach;             // mm, from the middle of the workspace
+  float peak, continuous;  // N
+  int buttons;
+};
+
+inline constexpr int kFalcon = 60;
+
+// Null: a type of which nothing is known here.
+const Model* model_of(int type) noexcept;
 
 struct Identity {
   Model model;

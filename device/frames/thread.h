@@ -9,13 +9,11 @@
 #include <optional>
 #include <string>
 
-#include "device/force_order.h"
 #include "device/frame_samples.h"
 #include "device/frame_times.h"
 #include "device/frames/link.h"
 #include "device/lasting_words.h"
 #include "device/sent_forces.h"
-#include "device/sent_share.h"
 #include "device/triple_buffer.h"
 #include "forceshade/device.h"
 #include "system/system.h"

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/phantom/driver_folder.h"
 
+#include <fcntl.h>
+#include <grp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <system_error>
 
 namespace forceshade::device {
@@ -21,6 +27,38 @@ fs::path folder() {
   if (const std::string home = value("GTDD_HOME"); !home.empty()) return fs::path(home) / "config";
   if (const std::string home = value("HOME"); !home.empty()) return fs::path(home) / ".3dsystems" / "config";
   return {};
+}
+
+namespace fs = std::filesystem;
+
+bool is_one_of(const std::string& name, const std::string& kind) {
+  return name.size() > kind.size() && name.starts_with(kind) &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(kind.size()), name.end(),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::string group_of(const fs::path& file) {
+  struct stat about {};
+  if (::stat(file.c_str(), &about) != 0) return "";
+  const group* named = ::getgrgid(about.st_gid);
+  return named ? named->gr_name : std::to_string(about.st_gid);
+}
+
+std::string first_word(const fs::path& file) {
+  std::string word;
+  std::ifstream(file) >> word;
+  return word;
+}
+
+// A Touch calls itself 2988:0302, an older one 0301:2988, both as seen in users' reports.
+bool is_the_vendors(const fs::path& in_sys) {
+  std::error_code none;
+  fs::path at = fs::canonical(in_sys, none);
+  for (int up = 0; !none && up < 8 && at.has_relative_path(); ++up, at = at.parent_path())
+    if (fs::exists(at / "idVendor", none))
+      return first_word(at / "idVendor") == "2988" ||
+             (first_word(at / "idVendor") == "0301" && first_word(at / "idProduct") == "2988");
+  return false;
 }
 
 }  // namespace
@@ -47,6 +85,22 @@ DriverFolder driver_folder() {
   }
   std::sort(found.names.begin(), found.names.end());
   return found;
+}
+
+std::vector<DeviceNode> device_nodes(const fs::path& root) {
+  std::vector<DeviceNode> nodes;
+  std::error_code error;
+  for (fs::directory_iterator entry(root / "dev", error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename();
+    const bool serial = is_one_of(name, "ttyACM"), hid = is_one_of(name, "hidraw");
+    if (!serial && !hid && !is_one_of(name, "fw")) continue;
+    const bool accessible = ::faccessat(AT_FDCWD, entry->path().c_str(), R_OK | W_OK, AT_EACCESS) == 0;
+    const bool vendors = (serial && is_the_vendors(root / "sys/class/tty" / name / "device")) ||
+                         (hid && is_the_vendors(root / "sys/class/hidraw" / name / "device"));
+    nodes.push_back({"/dev/" + name, accessible, group_of(entry->path()), vendors});
+  }
+  std::sort(nodes.begin(), nodes.end(), [](const DeviceNode& a, const DeviceNode& b) { return a.path < b.path; });
+  return nodes;
 }
 
 }  // namespace forceshade::device

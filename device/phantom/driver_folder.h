@@ -18,4 +18,16 @@ struct DriverFolder {
 // 3.4). Makes nothing.
 DriverFolder driver_folder();
 
+// The files in /dev through which a PHANToM is reached: /dev/ttyACM* and /dev/hidraw* over USB, /dev/fw* over FireWire.
+
+struct DeviceNode {
+  std::string path;  // in /dev
+  bool accessible;   // this process may read and write it
+  std::string group;
+  bool vendors;  // USB identifies it as the vendor's
+};
+
+// Sorted by path. `root` is where /dev and /sys are.
+std::vector<DeviceNode> device_nodes(const std::filesystem::path& root = "/");
+
 }  // namespace forceshade::device

@@ -12,7 +12,7 @@
 #include "device/phantom/hdapi_words.h"
 #include "device/phantom/phantom_end.h"
 #include "device/phantom/phantom_host.h"
-#include "device/phantom/phantom_messages.h"
+#include "device/phantom/phantom_shared.h"
 #include "device/simulated/arm.h"
 #include "files/csv.h"
 #include "forceshade/device.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "device/phantom/ending.h"
-#include "device/phantom/phantom_messages.h"
+#include "device/phantom/phantom_shared.h"
 
 namespace forceshade::device {
 namespace {

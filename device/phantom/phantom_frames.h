@@ -15,7 +15,6 @@
 #include "device/phantom/hdapi_words.h"
 #include "device/phantom/phantom_shared.h"
 #include "device/sent_forces.h"
-#include "device/sent_share.h"
 
 namespace forceshade::device {
 

@@ -12,7 +12,7 @@
 #include "device/phantom/phantom_end.h"
 #include "device/phantom/phantom_frames.h"
 #include "device/phantom/phantom_limits.h"
-#include "device/phantom/phantom_messages.h"
+#include "device/phantom/phantom_shared.h"
 #include "files/csv.h"
 #include "forceshade/device.h"
 #include "system/system.h"

@@ -7,13 +7,15 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
+#include <string>
 
-#include "device/force_order.h"
 #include "device/frame_samples.h"
 #include "device/frame_times.h"
 #include "device/triple_buffer.h"
 #include "forceshade/device.h"
+#include "system/process.h"
 
 namespace forceshade::device {
 
@@ -70,5 +72,18 @@ struct PhantomMessage {
   PhantomDescription description = {};
   std::array<char, 4096> words{};
 };
+
+// Messages between the two processes of a PHANToM.
+
+// False if the other end is closed.
+inline bool send_message(system::Packets& packets, const PhantomMessage& message) noexcept {
+  return packets.send(&message, sizeof message);
+}
+
+inline bool send_words(system::Packets& packets, PhantomMessage::Kind kind, const std::string& words) noexcept {
+  PhantomMessage message{.kind = kind};
+  std::snprintf(message.words.data(), message.words.size(), "%s", words.c_str());
+  return send_message(packets, message);
+}
 
 }  // namespace forceshade::device

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/case_file.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -9,7 +8,6 @@
 #include <map>
 #include <optional>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "files/csv.h"

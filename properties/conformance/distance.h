@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The distance of an answer from the exact force.
+// The distance of an answer from the exact force, and the largest one that counts as right.
 
 #include <Eigen/Core>
 #include <array>
@@ -9,11 +9,28 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "files/decimal.h"
 #include "forceshade/reference.h"
-#include "properties/conformance/tolerance.h"
 
 namespace forceshade::conformance {
+
+// ulp: how many binary32 numbers an answer may be away from the correctly rounded force, in each component. newton: how long
+// the difference of the answer and the exact force may be. percent: how long that is to the exact force; where this is zero,
+// the answer has to be zero.
+enum class Unit { ulp, newton, percent };
+
+struct Tolerance {
+  Unit unit = Unit::ulp;
+  files::Decimal value = {};  // as it was typed, exactly; 0 ulp is correctly rounded
+};
+
+// "4 ulp", "1e-6 N", "0.1 %", also without the space. A number of ulp is whole. Nothing for another text.
+std::optional<Tolerance> tolerance_of(std::string_view text);
+
+// "correctly rounded", "4 ulp", "1e-06 N".
+std::string words_of(const Tolerance& tolerance);
 
 // Larger than any distance: of an answer that is infinite or not a number.
 inline constexpr std::uint64_t kNoNumber = std::numeric_limits<std::uint64_t>::max();

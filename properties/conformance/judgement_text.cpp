@@ -2,9 +2,10 @@
 #include "properties/conformance/judgement_text.h"
 
 #include <array>
+#include <cmath>
 
+#include "files/printable.h"
 #include "properties/binary32.h"
-#include "properties/conformance/counterexample.h"
 #include "properties/conformance/scene.h"
 #include "rendering/identity/identity_json.h"
 #include "text/number_text.h"
@@ -64,6 +65,12 @@ Json json_of(const Judged& judged) {
 
 Json json_of(const Count& count) {
   return {{"cases", count.cases}, {"wrong", count.wrong}, {"beyond_tolerance", count.beyond}};
+}
+
+std::string literal(float number) {
+  if (std::isnan(number)) return "NAN";
+  if (std::isinf(number)) return number > 0 ? "INFINITY" : "-INFINITY";
+  return hexfloat(static_cast<double>(number)) + 'f';
 }
 
 }  // namespace
@@ -203,6 +210,24 @@ Json json_of(const Conformance& found, const Circumstances& circumstances) {
 
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+std::string literal(const Eigen::Vector3f& numbers) {
+  return '{' + literal(numbers.x()) + ", " + literal(numbers.y()) + ", " + literal(numbers.z()) + '}';
+}
+
+std::string test_to_paste(const Identity& identity, std::span<const Eigen::Vector3f> path,
+                          std::span<const std::uint32_t> periods, const Judged& at_its_end) {
+  std::string text =
+      "// " + files::printable(identity.name + ": " + parameters_in_words(identity)) + "\nconst float path_mm[][3] = {";
+  for (std::size_t i = 0; i < path.size(); ++i) text += (i == 0 ? "" : ",\n                             ") + literal(path[i]);
+  text += "};  // from no contact\n";
+  for (std::size_t i = 0; i < periods.size(); ++i)
+    text +=
+        (i == 0 ? "const unsigned periods[] = {" : ", ") + std::to_string(periods[i]) + (i + 1 == periods.size() ? "};\n" : "");
+  text += "const float force_N[3] = " + literal(at_its_end.exact.force) + ";  // at its end, not " +
+          literal(at_its_end.its.force) + '\n';
+  return text;
 }
 
 }  // namespace forceshade::conformance

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "reference/soups/force.h"
 #include "rendering/mesh_rendering.h"
 
 namespace forceshade::reference::soups {
@@ -70,6 +69,113 @@ class SoupTicks final : public meshes::Ticks {
   std::vector<float> stiffness_;  // of each triangle of the file, N/mm
 };
 
+using Direction = std::optional<Vector>;
+using Side = Star::Side;
+
+class Shading {
+ public:
+  Shading(const Rest& rest, const mesh::CornerNormals& normals)
+      : r_(rest.r.x), star_(*rest.r.star), cell_(rest.r.cell), D_n_(rest.D - rest.tangential), normals_(normals) {}
+
+  // N, which the force is turned to; nothing where it is not turned.
+  Direction direction() const {
+    const Direction N = star_.kind() == Star::Kind::point  ? at_vertex()
+                        : star_.kind() == Star::Kind::line ? on_line()
+                                                           : in_plane();
+    return N && dot(*N, D_n_) > 0 ? N : std::nullopt;
+  }
+
+ private:
+  Vector corner(const Triangle& f, std::size_t i) const { return exact(normals_[f.number][i]); }
+  static Vector exact(const mesh::Normal& n) { return {Rational(n[0]), Rational(n[1]), Rational(n[2])}; }
+  static Vector seen(const Triangle& f, const Vector& up, const Vector& N) { return dot(f.normal, up) < 0 ? -N : N; }
+  Vector interpolated(const Triangle& f) const {
+    const auto [beta, gamma] = f.weights(r_);
+    return (1 - beta - gamma) * corner(f, 0) + beta * corner(f, 1) + gamma * corner(f, 2);
+  }
+  std::vector<Side> walls() const {
+    std::vector<Side> all = star_.sides(cell_);
+    std::erase_if(all, [&](const Side& side) { return !star_.is_wall(side); });
+    return all;
+  }
+  // The binary32 nearest to |n| mm².
+  static Rational length(const Triangle& f) {
+    const Rational square = squared(f.normal);
+    return Rational(meshes::nearest_binary32(
+        {0, false, Whole(numerator(square)) * Whole(denominator(square)), Whole(denominator(square)), 0}));
+  }
+
+  Direction in_plane() const {
+    const std::vector<Side> sides = walls();
+    if (sides.empty()) return {};
+    const Triangle& f = star_.blocking(sides.front());
+    return seen(f, star_.up(sides.front()), interpolated(f));
+  }
+
+  Direction on_line() const {
+    const std::vector<Side> sides = walls();
+    if (sides.size() != 2) return {};
+    const Triangle &f = star_.blocking(sides[0]), &h = star_.blocking(sides[1]);
+    const Vector up_1 = star_.up(sides[0]), up_2 = star_.up(sides[1]);
+    const Vector N_1 = seen(f, up_1, interpolated(f)), N_2 = seen(h, up_2, interpolated(h));
+    if (is_regular(f, h) && have_same_corners(f, h)) return N_1;
+    const Vector n_1 = seen(f, up_1, f.normal), n_2 = seen(h, up_2, h.normal), turn = cross(n_1, n_2);
+    if (is_zero(turn) || !dot(D_n_, turn).is_zero()) return {};
+    const Rational alpha = dot(cross(D_n_, n_2), turn), beta = dot(cross(n_1, D_n_), turn);
+    if (alpha < 0 || beta < 0) return {};
+    return alpha * length(f) * N_1 + beta * length(h) * N_2;
+  }
+
+  // The corners that two triangles share, by their numbers in each.
+  static std::vector<std::pair<std::size_t, std::size_t>> shared(const Triangle& f, const Triangle& h) {
+    std::vector<std::pair<std::size_t, std::size_t>> all;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (f.name[i] == h.name[j]) all.emplace_back(i, j);
+    return all;
+  }
+  // Two triangles alone, whose common edge runs in opposite directions.
+  bool is_regular(const Triangle& f, const Triangle& h) const {
+    const auto common = shared(f, h);
+    if (star_.triangles().size() != 2 || common.size() != 2) return false;
+    const auto follows = [](std::size_t i, std::size_t j) { return (i + 1) % 3 == j; };
+    return follows(common[0].first, common[1].first) != follows(common[0].second, common[1].second);
+  }
+  bool have_same_corners(const Triangle& f, const Triangle& h) const {
+    return std::ranges::all_of(
+        shared(f, h), [&](const auto& both) { return normals_[f.number][both.first] == normals_[h.number][both.second]; });
+  }
+
+  // Only if all triangles have one normal at this vertex, and nothing else passes.
+  Direction at_vertex() const {
+    Direction N;
+    for (const Triangle* triangle : star_.triangles()) {
+      const auto at = std::ranges::find(triangle->corner, r_);
+      if (at == triangle->corner.end()) return {};
+      const Vector its = corner(*triangle, static_cast<std::size_t>(at - triangle->corner.begin()));
+      if (N && *N != its) return {};
+      N = its;
+    }
+    const std::vector<Side> sides = walls();
+    if (!star_.is_one_part() || sides.empty()) return {};
+    const Star::Piece& piece = star_.pieces()[sides.front().piece];
+    return seen(*piece.triangles.front(), star_.up(sides.front()), *N);
+  }
+
+  const Vector& r_;
+  const Star& star_;
+  Star::Cell cell_;
+  Vector D_n_;
+  const mesh::CornerNormals& normals_;
+};
+
+// whole + √square, or − √square.
+meshes::RootSum sum_of(const Rational& whole, bool is_negative, const Rational& square) {
+  const Whole under = lcm(Whole(denominator(whole)), Whole(denominator(square)));
+  const auto times = [](const Rational& value, const Whole& by) { return Whole(numerator(Rational(value * Rational(by)))); };
+  return {times(whole, under), is_negative, times(square, under * under), under, 0};
+}
+
 }  // namespace
 
 State state_of(const mesh::GodObject& object) {
@@ -109,6 +215,18 @@ mesh::GodObject object_of(const State& state) {
 
 std::unique_ptr<const meshes::Ticks> ticks_of(const MeshRendering& rendering) {
   return std::make_unique<SoupTicks>(rendering);
+}
+
+std::array<meshes::RootSum, 3> exact_force(const Rest& rest, float stiffness, const mesh::CornerNormals& normals) {
+  const Direction N = normals.empty() ? std::nullopt : Shading(rest, normals).direction();
+  const Rational K(stiffness);
+  if (!N) return {sum_of(K * rest.D.x, false, 0), sum_of(K * rest.D.y, false, 0), sum_of(K * rest.D.z, false, 0)};
+  const Rational size = K * K * squared(rest.D - rest.tangential) / squared(*N);
+  const auto component = [&](const Rational& along, const Rational& part) {
+    return sum_of(K * along, part < 0, size * part * part);
+  };
+  const Vector& t = rest.tangential;
+  return {component(t.x, N->x), component(t.y, N->y), component(t.z, N->z)};
 }
 
 }  // namespace forceshade::reference::soups

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "files/git_lfs.h"
+#include "files/file_kind.h"
 #include "forceshade/heights.h"
 #include "rendering/heights/band_limit.h"
 #include "rendering/heights/coefficients.h"

@@ -7,7 +7,7 @@
 #include "rendering/meshes/border_edges.h"
 #include "rendering/meshes/distances.h"
 #include "rendering/meshes/pairs.h"
-#include "rendering/meshes/welded.h"
+#include "rendering/meshes/weld.h"
 
 namespace forceshade::mesh {
 namespace {

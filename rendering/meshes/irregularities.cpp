@@ -8,7 +8,7 @@
 #include "rendering/meshes/box_tree.h"
 #include "rendering/meshes/insides.h"
 #include "rendering/meshes/pairs.h"
-#include "rendering/meshes/welded.h"
+#include "rendering/meshes/weld.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "files/git_lfs.h"
+#include "files/file_kind.h"
 #include "forceshade/meshes.h"
 #include "rendering/meshes/readers.h"
 

@@ -14,7 +14,7 @@
 #include "rendering/half_edges.h"
 #include "rendering/meshes/creases.h"
 #include "rendering/meshes/doubtful_normals.h"
-#include "rendering/meshes/welded.h"
+#include "rendering/meshes/weld.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -25,4 +25,14 @@ class Welder {
   std::vector<std::uint32_t> slots_;  // a power of two of them, at most half in use: 0, or 1 + a place in the list
 };
 
+// Any set of triangles as docs/soups.md sees it.
+
+struct Welded {
+  TriangleMesh mesh;  // the triangles with an area, whose vertices are the lowest used ones with their coordinates
+  std::vector<std::uint32_t> number;  // that each of them had
+};
+
+// Every index is that of a vertex, and coordinates are as they were read.
+Welded welded(const TriangleMesh& mesh);
+
 }  // namespace forceshade::mesh

@@ -8,7 +8,7 @@
 
 #include "files/printable.h"
 #include "properties/binary32.h"
-#include "properties/conformance/counterexample.h"
+#include "properties/conformance/judgement_text.h"
 #include "properties/conformance/recordings/recording_text.h"
 #include "report/conformance/figures.h"
 #include "report/html.h"

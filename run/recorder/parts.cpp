@@ -4,7 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include "run/recorder/loss.h"
 #include "run/recorder/sqlite.h"
 #include "system/system.h"
 

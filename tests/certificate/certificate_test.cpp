@@ -10,9 +10,9 @@
 
 #include "certificate/build.h"
 #include "forceshade/certify.h"
+#include "properties/field_properties.h"
 #include "properties/height_map_subject.h"
 #include "properties/law_subject.h"
-#include "properties/passivity.h"
 
 namespace forceshade::properties {
 namespace {

@@ -12,7 +12,6 @@
 #include <fstream>
 
 #include "certificate/plan.h"
-#include "certificate/unit_result.h"
 #include "certificate/worker.h"
 #include "forceshade/certificate.h"
 #include "tests/certificate/made_certificate.h"

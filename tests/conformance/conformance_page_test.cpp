@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "forceshade/subjects.h"
-#include "properties/conformance/tolerance.h"
+#include "properties/conformance/distance.h"
 #include "report/conformance/figures.h"
 #include "report/conformance/page.h"
 #include "tests/conformance/made_judgement.h"

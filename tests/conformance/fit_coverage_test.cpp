@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "properties/conformance/recordings/fit.h"
-#include "properties/conformance/recordings/rest_force.h"
+#include "properties/conformance/recordings/solution.h"
 #include "tests/conformance/made_recording.h"
 #include "tests/support/drawn.h"
 

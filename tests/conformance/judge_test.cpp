@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -197,5 +199,54 @@ TEST(judgement, says_each_of_its_numbers_where_it_belongs) {
     EXPECT_NE(json.find(part), std::string::npos) << part << "\n" << json;
 }
 
+TEST(counterexample, is_lines_of_c_that_lose_nothing) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
+  const std::array<Eigen::Vector3f, 2> path{Eigen::Vector3f(3, -0.0F, 0x1p-149F), {kNan, kInfinite, -kInfinite}};
+  const Identity identity{"mesh", "a\nb.off", {{"stiffness_N_per_mm", 0.5F}}};
+  Judged judged;
+  judged.exact.force = {0, 0, 0.1F};
+  judged.its.force = {0, 0, -0.1F};
+  const std::array<std::uint32_t, 2> periods{1, 20};
+  EXPECT_EQ(test_to_paste(identity, path, periods, judged),
+            "// a\\nb.off: stiffness 0.5 N/mm\n"
+            "const float path_mm[][3] = {{0x1.8p+1f, -0x0p+0f, 0x1p-149f},\n"
+            "                             {NAN, INFINITY, -INFINITY}};  // from no contact\n"
+            "const unsigned periods[] = {1, 20};\n"
+            "const float force_N[3] = {0x0p+0f, 0x0p+0f, 0x1.99999ap-4f};  // at its end, not {0x0p+0f, 0x0p+0f, "
+            "-0x1.99999ap-4f}\n");
+}
+
+using Numbers = Sample<std::uint64_t>;
+
+TEST(sample, keeps_all_where_they_are_few) {
+  Numbers sample;
+  for (std::uint64_t i = 0; i < 5; ++i) sample.add(i, 10 * i);
+  std::vector<std::uint64_t> values = sample.values();
+  std::ranges::sort(values);
+  EXPECT_EQ(values, (std::vector<std::uint64_t>{0, 10, 20, 30, 40}));
+}
+
+TEST(sample, is_the_same_in_whatever_order_they_come) {
+  constexpr std::uint64_t kCount = 3 * Numbers::kMost;
+  Numbers forwards, backwards;
+  for (std::uint64_t i = 0; i < kCount; ++i) forwards.add(i, i);
+  for (std::uint64_t i = kCount; i-- > 0;) backwards.add(i, i);
+  EXPECT_EQ(forwards.values(), backwards.values());
+  EXPECT_EQ(forwards.values().size(), Numbers::kMost);
+  EXPECT_EQ(forwards.seen(), kCount);
+}
+
+// Each sixteenth of the numbers has its share, to five standard deviations of a random one.
+TEST(sample, prefers_neither_the_first_nor_the_last) {
+  constexpr std::uint64_t kParts = 16, kOfPart = 5000;
+  Numbers sample;
+  for (std::uint64_t i = 0; i < kParts * kOfPart; ++i) sample.add(i, i);
+  std::vector<double> kept(kParts);
+  for (const std::uint64_t i : sample.values()) ++kept[i / kOfPart];
+  const double expected = static_cast<double>(Numbers::kMost) / kParts;
+  for (const double one : kept) EXPECT_NEAR(one, expected, 5 * std::sqrt(expected));
+}
+
 }  // namespace
+
 }  // namespace forceshade::conformance

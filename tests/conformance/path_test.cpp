@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions between samples.
+
 #include "properties/conformance/recordings/path.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <sstream>
+
+#include "properties/conformance/recordings/recording.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -29,7 +35,7 @@ std::vector<Measured> recorded() {
 
 TEST(path, meets_the_positions_between_samples) {
   const std::vector<Measured> samples = recorded();
-  const Path path(samples);
+  const RecordedPath path(samples);
   double worst = 0;
   for (std::size_t i = 20; i + 20 < samples.size(); ++i)
     for (const double lag : {-0.013, -0.0007, 0.0, 0.0011, 0.004, 0.0217})
@@ -41,7 +47,7 @@ TEST(path, meets_the_positions_between_samples) {
 
 TEST(path, reaches_from_its_first_sample_to_its_last) {
   const std::vector<Measured> samples = recorded();
-  const Path path(samples);
+  const RecordedPath path(samples);
   EXPECT_TRUE(path.reaches(samples.front(), 0));
   EXPECT_FALSE(path.reaches(samples.front(), 1e-9));
   EXPECT_FALSE(path.reaches(samples.back(), -1e-9));
@@ -51,14 +57,14 @@ TEST(path, reaches_from_its_first_sample_to_its_last) {
 // A time that goes back, and one that is repeated, are not on the path; the sample itself is where it is.
 TEST(path, leaves_out_times_that_do_not_increase) {
   std::vector<Measured> samples = recorded();
-  const Path whole(samples);
+  const RecordedPath whole(samples);
   Measured back = samples[100], again = samples[120];
   back.time -= 0.05;
   back.position.setConstant(1000);
   again.position.setConstant(-1000);
   samples.insert(samples.begin() + 121, again);
   samples.insert(samples.begin() + 101, back);
-  const Path path(samples);
+  const RecordedPath path(samples);
   EXPECT_EQ(path.position(back, 0), back.position);
   for (std::size_t i = 50; i < 200; ++i) {
     if (samples[i].position.norm() >= 500) continue;
@@ -66,5 +72,46 @@ TEST(path, leaves_out_times_that_do_not_increase) {
   }
 }
 
+// Differences of times that binary64 cannot hold.
+
+struct Difference {
+  const char *from, *to;
+  int power;
+  double seconds;
+};
+
+TEST(exact_time, rounds_a_difference_once) {
+  constexpr std::array kDifferences{
+      Difference{"1690000000123456789", "1690000000124456789", -9, 0.001},
+      Difference{"1690000000.123456789", "1690000000.124456789", 0, 0.001},
+      Difference{"1690000000123456789", "1690000000123456790", -9, 1e-9},
+      Difference{"1690000000123456.789", "1690000000123457.789", -6, 1e-6},
+      Difference{"+1.5e3", "1.501E+3", -3, 0.001},
+      Difference{"-2", "0.5", 0, 2.5},
+      Difference{"2", "-.5", -3, -0.0025},
+      Difference{"0x1p-1", "0x1.8p0", 0, 1},
+      Difference{"1e-5000", "7", 0, 7},
+      Difference{"0", "1e308", 0, 1e308},
+      Difference{"-1e308", "1e308", 0, std::numeric_limits<double>::infinity()},
+  };
+  for (const Difference& each : kDifferences) {
+    const ExactTime from(each.from, std::strtod(each.from, nullptr)), to(each.to, std::strtod(each.to, nullptr));
+    EXPECT_EQ(to.seconds_since(from, each.power), each.seconds) << each.from << " to " << each.to;
+  }
+}
+
+TEST(exact_time, is_what_a_recording_counts_from_its_first_sample) {
+  std::istringstream file(
+      "t_ns,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N\n1690000000123456789,0,0,0,0,0,0\n1690000000124456789,0,0,0,0,0,0\n"
+      "1690000000125456788,0,0,0,0,0,0\n");
+  const Measurements measured =
+      read_measurements(file, "made.csv", columns_of("t=t_ns,x=x_mm,y=y_mm,z=z_mm,fx=fx_N,fy=fy_N,fz=fz_N"));
+  EXPECT_EQ(measured.samples[0].time, 0);
+  EXPECT_EQ(measured.samples[2].time, 0.001999999);
+  EXPECT_EQ(measured.samples[1].interval, 0.001);
+  EXPECT_EQ(measured.samples[2].interval, 0.000999999);
+}
+
 }  // namespace
+
 }  // namespace forceshade::conformance

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples that were repeated, beside hands at rest and sensors with coarse steps, whose positions stay, too.
-#include "properties/conformance/recordings/stays.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
+
+#include "properties/conformance/recordings/invariants.h"
 
 namespace forceshade::conformance {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/passivity.h"
+#include "properties/field_properties.h"
 #include "tests/device/unmoved_hand.h"
 
 namespace forceshade::device {

@@ -13,7 +13,7 @@
 
 #include "device/passivity_controller.h"
 #include "forceshade/fast.h"
-#include "properties/passivity.h"
+#include "properties/field_properties.h"
 #include "tests/device/chatter.h"
 #include "tests/support/drawn.h"
 #include "tests/support/silent.h"

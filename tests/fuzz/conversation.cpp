@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "files/json_line.h"
-#include "properties/conformance/doors/answer.h"
+#include "properties/conformance/doors/dialogue.h"
 #include "properties/conformance/doors/process_door.h"
 #include "properties/conformance/scene_renderer.h"
 #include "properties/conformance/simulators/course.h"

@@ -7,7 +7,7 @@
 #include "forceshade/fast.h"
 #include "forceshade/properties.h"
 #include "properties/binary32.h"
-#include "properties/equivalence.h"
+#include "properties/field_properties.h"
 #include "properties/law_subject.h"
 #include "properties/positions.h"
 #include "tests/laws/cases.h"

@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-#include "reference/soups/force.h"
+#include "reference/soups/god_object.h"
 #include "tests/meshes/costly_meshes.h"
 #include "tests/meshes/soup_words.h"
 #include "tests/support/drawn.h"

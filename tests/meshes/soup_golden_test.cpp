@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/soups/force.h"
+#include "reference/soups/god_object.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/soup_paths.h"
 #include "tests/support/drawn.h"

@@ -13,7 +13,6 @@
 #include "forceshade/meshes.h"
 #include "forceshade/reference.h"
 #include "reference/position.h"
-#include "reference/soups/force.h"
 #include "reference/soups/god_object.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "mutant.h"
-#include "properties/equivalence.h"
+#include "properties/field_properties.h"
 #include "properties/positions.h"
 #include "tests/laws/cases.h"
 

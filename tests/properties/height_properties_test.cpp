@@ -11,13 +11,11 @@
 #include <map>
 
 #include "forceshade/properties.h"
-#include "properties/equivalence.h"
+#include "properties/field_properties.h"
 #include "properties/generators.h"
 #include "properties/height_generators.h"
-#include "properties/height_loops.h"
 #include "properties/height_map_subject.h"
 #include "properties/height_positions.h"
-#include "properties/unit_normals.h"
 
 namespace forceshade::properties {
 namespace {

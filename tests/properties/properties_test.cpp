@@ -13,10 +13,9 @@
 #include <utility>
 
 #include "properties/binary32.h"
-#include "properties/continuity.h"
+#include "properties/field_properties.h"
 #include "properties/generators.h"
 #include "properties/law_subject.h"
-#include "properties/passivity.h"
 #include "properties/positions.h"
 
 namespace forceshade::properties {

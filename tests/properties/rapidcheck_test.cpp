@@ -10,7 +10,7 @@
 
 #include "forceshade/properties.h"
 #include "properties/binary32.h"
-#include "properties/equivalence.h"
+#include "properties/field_properties.h"
 #include "properties/height_map_subject.h"
 #include "properties/law_subject.h"
 #include "properties/mesh_source.h"

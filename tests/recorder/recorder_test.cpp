@@ -6,7 +6,7 @@
 
 #include "forceshade/recording.h"
 #include "run/recorder/layout.h"
-#include "run/recorder/loss.h"
+#include "run/recorder/parts.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/recorder/numbered_samples.h"
 #include "tests/support/allocations.h"

@@ -2,6 +2,7 @@
 #pragma once
 // Lines of JSON with a child process: those that docs/conformance-protocol.md has for renderers and for simulators.
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -26,5 +27,12 @@ class Dialogue {
   const char* whose_;
   files::ChildProcess process_;
 };
+
+// The list in an answer of a renderer or simulator.
+
+// The list behind the key of an answer, with an entry for each of what was requested: "positions". whose: "renderer", for
+// messages. Throws files::ProcessFailed.
+const nlohmann::ordered_json& list_in(const nlohmann::ordered_json& answer, const char* key, std::size_t size,
+                                      const char* asked, const char* whose);
 
 }  // namespace forceshade::conformance

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/doors/process_door.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "files/json_line.h"
-#include "properties/conformance/doors/answer.h"
+#include "files/shell.h"
+#include "forceshade/error.h"
 #include "properties/conformance/doors/dialogue.h"
 #include "properties/conformance/doors/lines.h"
 
@@ -72,6 +74,17 @@ std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t cou
 
 OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits, const std::string& allocations_line) {
   return [=](const Json& scene) { return std::make_unique<ProcessRenderer>(command, scene, limits, allocations_line); };
+}
+
+OpenRenderer object_door(const std::string& file, const files::ProcessLimits& limits) {
+  namespace fs = std::filesystem;
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path().parent_path() / kObjectProgram;
+  if (!fs::exists(program)) throw Error("--command: expected the program " + program.string() + ", which is not there");
+  files::ProcessLimits its = limits;
+  its.ended_well = kObjectEndedWell;
+  // A name without a slash would be looked for among the system's libraries.
+  return process_door("exec " + files::quoted_for_shell(program) + ' ' + files::quoted_for_shell(fs::absolute(file)), its,
+                      std::string(kAllocations));
 }
 
 }  // namespace forceshade::conformance

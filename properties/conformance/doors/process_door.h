@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "files/child_process.h"
@@ -11,12 +12,28 @@
 
 namespace forceshade::conformance {
 
-// command: a line for /bin/sh. allocations_line: what it is told to say what it allocated (object_door.h); empty where it does
+// command: a line for /bin/sh. allocations_line: what it is told to say what it allocated (kAllocations); empty where it does
 // not count that.
 OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits = {},
                           const std::string& allocations_line = "");
 
 // The answers to so many positions in a line that a renderer wrote. Throws files::ProcessFailed.
 std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t count);
+
+// A renderer that is a shared object with the one function of include/forceshade.h. It is loaded in a process of its own, so
+// that it has the limits of a renderer that is a process, and each of its faults is a verdict.
+
+// The program of that process (apps/render_object.cpp), which is called with the file; its place beside the folder of this
+// program.
+inline constexpr const char* kObjectProgram = "libexec/forceshade/forceshade-object";
+
+// That process is told this line to say how often and how much the object allocated in its answers so far:
+// {"calls":2,"bytes":96}, or {} where it does not know.
+inline constexpr std::string_view kAllocations = R"({"allocations":true})";
+// The exit code of that process after goodbye and close(): none that an object gives that ends it itself.
+inline constexpr int kObjectEndedWell = 83;
+
+// Throws Error where that program is not there.
+OpenRenderer object_door(const std::string& file, const files::ProcessLimits& limits = {});
 
 }  // namespace forceshade::conformance

@@ -13,8 +13,8 @@
 #include "forceshade/checks.h"
 #include "forceshade/description.h"
 #include "forceshade/properties.h"
+#include "properties/conformance/distance.h"
 #include "properties/conformance/scene_renderer.h"
-#include "properties/conformance/tolerance.h"
 
 namespace forceshade::conformance {
 

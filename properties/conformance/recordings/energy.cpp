@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <string>
 
 #include "files/csv.h"
 #include "properties/conformance/recordings/invariants.h"

@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,9 +11,7 @@
 
 #include "properties/binary32.h"
 #include "properties/conformance/recordings/fit_beginning.h"
-#include "properties/conformance/recordings/fit_errors.h"
 #include "properties/conformance/recordings/misfit.h"
-#include "properties/conformance/recordings/rest_force.h"
 #include "properties/conformance/recordings/solution.h"
 #include "properties/conformance/recordings/words.h"
 #include "rendering/mesh_rendering.h"
@@ -381,7 +378,7 @@ class Fitting {
   const double stiffness_;
   const FitOptions& options_;
   const Monitor& monitor_;
-  const Path path_;
+  const RecordedPath path_;
   const double speed_;  // mm/s, that is usual
   const std::vector<Spot> spots_;
   Samples contacts_;

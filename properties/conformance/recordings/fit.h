@@ -23,7 +23,7 @@ struct FitOptions {
   std::uint64_t seed = 1;
 };
 
-// An error is four standard errors of the numbers that the samples determine (fit_errors.h), and what rounding positions to
+// An error is four standard errors of the numbers that the samples determine (solution.h), and what rounding positions to
 // binary32 can add. An offset or a lag that is no larger than its error is zero, and what this changes is in the errors, too.
 struct Fit {
   Placement placement;

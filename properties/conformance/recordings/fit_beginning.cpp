@@ -28,7 +28,7 @@ std::vector<Spot> spots_of(const properties::Subject& subject, float stiffness, 
   return spots;
 }
 
-Beginning tried(const Renderer& renderer, const Path& path, const Samples& samples, const Placement& placement) {
+Beginning tried(const Renderer& renderer, const RecordedPath& path, const Samples& samples, const Placement& placement) {
   const Eigen::VectorXd forces = rendered_forces(renderer, path, samples, placement);
   double both = 0, measured = 0;
   for (std::size_t i = 0; i < samples.size(); ++i) {

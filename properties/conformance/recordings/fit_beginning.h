@@ -34,6 +34,6 @@ struct Beginning {
   double factor = 0, share = 1;  // of the squared force that is left
 };
 
-Beginning tried(const Renderer& renderer, const Path& path, const Samples& samples, const Placement& placement);
+Beginning tried(const Renderer& renderer, const RecordedPath& path, const Samples& samples, const Placement& placement);
 
 }  // namespace forceshade::conformance

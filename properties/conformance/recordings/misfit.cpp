@@ -6,7 +6,7 @@
 
 namespace forceshade::conformance {
 
-Eigen::VectorXd rendered_forces(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples,
+Eigen::VectorXd rendered_forces(const Renderer& renderer, const RecordedPath& path, const std::vector<Measured>& samples,
                                 const Placement& placement) {
   Eigen::VectorXd forces(3 * static_cast<Eigen::Index>(samples.size()));
   const auto session = renderer.open();
@@ -18,7 +18,7 @@ Eigen::VectorXd rendered_forces(const Renderer& renderer, const Path& path, cons
   return forces;
 }
 
-std::size_t clearly_free(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples,
+std::size_t clearly_free(const Renderer& renderer, const RecordedPath& path, const std::vector<Measured>& samples,
                          const Placement& placement, double distance) {
   Eigen::VectorXd most = rendered_forces(renderer, path, samples, placement).cwiseAbs();
   for (Eigen::Index axis = 0; axis < 3; ++axis)

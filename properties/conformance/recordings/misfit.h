@@ -45,7 +45,7 @@ class Misfit {
 
   // most: N; a larger residual is shortened to it, so that a sample that nothing explains, or that lies on the wrong side of a
   // jump, counts no more than this. renderer, path and samples are to outlive this.
-  Misfit(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples, const Placement& first,
+  Misfit(const Renderer& renderer, const RecordedPath& path, const std::vector<Measured>& samples, const Placement& first,
          const Scale& scale, const Unknowns& unknowns, double most)
       : renderer_(renderer), path_(path), samples_(samples), first_(first), scale_(scale), unknowns_(unknowns), most_(most) {}
 
@@ -67,7 +67,7 @@ class Misfit {
   Eigen::Index shift_at() const { return unknowns_.turns ? 4 : 1; }
 
   const Renderer& renderer_;
-  const Path& path_;
+  const RecordedPath& path_;
   const std::vector<Measured>& samples_;
   Placement first_;
   Scale scale_;
@@ -76,11 +76,11 @@ class Misfit {
 };
 
 // The forces of the renderer at the positions of a path, in the axes of the recording.
-Eigen::VectorXd rendered_forces(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples,
+Eigen::VectorXd rendered_forces(const Renderer& renderer, const RecordedPath& path, const std::vector<Measured>& samples,
                                 const Placement& placement);
 
 // The number of samples that have no force, and get none by a shift of this distance (mm) along an axis.
-std::size_t clearly_free(const Renderer& renderer, const Path& path, const std::vector<Measured>& samples,
+std::size_t clearly_free(const Renderer& renderer, const RecordedPath& path, const std::vector<Measured>& samples,
                          const Placement& placement, double distance);
 
 }  // namespace forceshade::conformance

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/recordings/path.h"
 
-#include <algorithm>
-
 namespace forceshade::conformance {
 
-Path::Path(const std::vector<Measured>& samples) {
+RecordedPath::RecordedPath(const std::vector<Measured>& samples) {
   for (const Measured& each : samples)
     if (knots_.empty() || each.time > knots_.back().time) knots_.push_back({each.time, each.position, Eigen::Vector3d::Zero()});
   if (knots_.size() < 2) return;
@@ -32,12 +30,12 @@ Path::Path(const std::vector<Measured>& samples) {
   }
 }
 
-bool Path::reaches(const Measured& sample, double lag) const {
+bool RecordedPath::reaches(const Measured& sample, double lag) const {
   const double time = sample.time - lag;
   return lag == 0 || (time >= knots_.front().time && time <= knots_.back().time);
 }
 
-Eigen::Vector3d Path::position(const Measured& sample, double lag) const {
+Eigen::Vector3d RecordedPath::position(const Measured& sample, double lag) const {
   if (lag == 0) return sample.position;
   const double time = sample.time - lag, begin = knots_.front().time, end = knots_.back().time;
   if (time <= begin) return knots_.front().position + (time - begin) * knots_.front().velocity;

@@ -11,9 +11,9 @@ namespace forceshade::conformance {
 
 // A cubic spline, whose accelerations go on through the samples: at 250 Hz it meets a motion of 1.5 mm at 15 Hz within 0.5 µm.
 // Samples whose time is not after that of all before are left out.
-class Path {
+class RecordedPath {
  public:
-  explicit Path(const std::vector<Measured>& samples);
+  explicit RecordedPath(const std::vector<Measured>& samples);
 
   // True if there is a position at the time of the sample less the lag (s).
   bool reaches(const Measured& sample, double lag) const;

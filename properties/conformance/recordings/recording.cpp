@@ -1,14 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/recordings/recording.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "files/csv.h"
 #include "forceshade/error.h"
-#include "properties/conformance/recordings/exact_time.h"
 #include "properties/conformance/recordings/path.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
+namespace {
+
+using boost::multiprecision::cpp_int;
+
+constexpr std::size_t kMostCharacters = 64;
+constexpr int kMostExponent = 400;  // beyond the range of binary64
+
+bool is_short_decimal(const std::string& text) {
+  if (text.size() > kMostCharacters || text.find_first_not_of("+-.0123456789eE") != std::string::npos) return false;
+  const std::size_t e = text.find_first_of("eE");
+  if (e == std::string::npos) return true;
+  int exponent = 0;
+  const char* const begin = text.data() + e + (text[e + 1] == '+' ? 2 : 1);
+  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), exponent);
+  return error == std::errc{} && end == text.data() + text.size() && std::abs(exponent) <= kMostExponent;
+}
+
+cpp_int ten_to(int power) {
+  return boost::multiprecision::pow(cpp_int(10), static_cast<unsigned>(power));
+}
+
+}  // namespace
 
 std::string Measurements::place(std::size_t sample) const {
   return file + ':' + std::to_string(samples[sample].line);
@@ -47,7 +72,7 @@ Measurements read_measurements(std::istream& in, const std::string& file, const 
 }
 
 Measurements placed(const Measurements& measured, const Placement& placement) {
-  const Path path(measured.samples);
+  const RecordedPath path(measured.samples);
   Measurements there{measured.file, {}};
   for (const Measured& each : measured.samples) {
     if (!path.reaches(each, placement.lag)) continue;
@@ -56,6 +81,31 @@ Measurements placed(const Measurements& measured, const Placement& placement) {
     there.samples.back().force = placement.turn * (each.force - placement.offset);
   }
   return there;
+}
+
+ExactTime::ExactTime(const std::string& text, double value) {
+  const std::string decimal = is_short_decimal(text) ? text : shortest(value);
+  const std::size_t e = std::min(decimal.find_first_of("eE"), decimal.size());
+  if (e < decimal.size()) exponent_ = std::stoi(decimal.substr(e + 1));
+  bool is_fraction = false;
+  for (const char c : decimal.substr(0, e)) {
+    if (c == '.') is_fraction = true;
+    if (c < '0' || c > '9') continue;
+    digits_ = 10 * digits_ + (c - '0');
+    if (is_fraction) --exponent_;
+  }
+  if (decimal.starts_with('-')) digits_ = -digits_;
+}
+
+double ExactTime::seconds_since(const ExactTime& other, int power) const {
+  const int common = std::min(exponent_, other.exponent_);
+  const cpp_int difference = digits_ * ten_to(exponent_ - common) - other.digits_ * ten_to(other.exponent_ - common);
+  // The conversion of decimal text is what the standard library rounds once.
+  const std::string text = difference.str() + 'e' + std::to_string(common + power);
+  double seconds = 0;
+  if (std::from_chars(text.data(), text.data() + text.size(), seconds).ec == std::errc::result_out_of_range)
+    seconds = common + power > 0 ? std::numeric_limits<double>::infinity() : 0;
+  return seconds;
 }
 
 }  // namespace forceshade::conformance

@@ -3,6 +3,7 @@
 // A recording of another system: times, positions of the hand and the forces on it, as they were measured.
 
 #include <Eigen/Core>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cstddef>
 #include <istream>
 #include <string>
@@ -43,5 +44,23 @@ struct Placement {
 
 // Without the samples whose position before the lag is not in the recording.
 Measurements placed(const Measurements& measured, const Placement& placement);
+
+// A time as a file writes it, so that a difference of two is rounded once: ns since 1970 have 19 digits, binary64 has 16.
+
+class ExactTime {
+ public:
+  ExactTime() = default;
+
+  // text: a number as files::Reader reads it, and value: what it read, which is finite. Of a hexfloat, and of a decimal with
+  // very many digits, the shortest decimal of the value stands for it.
+  ExactTime(const std::string& text, double value);
+
+  // The binary64 number nearest to the difference in s. power: of ten, that one of the file's unit is in s.
+  double seconds_since(const ExactTime& other, int power) const;
+
+ private:
+  boost::multiprecision::cpp_int digits_;  // times ten to the power of exponent_
+  int exponent_ = 0;
+};
 
 }  // namespace forceshade::conformance

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "properties/conformance/judgement_text.h"
-#include "properties/conformance/simulators/invariants_of_runs.h"
 #include "properties/conformance/simulators/invariants_of_steps.h"
 
 namespace forceshade::conformance::simulators {

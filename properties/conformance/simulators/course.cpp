@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "properties/conformance/simulators/thresholds.h"
-
 namespace forceshade::conformance::simulators {
 namespace {
 

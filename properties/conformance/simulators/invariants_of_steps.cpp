@@ -2,11 +2,10 @@
 #include "properties/conformance/simulators/invariants_of_steps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
-#include "properties/conformance/simulators/thresholds.h"
+#include "properties/conformance/simulators/course.h"
 
 namespace forceshade::conformance::simulators {
 namespace {

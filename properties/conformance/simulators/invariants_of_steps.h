@@ -20,4 +20,17 @@ struct StepInvariant {
 
 std::vector<StepInvariant> step_invariants();
 
+// Invariants of a simulator that compare two runs, and those of hostile input.
+
+struct RunInvariant {
+  const char* name;
+  Courses courses;
+  void (*look)(Bench& bench, const Course& course, Finding& finding);  // throws files::ProcessFailed
+};
+
+std::vector<RunInvariant> comparisons();
+
+// Here a simulator may also refuse in words, and one that fails violates the invariant and does not end the check.
+std::vector<RunInvariant> hostile_inputs();
+
 }  // namespace forceshade::conformance::simulators

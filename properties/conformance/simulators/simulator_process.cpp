@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "files/json_line.h"
-#include "properties/conformance/doors/answer.h"
 #include "properties/conformance/doors/dialogue.h"
 
 namespace forceshade::conformance::simulators {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "device/dhd/dhd.h"
 #include "device/dhd/dhd_words.h"
-#include "device/dhd/usb.h"
 #include "forceshade/device.h"
 #include "forceshade/fast.h"
 #include "system/system.h"
