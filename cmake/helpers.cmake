@@ -3,7 +3,7 @@ function(forceshade_library name)
   add_library(${name} STATIC ${ARGN})
   forceshade_compile_options(${name})
   forceshade_position_independent(${name})
-  forceshade_unite(${name})
+  forceshade_unite(${name} 16)  # in three quarters of the time that eight at a time take
 endfunction()
 
 # The libraries are static, and a plugin, a module of Python or a game engine is a shared object. No function of theirs is meant
@@ -19,10 +19,12 @@ function(forceshade_compile_quickly name)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Compiles the target's files eight at a time: CLI11 and CGAL are headers, and each translation unit compiles again
-# what it uses of them. Names in the unnamed namespaces of one target's files must therefore differ.
+# Compiles the target's files as many at a time, eight unless a number is given: CLI11 and CGAL are headers, and each translation unit
+# compiles again what it uses of them. Names in the unnamed namespaces of one target's files must therefore differ.
 function(forceshade_unite name)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ${FORCESHADE_UNITE} UNITY_BUILD_BATCH_SIZE 8)
+  set(count 8 ${ARGN})
+  list(GET count -1 count)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ${FORCESHADE_UNITE} UNITY_BUILD_BATCH_SIZE ${count})
   if(FORCESHADE_UNITE)
     # g++ takes a file that another one includes for a header.
     target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)

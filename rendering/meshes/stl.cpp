@@ -53,9 +53,9 @@ LoadedMesh read_binary(const std::filesystem::path& file, Unit unit, std::uint64
   return taken(builder, welder, file, triangles);
 }
 
-class Text {
+class StlText {
  public:
-  Text(const std::filesystem::path& file, Unit unit) : file_(file), unit_(unit), lines_(file) {}
+  StlText(const std::filesystem::path& file, Unit unit) : file_(file), unit_(unit), lines_(file) {}
 
   LoadedMesh read() {
     std::uint64_t triangles = 0;
@@ -149,7 +149,7 @@ LoadedMesh read_stl(const std::filesystem::path& file, const FileUnits& units) {
   }
   const std::string head = head_of(file);
   const bool is_text = head.find('\0') == head.npos;
-  if (is_text && begins_with_solid(head)) return Text(file, units.length).read();
+  if (is_text && begins_with_solid(head)) return StlText(file, units.length).read();
   if (is_text && std::ranges::all_of(head, [](unsigned char byte) { return std::isprint(byte) || std::isspace(byte); }))
     throw Error(file, "is no STL file: expected the word solid" +
                           std::string(size < kHead ? ", or 84 bytes and more" : ", got another text"));

@@ -54,7 +54,7 @@ MeshRendering crossing_stars(std::uint64_t seed, mesh::Shading shading, mesh::Ma
 
 TEST(crossing_meshes, have_every_property) {
   const mesh::Materials smooth, rough{{{2.0F, 0.4F, 0.3F}, {0.1F, 0, 0}}, {}};
-  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+  for (std::uint64_t seed = 1; seed <= tests::drawn(3); ++seed)
     for (const mesh::Materials& materials : {smooth, rough})
       for (const mesh::Shading shading : {mesh::Shading::none, mesh::Shading::vertex_scheme}) {
         const MeshRendering rendering = crossing_stars(seed, shading, materials);

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <variant>
@@ -31,7 +30,7 @@ constexpr const char* kNeverLeaves =
     "out of contact, or --offset 0,0,0 for a sensor that was zeroed";
 constexpr double kOtherStiffness = 0.1;
 constexpr double kNearly = 1e-6, kExactly = 1e-12;  // by how much of themselves numbers and residuals still change at the end
-constexpr double kLessLimit = 0.99, kAnySize = std::numeric_limits<double>::infinity();
+constexpr double kLessLimit = 0.99;
 
 class Fitting {
  public:

@@ -12,8 +12,6 @@
 namespace forceshade::conformance {
 namespace {
 
-constexpr double kAnySize = std::numeric_limits<double>::infinity();
-
 Misfit misfit_of(const Fitted& fitted, const Placement& first, double most) {
   return {fitted.renderer, fitted.path, fitted.samples, first, fitted.scale, fitted.unknowns, most};
 }

@@ -34,7 +34,9 @@ Solution solution_at(const Fitted& fitted, const Beginning& place);
 // The derivatives of the residuals, as Misfit has them.
 Eigen::MatrixXd derivatives_at(const Fitted& fitted, const Solution& place);
 
-// most: N, as Misfit has it. tolerance: by which share numbers and residuals may still change in the last step.
+inline constexpr double kAnySize = std::numeric_limits<double>::infinity();
+
+// most: N, as Misfit has it, or kAnySize. tolerance: by which share numbers and residuals may still change in the last step.
 Solution solved(const Fitted& fitted, const Beginning& from, double most, double tolerance);
 
 // Those that differ by more than the accuracy of a beginning, the best one first.

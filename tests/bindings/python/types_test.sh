@@ -1,7 +1,8 @@
 #!/bin/sh
 # The package's types by mypy --strict, and those of a program that uses it: types_test.sh PYTHON FOLDER
+# CACHE, in which mypy keeps what it knows of other packages.
 set -eu
-python=$1 folder=$2
+python=$1 folder=$2 cache=$3
 "$python" -m mypy --version > /dev/null 2>&1 || { echo "skipped: mypy is not installed"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -20,7 +21,7 @@ END
 # A mistake is one: a keyword that does not exist, a law that does not exist.
 sed 's/stiffness=0.5/stifness=0.5/' program.py > misspelt.py
 sed 's/"wall"/"walls"/' program.py > no_law.py
-MYPYPATH=$folder "$python" -m mypy --strict --cache-dir cache -p forceshade -m program -m misspelt -m no_law > found && status=0 ||
+MYPYPATH=$folder "$python" -m mypy --strict --cache-dir "$cache" -p forceshade -m program -m misspelt -m no_law > found && status=0 ||
   status=$?
 cat found
 for mistake in misspelt no_law; do

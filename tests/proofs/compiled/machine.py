@@ -98,11 +98,11 @@ class ObjectFile:
                 section, last = code.pop(0), None
                 if self.names[section] != line[23:-1]:
                     raise Unknown(f'the order of sections: {line}')
-            match = re.match(r'\s*([0-9a-f]+):\t([^#]*?)\s*(?:#.*)?$', line)
-            if not match:
+            address, tab, text = line.partition(':\t')
+            if not tab:
                 continue
             one = Instruction()
-            one.section, one.address, one.text = section, int(match[1], 16), match[2]
+            one.section, one.address, one.text = section, int(address, 16), text.partition('#')[0].rstrip()
             one.length = self.heads[section][5] - one.address
             if last:
                 last.length = one.address - last.address

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""toolchain_test.py COMPILER BUILD RECORDED_FORMS RECORDED_V: compiles the objects that check.py looks at with this compiler and the flags
-of the build, and requires that they do what is recorded, in blocks of every size; and that check.py refuses them where products and sums
-were contracted. Exits 77 where there is no such compiler."""
+"""toolchain_test.py COMPILER BUILD COUNTS RECORDED_FORMS RECORDED_V: compiles the objects that check.py looks at with this compiler and the
+flags of the build, and requires that they do what is recorded, in blocks of these sizes; and that check.py refuses them where products
+and sums were contracted. Exits 77 where there is no such compiler."""
 import json
 import os
 import shlex
@@ -33,12 +33,12 @@ def compiled(compiler, build, folder, *flags):
 
 
 def main():
-    compiler, build, *recorded = sys.argv[1:]
+    compiler, build, counts, *recorded = sys.argv[1:]
     if not shutil.which(compiler):
         print(f'skipped: {compiler} is not installed')
         return 77
     with tempfile.TemporaryDirectory() as folder:
-        result = subprocess.run(['/usr/bin/python3', CHECK, *recorded, 'all', *compiled(compiler, build, folder)]).returncode
+        result = subprocess.run(['/usr/bin/python3', CHECK, *recorded, counts, *compiled(compiler, build, folder)]).returncode
         if result:
             return result
         for path in compiled(compiler, build, folder, '-mfma', '-ffp-contract=fast'):
