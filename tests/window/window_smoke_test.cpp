@@ -49,7 +49,7 @@ std::vector<Shown> pictures() {
   Scene by_mouse = hand_at({-8, 0, 2.5});
   by_mouse.shows_tip_alone = true;
   const SectionScene section{.region = {-20, 20, 0, 20},
-                             .section = {{{-20, {{0, 4}}}, {0, {{0, 8}}}, {20, {{0, 4}}}}, {{{{-20, 4}, {0, 8}}}}},
+                             .section = {{{-20, {{0, 4}}}, {0, {{0, 8}}}, {20, {{0, 4}}}}, {{{{-20, 4}, {0, 8}}}}, {}},
                              .felt = Felt{{3, 1, 6}, Position{3, 1, 7.4}, {0.3, 0, 1.5}},
                              .title = "A surface",
                              .words = {"Not certified."}};
