@@ -5,6 +5,7 @@
 
 #include "apps/command.h"
 #include "apps/page.h"
+#include "certificate/certificate_text.h"
 #include "files/printable.h"
 #include "forceshade/certificate.h"
 #include "rendering/breakdown.h"
@@ -12,7 +13,8 @@
 namespace forceshade::apps {
 namespace {
 
-void print(const std::string& name, const properties::Findings& law) {
+void print(const properties::SubjectResult& law) {
+  const std::string name = law.name() + words_behind_name(law.rendered_by);
   std::printf("%-15s %s  %llu points, %llu mismatches", name.c_str(), law.held() ? "held  " : "FAILED",
               static_cast<unsigned long long>(law.points), static_cast<unsigned long long>(law.mismatches));
   for (const std::string_view stage : properties::kStageNames)
@@ -55,7 +57,7 @@ int write_certificate(const properties::Certificate& certificate, files::OutputF
   folder.write("certificate.html",
                page_of("certificate.html", [&](properties::Pictures shown) { return to_html(certificate, shown); }));
   folder.commit();
-  for (const properties::SubjectResult& subject : certificate.subjects) print(subject.name(), subject);
+  for (const properties::SubjectResult& subject : certificate.subjects) print(subject);
   const properties::Assessment assessment = assessed(certificate);
   std::printf("%s\n", (folder.path() / "certificate.html").c_str());
   if (assessment.standing == properties::Standing::insufficient)

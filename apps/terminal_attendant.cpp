@@ -76,7 +76,7 @@ void say(const std::string& words) {
   std::fprintf(stderr, "%s: %s\n", program_name().c_str(), words.c_str());
 }
 
-constexpr int kBetweenKeys = 50;  // ms, at whether this is over
+constexpr int kBetweenKeys = 50;  // ms, after which it looks whether this is over
 
 }  // namespace
 

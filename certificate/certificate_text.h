@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The sentences that all certificates share: written, and expected when read.
+// The sentences that all certificates share: written, and expected when read; and the words for people about a renderer.
+
+#include "forceshade/certificate.h"
 
 namespace forceshade::properties {
 
@@ -16,5 +18,11 @@ inline constexpr const char* kMethod =
     "points_by_instruction_set, were compared.";
 inline constexpr const char* kDomain = R"({"radius_mm": [0.1, 10000.0], "width_mm": [0.001, "2 radius"],
   "stiffness_N_per_mm": [0.001, 1000.0], "position_mm": [-10000.0, 10000.0], "position_quantum_mm": "2^-30"})";
+
+// Words behind a subject's name where another renderer than the library's was compared.
+constexpr const char* words_behind_name(RenderedBy who) {
+  if (who == RenderedBy::library) return "";
+  return who == RenderedBy::program ? " (a program's own renderer)" : " (renderer unknown)";
+}
 
 }  // namespace forceshade::properties

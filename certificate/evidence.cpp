@@ -70,17 +70,20 @@ struct Laws {
   }
 };
 
-// The command line, or several, that check these subjects as much as drive needs.
+// The command line, or several, that check these subjects as much as drive needs. A subject with entries of several renderers
+// is checked once.
 std::string command_that_gathers(const std::vector<const SubjectResult*>& subjects) {
   std::vector<Laws> groups;
   std::vector<std::pair<std::string, std::string>> subjects_by_options;  // with the kind
-  for (const SubjectResult* subject : subjects) {
-    const Identity& identity = subject->identity;
+  for (auto subject = subjects.begin(); subject != subjects.end(); ++subject) {
+    const Identity& identity = (*subject)->identity;
+    const std::string& its_options = (*subject)->options;
+    if (std::any_of(subjects.begin(), subject, [&](auto* earlier) { return earlier->identity.is_same(identity); })) continue;
     if (identity.kind == kLawKind) {
       if (std::none_of(groups.begin(), groups.end(), [&](Laws& group) { return group.take(identity); }))
         groups.emplace_back().take(identity);
     } else {
-      subjects_by_options.emplace_back(subject->options.empty() ? "with the same " + identity.kind + " and" : subject->options,
+      subjects_by_options.emplace_back(its_options.empty() ? "with the same " + identity.kind + " and" : its_options,
                                        identity.kind);
     }
   }
@@ -128,7 +131,10 @@ Assessment assessed(const Certificate& certificate) {
   for (const SubjectResult& subject : certificate.subjects) {
     const Assessment one = assessed(subject);
     if (one.standing == Standing::failed) return one;
-    if (one.standing == Standing::sufficient) continue;
+    if (std::any_of(certificate.subjects.begin(), certificate.subjects.end(), [&](const SubjectResult& other) {
+          return other.identity.is_same(subject.identity) && assessed(other).standing == Standing::sufficient;
+        }))
+      continue;  // as drive does, which looks for one sufficient entry
     insufficient.push_back(&subject);
     lacks += (lacks.empty() ? "" : "; and ") + one.lacks;
   }

@@ -31,8 +31,11 @@ std::optional<std::string> uncovered_set(const Findings& found, const std::strin
   return std::nullopt;
 }
 
-// The reason why none of these entries, which cover the subject and are not empty, is enough; nothing where one is.
-std::optional<std::string> insufficient(const std::vector<const SubjectResult*>& entries, const Build& build) {
+// The reason why none of these entries, which cover the subject and are not empty, is enough, of the library's renderer rather
+// than of another; nothing where one is.
+std::optional<std::string> insufficient(std::vector<const SubjectResult*> entries, const Build& build) {
+  std::stable_partition(entries.begin(), entries.end(),
+                        [](const SubjectResult* entry) { return entry->rendered_by == RenderedBy::library; });
   std::optional<std::string> why;
   for (const SubjectResult* entry : entries) {
     auto one = lacking(*entry);
@@ -68,20 +71,22 @@ std::optional<std::string> refusal(const Certificate& certificate, const Build& 
   bool failed = std::any_of(certificate.sweeps.results.begin(), certificate.sweeps.results.end(), [&](const SweepResult& r) {
     return subject.kind == kLawKind && name_of(r.sweep.law) == subject.name && r.mismatches > 0;
   });
+  bool own_failed = false;
   std::vector<const SubjectResult*> of_its_kind, alike, same;
   for (const SubjectResult& result : certificate.subjects) {
     if (result.identity.kind != subject.kind) continue;
     of_its_kind.push_back(&result);
     if (!result.identity.is_alike(subject)) continue;
     alike.push_back(&result);
-    failed = failed || !result.held();
+    if (!result.held()) (result.rendered_by == RenderedBy::program ? own_failed : failed) = true;
     if (result.identity.is_same(subject)) same.push_back(&result);
   }
   if (alike.empty()) return another(subject, of_its_kind);
   if (same.empty())
     return "the certificate covers " + alike.back()->name() + " with other parameters: expected " +
            parameters_in_words(subject) + "; got " + parameters_in_words(alike.back()->identity);
-  if (failed) return "the certificate says that " + subject.name + " failed";
+  if (failed || own_failed)
+    return "the certificate says that " + std::string(failed ? "" : "a program's own renderer of ") + subject.name + " failed";
   return insufficient(same, build);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "certificate/certificate_text.h"
 #include "forceshade/certificate.h"
 #include "forceshade/certify.h"
 #include "forceshade/fast.h"
@@ -88,10 +89,17 @@ std::string sweep_statement(const Sweeps& sweeps) {
          (mismatches == 0 ? "no mismatch" : plural(mismatches, "wrong answer")) + ".</p>\n";
 }
 
-std::string heading_of(Standing standing) {
+bool is_of_library_renderer(const SubjectResult& subject) {
+  return subject.rendered_by == RenderedBy::library;
+}
+
+std::string heading_of(const Certificate& certificate, Standing standing) {
+  const auto& all = certificate.subjects;
   switch (standing) {
     case Standing::sufficient: return "Held";
-    case Standing::insufficient: return "Held, too little to drive";
+    case Standing::insufficient:
+      return std::all_of(all.begin(), all.end(), is_of_library_renderer) ? "Held, too little to drive"
+                                                                         : "Held, opens no device";
     case Standing::failed: break;
   }
   return "Failed";
@@ -115,8 +123,8 @@ std::string header(const Certificate& certificate) {
   const Assessment assessment = assessed(certificate);
   return "<header class=\"" + std::string(name_of(assessment.standing)) + "\">\n<h1>forceshade " +
          escaped(certificate.build.version) + ": certificate of the fast path</h1>\n<p class=\"verdict\">" +
-         heading_of(assessment.standing) + "</p>\n" + statements(certificate) + sweep_statement(certificate.sweeps) +
-         drive_statement(certificate, assessment) + "</header>\n";
+         heading_of(certificate, assessment.standing) + "</p>\n" + statements(certificate) +
+         sweep_statement(certificate.sweeps) + drive_statement(certificate, assessment) + "</header>\n";
 }
 
 std::string stage_cell(const std::string& stage, const std::map<std::string, std::uint64_t>& points) {
@@ -166,12 +174,13 @@ std::string summary_row(const SubjectResult& law) {
   for (const std::string_view stage : kStageNames) stages += stage_cell(std::string(stage), law.points_by_stage);
   for (const std::string_view name : kPropertyNames) properties += property_cell(name.data(), law);
   const Assessment assessment = assessed(law);
+  const std::string insufficient = is_of_library_renderer(law) ? "too little to drive" : "opens no device";
   const std::string standing = assessment.standing == Standing::sufficient ? "<span class=\"yes\">held</span>"
                                : assessment.standing == Standing::insufficient
-                                   ? "<span class=\"lacking\">too little to drive</span>"
+                                   ? "<span class=\"lacking\">" + insufficient + "</span>"
                                    : "<span class=\"no\">failed</span>";
-  return "<tr><th scope=\"row\">" + escaped(law.name()) + "</th>" + cell("standing", standing) +
-         cell("parameters", parameters_of(law)) +
+  return "<tr><th scope=\"row\">" + escaped(law.name() + words_behind_name(law.rendered_by)) + "</th>" +
+         cell("standing", standing) + cell("parameters", parameters_of(law)) +
          cell("points", grouped(law.points) + small(law.spread.points > 0, "and " + grouped(law.spread.points)), "number") +
          cell("mismatches", faulty(law.mismatches) + small(law.spread.points > 0, "and " + faulty(law.spread.mismatches)),
               "number") +

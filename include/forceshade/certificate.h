@@ -234,8 +234,9 @@ struct Assessment {
 
 Assessment assessed(const SubjectResult& subject);
 
-// The worst of its subjects' and its sweeps'; of several subjects that lack evidence it names each. Sweeps alone, or some of
-// their units alone, are insufficient.
+// The worst of its subjects' and its sweeps'; of several subjects that lack evidence it names each. An entry that lacks
+// evidence does not count beside a sufficient one of the same subject. Sweeps alone, or some of their units alone, are
+// insufficient.
 Assessment assessed(const Certificate& certificate);
 
 // The reasons why it does not permit driving: "the certificate has 1 point for wall; driving needs at least 1000000". What was

@@ -62,6 +62,9 @@ expect 1 "another build" -- drive --law bump-1p-shaded --certificate other.json
 sed 's/"renderer": "library"/"renderer": "program"/' here/certificate.json > own.json
 expect 1 "refused to drive: own.json: the certificate is of a program's own renderer for bump-1p-shaded; driving needs one of the" -- \
   drive --law bump-1p-shaded --certificate own.json
+expect 0 "bump-1p-shaded (a program's own renderer) held" -- \
+  "$forceshade" certify merge own.json here/certificate.json --out both
+expect 0 "certified: " -- "$forceshade" certify merge own.json here/certificate.json --out both --overwrite
 sed -e 's/"schema": 8/"schema": 7/' -e '/"renderer": "library"/d' here/certificate.json > earlier.json
 expect 1 "the certificate does not say whose renderer was compared for bump-1p-shaded; driving needs one of the library's" -- \
   drive --law bump-1p-shaded --certificate earlier.json

@@ -129,7 +129,16 @@ TEST(own_renderer, does_not_drive_the_law_of_the_library_by_any_evidence) {
 
   const Certificate library = enough(law_subject(LawId::wall, kWall));
   EXPECT_TRUE(verdict(library).digest);
-  EXPECT_TRUE(verdict(merged({{"own", own}, {"library", library}})).digest) << "it has both, apart from each other";
+  const Certificate both = merged({{"own", own}, {"library", library}});
+  EXPECT_TRUE(verdict(both).digest) << "it has both, apart from each other";
+  EXPECT_EQ(assessed(both).standing, Standing::sufficient);
+  EXPECT_EQ(assessed(both).lacks, "");
+
+  const Certificate with_few = merged({{"own", own}, {"few", compared(law_subject(LawId::wall, kWall))}});
+  EXPECT_EQ(verdict(with_few).why_not,
+            directory.file("certificate.json") + ": the certificate has 100 points for wall; driving needs at least 1000000");
+  EXPECT_EQ(assessed(with_few).standing, Standing::insufficient);
+  EXPECT_EQ(assessed(with_few).remedy, assessed(own).remedy) << "each subject once";
 }
 
 }  // namespace

@@ -102,9 +102,27 @@ TEST(refusal, takes_no_renderer_of_a_program_s_for_the_library_s) {
       certificate.subjects.insert(at, {law, map});
       EXPECT_EQ(of_law(certificate), "allowed") << "the library's is there, too";
       EXPECT_EQ(of_map(certificate), "allowed");
+      for (SubjectResult& one : certificate.subjects)
+        if (one.rendered_by == RenderedBy::library) static_cast<Comparison&>(one) = tests::made_comparison(10);
+      expect_words(of_law(certificate), "has 10 points for bump-2p");
+      expect_words(of_map(certificate), "has 10 points for hill.toml");
       certificate.subjects = {law, map};
       expect_words(of_law(certificate), std::string(words) + "bump-2p; driving needs one of the library's");
       expect_words(of_map(certificate), std::string(words) + "hill.toml; driving needs one of the library's");
+    }
+}
+
+TEST(refusal, says_that_it_was_a_program_s_own_renderer_that_failed_where_no_other_did) {
+  for (const bool library_failed : {false, true})
+    for (const bool library_first : {true, false}) {
+      Certificate certificate = tests::made_certificate();
+      if (library_failed) certificate.subjects[0].mismatches = 1;
+      SubjectResult own = tests::made_law();
+      own.mismatches = 1;
+      own.rendered_by = RenderedBy::program;
+      certificate.subjects.insert(library_first ? certificate.subjects.end() : certificate.subjects.begin(), own);
+      EXPECT_EQ(of_law(certificate), library_failed ? "the certificate says that bump-2p failed"
+                                                    : "the certificate says that a program's own renderer of bump-2p failed");
     }
 }
 

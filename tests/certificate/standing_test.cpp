@@ -67,6 +67,25 @@ TEST(standing, names_every_subject_that_lacks_evidence_and_one_command_for_laws_
             "--cases 2000 --out DIR2");
 }
 
+TEST(standing, of_a_subject_with_entries_of_several_renderers_names_the_command_for_it_once) {
+  Certificate certificate = with_few_points();
+  certificate.subjects[2].points_by_aim["axis"] = 0;
+  const std::string remedy = assessed(certificate).remedy;
+  for (const std::size_t i : {0U, 2U})
+    for (const RenderedBy who : {RenderedBy::program, RenderedBy::unknown}) {
+      SubjectResult another = certificate.subjects[i];
+      another.rendered_by = who;
+      certificate.subjects.push_back(another);
+    }
+  EXPECT_EQ(assessed(certificate).remedy, remedy);
+  certificate = tests::made_certificate();
+  certificate.subjects.push_back(certificate.subjects[0]);
+  certificate.subjects.back().rendered_by = RenderedBy::program;
+  EXPECT_EQ(assessed(certificate).standing, Standing::sufficient) << "drive accepts the other entry";
+  certificate.subjects.back().identity.parameters.back().second = 0.75F;
+  EXPECT_EQ(assessed(certificate).standing, Standing::insufficient) << "no other entry is of this subject";
+}
+
 TEST(standing, of_a_map_names_the_options_that_are_to_be_the_same) {
   Certificate certificate = tests::made_certificate();
   certificate.subjects[2].points_by_aim["axis"] = 0;
@@ -139,6 +158,17 @@ TEST(standing, is_on_the_page_with_what_is_missing_and_how_to_gather_it) {
   EXPECT_TRUE(has(failed, "It opens no device.</p>"));
   EXPECT_TRUE(has(swept, "It opens no device: the certificate has sweeps only"));
   for (const std::string& html : {few, failed, swept}) EXPECT_FALSE(has(html, ">Held</p>"));
+  EXPECT_FALSE(has(few, "renderer)") || has(few, "renderer unknown"));
+  for (const auto& [who, words] : {std::pair{RenderedBy::program, "bump-2p (a program&#39;s own renderer)</th>"},
+                                   {RenderedBy::unknown, "bump-2p (renderer unknown)</th>"}}) {
+    Certificate certificate = tests::made_certificate();
+    certificate.subjects[0].rendered_by = who;
+    const std::string other = page(certificate);
+    EXPECT_TRUE(has(other, words)) << words;
+    EXPECT_TRUE(has(other, "<p class=\"verdict\">Held, opens no device</p>"));
+    EXPECT_TRUE(has(other, "<span class=\"lacking\">opens no device</span>"));
+    EXPECT_FALSE(has(other, "too little to drive"));
+  }
 }
 
 }  // namespace

@@ -48,7 +48,9 @@ void expect_refused(const Certificate& certificate, const std::string& what) {
   const Certificate end = after_the_whole_way(certificate);
   const Identity& identity = certificate.subjects.at(0).identity;
   EXPECT_FALSE(end.held()) << what;
-  EXPECT_EQ(refusal(end, current_build(), identity), "the certificate says that " + identity.name + " failed") << what;
+  EXPECT_EQ(refusal(end, current_build(), identity),
+            "the certificate says that a program's own renderer of " + identity.name + " failed")
+      << what;
 }
 
 float with_last_bit_flipped(float value) {

@@ -69,7 +69,8 @@ TEST(subject_with_memory, is_refused_where_it_remembers_wrongly) {
     const Certificate failed = certificate_of(wrong);
     EXPECT_FALSE(failed.held()) << kind;
     EXPECT_GT(failed.subjects.at(0).mismatches, 0U) << kind;
-    EXPECT_EQ(refusal(failed, properties::current_build(), wrong->identity()), "the certificate says that sticky-wall failed");
+    EXPECT_EQ(refusal(failed, properties::current_build(), wrong->identity()),
+              "the certificate says that a program's own renderer of sticky-wall failed");
   }
 }
 
