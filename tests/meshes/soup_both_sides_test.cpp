@@ -292,5 +292,41 @@ TEST(soups_on_both_sides, a_tick_leads_from_vertex_to_vertex) {
   EXPECT_EQ(tests::words(last_state(valley.mesh, path, {valley.sides}).place).substr(0, 8), "e 26 974");
 }
 
+// A hand leads it from vertex to vertex, and it rests at each. A rest at p has p's numbers, not those of the way that led
+// there.
+TEST(soups_on_both_sides, ticks_lead_from_vertex_to_vertex) {
+  const tests::CostlyMesh valley = tests::valley(40, 3);
+  std::vector<Position> path{{0.25F, 0, 2}};
+  for (int k = 0; k < 39; ++k) path.push_back({static_cast<float>(k), 0, 0});
+  path.push_back({0.7F, 0.01F, 0});
+  EXPECT_EQ(tests::words(last_state(valley.mesh, path, {valley.sides}).place), "t 3 11732866 16777");
+}
+
+// Down a strip of triangles, each way of which ends at a point of an edge's grid. The end has the numbers of its place, not
+// those of the way.
+TEST(soups_on_both_sides, a_tick_leads_from_edge_to_edge) {
+  mesh::TriangleMesh strip;
+  for (std::uint32_t k = 0; k < 24; ++k) {
+    const auto x = static_cast<float>(k);
+    strip.vertices.push_back({x, -8, -x * x / 64});
+    strip.vertices.push_back({x, 8, -x * x / 64});
+    if (k == 0) continue;
+    strip.triangles.push_back({2 * k - 2, 2 * k, 2 * k - 1});
+    strip.triangles.push_back({2 * k - 1, 2 * k, 2 * k + 1});
+  }
+  EXPECT_EQ(last_place(strip, {{0.25F, 0, 1}, {0.25F, 0, -1}, {7.5F, 0, -26}}), "t 39 8388608 2701619");
+}
+
+// From one sheet to the other and back, where each flight lands at a point of a triangle's grid and nothing moves it from
+// there. It has the numbers of its place, not those of the flights.
+TEST(soups_on_both_sides, ticks_lead_from_sheet_to_sheet) {
+  const mesh::TriangleMesh sheets{{{-16, -16, 0}, {48, -16, 0}, {-16, 48, 0}, {-16, -16, 8}, {48, -16, 8}, {-16, 48, 8}},
+                                  {{0, 1, 2}, {3, 4, 5}}};
+  std::vector<Position> path{{1, 2, 4}};
+  for (int k = 0; k < 40; ++k) path.push_back({1, 2, k % 2 == 0 ? -1.0F : 9.0F});
+  path.push_back({3, 2.3F, -1});
+  EXPECT_EQ(last_place(sheets, path), "t 0 4980736 4797235");
+}
+
 }  // namespace
 }  // namespace forceshade

@@ -155,6 +155,17 @@ TEST(soup_budget, no_point_of_more_than_two_to_the_fourteenth_looks_is_entered) 
   }
 }
 
+// The way has looked at all of them, and the point that is not entered counts them again.
+TEST(soup_budget, a_tick_may_look_at_twice_the_triangles) {
+  constexpr std::uint32_t kCount = 5 * kMostLooks + 1;
+  CostlyMesh one = fins(kCount, 0);
+  one.positions = {{0.25F, 0, 1}, {0.25F, 0, -0.5F}};
+  EXPECT_EQ(statuses(one), (std::vector{Status::free, Status::unfinished}));
+  fast::soups::Session session(std::make_shared<const fast::soups::Soup>(one.mesh, std::vector{one.sides}), 1, false);
+  for (const Position& p : one.positions) session.tick(p);
+  EXPECT_EQ(session.looks(), 2 * kCount);
+}
+
 struct Cost {
   std::size_t looks = 0, boxes = 0, moves = 0, allocations = 0;
   double microseconds = 0;
@@ -209,9 +220,9 @@ TEST(soup_budget, holds_for_the_worst_ticks_that_a_search_finds) {
       const fast::soups::State before = session.state();
       const Cost cost = cost_of(session, p);
       unfinished += cost.status == Status::unfinished;
-      // Each move but the last begins with fewer looks; it looks at all boxes at most, and at kMostLooks at its points, but the
-      // last of these; and so does a rest.
-      EXPECT_LE(cost.looks, kMostLooks + one.mesh.triangles.size() + 4 * kMostLooks) << one.family;
+      // Each move begins with fewer than kMostLooks; it looks at all boxes at most, and at kMostLooks at its points, but the
+      // last of these, which counts all triangles where it is not entered; and so does a rest.
+      EXPECT_LE(cost.looks, 2 * one.mesh.triangles.size() + 5 * kMostLooks) << one.family;
       EXPECT_LE(cost.moves, 256U);
       // A move goes three times through the boxes at most: for its way, and for the rounding of its end, which may be stopped
       // on a line and be rounded there. A first position, a rest and a move that is not made add to that.
