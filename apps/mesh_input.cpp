@@ -10,12 +10,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <ios>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
 #include "apps/progress_line.h"
-#include "apps/signals.h"
 #include "apps/standard_input.h"
 #include "forceshade/error.h"
 
@@ -25,6 +25,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kStandardInput = "standard input";
+
+std::string bytes_of_standard_input() {
+  try {
+    return {std::istreambuf_iterator<char>(standard_input()), {}};
+  } catch (const std::ios_base::failure& error) {
+    throw Error(kStandardInput, "cannot read: " + error.code().message());
+  }
+}
 
 // A folder that is gone at the end, with one file in it.
 class TemporaryFile {
@@ -79,19 +87,11 @@ std::string ending_of(std::string_view bytes) {
 
 mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
   if (file != "-") return mesh::load_with_corners(file, unit);
+  const std::string bytes = bytes_of_standard_input();
   const TemporaryFile kept;
-  const fs::path unnamed = kept.named("");
-  {
-    std::ofstream copy(unnamed, std::ios::binary);
-    std::istream& in = standard_input();
-    if (in.peek() != std::char_traits<char>::eof()) copy << in.rdbuf();
-    if (interrupted()) throw Interrupted();  // which ends the input, too
-    if (!copy.flush()) throw Error("standard input: cannot be kept in " + unnamed.parent_path().string());
-  }
-  std::ifstream in(unnamed, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   const fs::path named = kept.named(ending_of(bytes));
-  fs::rename(unnamed, named);
+  if (std::ofstream copy(named, std::ios::binary); !(copy << bytes).flush())
+    throw Error("standard input: cannot be kept in " + named.parent_path().string());
   try {
     return mesh::load_with_corners(named, unit);
   } catch (const Error& error) {

@@ -143,7 +143,10 @@ Error Reader::no_text(unsigned char byte, std::size_t at, std::string_view words
 
 Error Reader::error(std::size_t line, std::string_view words) const {
   std::string kind;
-  if (line == 1 && line_ == 1 && !line_text_.empty()) kind = binary_kind(line_text_) + text_kind(line_text_);
+  if (line == 1 && line_ == 1 && !line_text_.empty()) {
+    kind = binary_kind(line_text_);
+    if (kind.empty()) kind = text_kind(line_text_);
+  }
   if (!kind.empty() && kind != kCsvFile) return Error(file_ + ": expected a CSV file, got " + kind);
   return Error(file_ + ':' + std::to_string(line) + ": " + std::string(words));
 }

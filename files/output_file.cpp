@@ -18,6 +18,7 @@
 #include <regex>
 #include <streambuf>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "system/system.h"
@@ -69,13 +70,13 @@ int opened(const OpenDescriptor& found) {
   return flags < 0 || (flags & O_ACCMODE) == O_RDONLY ? -1 : ::fcntl(*found.number, F_DUPFD_CLOEXEC, 0);
 }
 
-// The device and number of a file; none where there is no file.
-using FileIdentity = std::optional<std::pair<dev_t, ino_t>>;
+// The device and number of a file, its size and when it was written; none where there is no file.
+using FileIdentity = std::optional<std::tuple<dev_t, ino_t, off_t, time_t, long>>;
 
 FileIdentity identity_of(const std::string& path) {
   struct stat about {};
   if (::stat(path.c_str(), &about) != 0) return std::nullopt;
-  return std::pair(about.st_dev, about.st_ino);
+  return std::tuple(about.st_dev, about.st_ino, about.st_size, about.st_mtim.tv_sec, about.st_mtim.tv_nsec);
 }
 
 }  // namespace
@@ -162,7 +163,7 @@ class OutputFile::Buffer : public std::streambuf {
     if (::fsync(descriptor_) != 0) throw output_failure(path_, "write", errno);
   }
 
-  // Another program has put a file of its own there.
+  // Another program has put a file of its own there, or has written to the one that was there.
   bool is_taken() const {
     const FileIdentity now = identity_of(path_);
     return now && now != before_;

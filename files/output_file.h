@@ -16,7 +16,8 @@ struct OutputError : Error {
 };
 
 // Writes to PATH.partial-XXXXXXXX beside PATH; commit() puts it in the place of PATH, and without commit() nothing is left.
-// Only a process that is killed leaves the partial file. A symbolic link keeps being one: what it points to is replaced, or
+// Only a process that is killed leaves the partial file, and a commit() that fails because another program has written PATH
+// meanwhile. A symbolic link keeps being one: what it points to is replaced, or
 // made where it is not there. What is_written_directly() is written to as a shell does it.
 class OutputFile {
  public:

@@ -50,6 +50,7 @@ const std::map<std::string, std::string> kExceptions{
     {"apps/certify.cpp", "the number of processors, for certification, which no clock judges"},
     {"apps/certify_plan.cpp", "the same"},
     {"apps/progress_line.h", "how long each part of a check takes"},
+    {"apps/standard_input.cpp", "waits for a pipe"},
     {"apps/terminal_attendant.cpp", "waits for a key of the terminal"},
     {"device/haply/haply_socket.cpp", "waits for a network"},
     {"device/lasting_words.cpp", "a lock that is held for a moment, and across no step"},

@@ -8,6 +8,7 @@
 #include "device/dhd/dhd_words.h"
 #include "files/csv.h"
 #include "files/printable.h"
+#include "forceshade/device.h"
 
 namespace forceshade::device::dhd {
 namespace {

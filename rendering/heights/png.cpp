@@ -4,9 +4,10 @@
 #include <png.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
+#include <string_view>
 
+#include "files/decimal.h"
 #include "rendering/heights/samples.h"
 
 namespace forceshade::heights {
@@ -18,6 +19,13 @@ void keep_message(png_structp png, png_const_charp message) {
   png_longjmp(png, 1);
 }
 void ignore_warning(png_structp, png_const_charp) {}
+
+bool are_equal(std::string_view a, std::string_view b) {
+  for (std::string_view* number : {&a, &b})
+    if (number->starts_with('+')) number->remove_prefix(1);
+  const auto first = files::Decimal::of(a), second = files::Decimal::of(b);
+  return first && second && *first == *second;
+}
 
 class Reader {
  public:
@@ -70,7 +78,7 @@ class Reader {
     png_get_pHYs(png_, info_, &across, &along, &unit);  // without a unit, too: the numbers are then a ratio alone
     if (across != along) refuse("has pixels that are not square (pHYs); expected one pitch");
     png_charp width = nullptr, height = nullptr;
-    if (png_get_sCAL_s(png_, info_, &unit, &width, &height) != 0 && std::strtod(width, nullptr) != std::strtod(height, nullptr))
+    if (png_get_sCAL_s(png_, info_, &unit, &width, &height) != 0 && !are_equal(width, height))
       refuse("has pixels that are not square (sCAL); expected one size");
     png_unknown_chunkp other = nullptr;
     if (png_get_unknown_chunks(png_, info_, &other) > 0) refuse("is animated (acTL); expected one picture");

@@ -97,23 +97,28 @@ const Kind& kind_of(TIFF* tiff, const std::filesystem::path& file) {
 constexpr std::uint32_t kNoData = 42113, kMetadata = 42112, kPixelScale = 33550, kTiePoints = 33922, kTransformation = 34264,
                         kGeoKeys = 34735;
 
-std::string_view text_of(TIFF* tiff, std::uint32_t tag) {
-  std::uint32_t size = 0;
-  const char* text = nullptr;
-  if (TIFFGetField(tiff, tag, &size, &text) != 1 || text == nullptr) return {};
-  return {text, ::strnlen(text, size)};
+bool has_tag(TIFF* tiff, std::uint32_t tag) {
+  for (int i = 0; i < TIFFGetTagListCount(tiff); ++i)
+    if (TIFFGetTagListEntry(tiff, i) == tag) return true;
+  return false;
 }
 
-// None where the file has them as another type of number.
+// None where the file does not have the tag. Of another type its numbers would mean nothing, so the file is refused.
 template <class T>
-std::span<const T> numbers_of(TIFF* tiff, std::uint32_t tag, TIFFDataType type) {
+std::span<const T> numbers_of(TIFF* tiff, std::uint32_t tag, TIFFDataType type, const std::filesystem::path& file) {
+  if (!has_tag(tiff, tag)) return {};
   std::uint32_t count = 0;
   const T* numbers = nullptr;
   const TIFFField* field = TIFFFindField(tiff, tag, TIFF_ANY);
   if (field == nullptr || TIFFFieldDataType(field) != type || TIFFFieldReadCount(field) != TIFF_VARIABLE2 ||
-      TIFFGetField(tiff, tag, &count, &numbers) != 1 || numbers == nullptr)
-    return {};
+      TIFFGetField(tiff, tag, &count, &numbers) != 1)
+    throw Error(file, "has tag " + std::to_string(tag) + " of another type; expected type " + std::to_string(type));
   return {numbers, count};
+}
+
+std::string_view text_of(TIFF* tiff, std::uint32_t tag, const std::filesystem::path& file) {
+  const std::span<const char> text = numbers_of<char>(tiff, tag, TIFF_ASCII, file);
+  return {text.data(), std::min(std::string_view(text.data(), text.size()).find('\0'), text.size())};
 }
 
 // The words role="scale" in XML, however they are quoted and spaced.
@@ -138,8 +143,8 @@ bool is_scale(double number) {
 // Refuses what GeoTIFF says about pixels that are not square, turned, or scaled in height.
 void expect_square_pixels(TIFF* tiff, const std::filesystem::path& file) {
   const std::string scaled = " its numbers; expected heights, which scale_mm scales";
-  const std::span<const double> scale = numbers_of<double>(tiff, kPixelScale, TIFF_DOUBLE),
-                                matrix = numbers_of<double>(tiff, kTransformation, TIFF_DOUBLE);
+  const std::span<const double> scale = numbers_of<double>(tiff, kPixelScale, TIFF_DOUBLE, file),
+                                matrix = numbers_of<double>(tiff, kTransformation, TIFF_DOUBLE, file);
   if (scale.size() >= 2 && !(scale[0] == scale[1]))
     throw Error(file, "has pixels that are not square (ModelPixelScale); expected one size");
   if (scale.size() >= 3 && is_scale(scale[2])) throw Error(file, "scales (ModelPixelScale)" + scaled);
@@ -147,13 +152,13 @@ void expect_square_pixels(TIFF* tiff, const std::filesystem::path& file) {
     throw Error(file, "has pixels that are turned or not square (ModelTransformation); expected one size, with y upwards");
   if (matrix.size() >= 12 && (matrix[8] != 0 || matrix[9] != 0 || is_scale(matrix[10]) || matrix[11] != 0))
     throw Error(file, "scales, tilts or moves (ModelTransformation)" + scaled);
-  const std::span<const double> points = numbers_of<double>(tiff, kTiePoints, TIFF_DOUBLE);
+  const std::span<const double> points = numbers_of<double>(tiff, kTiePoints, TIFF_DOUBLE, file);
   if (points.size() > 6 && scale.empty() && matrix.empty())
     throw Error(file, "is placed by " + std::to_string(points.size() / 6) +
                           " points (ModelTiepoint), between which a pixel may have any size; expected ModelPixelScale");
   // Rows of four: a key, where its value is (0: in the row), how many, and the value. Key 1024 says what the model is: 2 is
   // degrees of longitude and latitude.
-  const std::span<const std::uint16_t> keys = numbers_of<std::uint16_t>(tiff, kGeoKeys, TIFF_SHORT);
+  const std::span<const std::uint16_t> keys = numbers_of<std::uint16_t>(tiff, kGeoKeys, TIFF_SHORT, file);
   for (std::size_t at = 4; at + 4 <= keys.size(); at += 4)
     if (keys[at] == 1024 && keys[at + 1] == 0 && keys[at + 3] == 2)
       throw Error(file,
@@ -170,7 +175,12 @@ void expect_no_calibration(TIFF* tiff, const std::filesystem::path& file) {
   if (!text.starts_with("ImageJ=")) return;
   if (text.find("\ncf=") != text.npos)
     throw Error(file, "declares a calibration of its numbers (ImageJ's cf); expected heights, which scale_mm scales");
-  if (text.find("\nimages=") != text.npos) throw Error(file, "has a stack of pictures (ImageJ's images); expected one");
+  constexpr std::string_view kImages = "\nimages=";
+  const std::size_t at = text.find(kImages);
+  if (at == text.npos) return;
+  std::string_view images = text.substr(at + kImages.size());
+  images = images.substr(0, images.find_first_of("\r\n"));
+  if (images != "1") throw Error(file, "has a stack of pictures (ImageJ's images); expected one");
 }
 
 // Refuses whatever says that the numbers are no heights, or not where they stand.
@@ -195,7 +205,7 @@ void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
   expect_square_pixels(tiff, file);
   expect_no_calibration(tiff, file);
   for (const char* role : {"scale", "offset"})
-    if (has_role(text_of(tiff, kMetadata), role))
+    if (has_role(text_of(tiff, kMetadata, file), role))
       throw Error(file, "declares a" + std::string(role[0] == 'o' ? "n " : " ") + role +
                             " of its numbers (GDAL_METADATA); expected heights, which scale_mm scales");
   if (TIFFLastDirectory(tiff) == 0 || TIFFGetField(tiff, TIFFTAG_SUBIFD, &below, &places) == 1)
@@ -204,7 +214,7 @@ void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
 
 // The sample that stands for a place without data, as GDAL and what writes GeoTIFF declare it.
 std::optional<double> no_data_of(TIFF* tiff, const Kind& kind, const std::filesystem::path& file) {
-  std::string_view words = text_of(tiff, kNoData);
+  std::string_view words = text_of(tiff, kNoData, file);
   if (words.data() == nullptr) return std::nullopt;
   words.remove_prefix(std::min(words.find_first_not_of(' '), words.size()));
   double number = 0;

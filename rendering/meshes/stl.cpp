@@ -150,7 +150,7 @@ LoadedMesh read_stl(const std::filesystem::path& file, const FileUnits& units) {
   const std::string head = head_of(file);
   const bool is_text = head.find('\0') == head.npos;
   if (is_text && begins_with_solid(head)) return StlText(file, units.length).read();
-  if (is_text && std::ranges::all_of(head, [](unsigned char byte) { return std::isprint(byte) || std::isspace(byte); }))
+  if (is_text && std::ranges::all_of(head, [](unsigned char c) { return c >= 0x80 || std::isprint(c) || std::isspace(c); }))
     throw Error(file, "is no STL file: expected the word solid" +
                           std::string(size < kHead ? ", or 84 bytes and more" : ", got another text"));
   if (size < kHead) throw Error(file, "is no STL file: expected the word solid, or 84 bytes and more");

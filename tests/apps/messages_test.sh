@@ -194,6 +194,10 @@ done
 same "forceshade: standard input: line 1: expected a coordinate, got the end of the line" \
   "$(echo 'v 1 2' | "$forceshade" mesh check - --unit mm 2>&1)"
 expect 2 "standard input: is empty; expected at least one face" -- "$forceshade" mesh check - --unit mm
+same "forceshade: standard input: cannot read: Is a directory" "$("$forceshade" mesh check - --unit mm < . 2>&1)"
+# From a pipe that is not ready yet and that another program made non-blocking.
+printf 'import os, subprocess, sys\nr, w = os.pipe()\nos.set_blocking(r, False)\nwork = subprocess.Popen(sys.argv[2:], stdin=r)\ntry:\n  work.wait(0.3)\nexcept subprocess.TimeoutExpired:\n  os.write(w, open(sys.argv[1], "rb").read())\nos.close(w)\nsys.exit(work.wait())\n' > slow.py
+same "$("$forceshade" mesh check one.ply --unit mm)" "$(python3 slow.py one.ply "$forceshade" mesh check - --unit mm 2>&1)"
 
 # A fault of a face names its line; a binary file has none.
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' > flat.obj

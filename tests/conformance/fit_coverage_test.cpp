@@ -106,15 +106,14 @@ TEST(fit_coverage, the_stated_error_of_a_lag_holds_where_positions_alone_are_noi
   for (const double noise : {0.0, 0.01})
     for (const double lag : {0.0, 0.003}) {
       std::mt19937_64 random(1);
-      std::normal_distribution<double> normal(0, noise);
+      std::normal_distribution<double> normal(0, 1);
       const auto hand = [](double time) {
         return Eigen::Vector3d(60 * std::sin(3 * time), 30 * std::cos(2 * time), 2 - 3.5 * std::pow(std::sin(5 * time), 2));
       };
       Measurements measured{"made.csv", {}};
       for (std::size_t i = 0; i < 1500; ++i) {
         const double time = static_cast<double>(i) / 1000, force = 0.5 * std::max(0.0, -hand(time - lag).z());
-        const Eigen::Vector3d off =
-            noise > 0 ? Eigen::Vector3d(normal(random), normal(random), normal(random)) : Eigen::Vector3d(0, 0, 0);
+        const Eigen::Vector3d off = noise * Eigen::Vector3d(normal(random), normal(random), normal(random));
         measured.samples.push_back({time, hand(time) + off, {0, 0, force}, i + 2, i == 0 ? 0 : 0.001});
       }
       const Fit fit = fit_of(measured, *subject, 0.5F, {});

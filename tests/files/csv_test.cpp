@@ -116,6 +116,7 @@ TEST(csv, names_the_place_of_what_is_wrong) {
            {"", "1: " + header},
            {"\n \n", "1: " + header},
            {"\na,c\n", "2: no column b: expected columns a, b, got \"a, c\""},
+           {"GIF8x,a\n", " expected a CSV file, got a GIF picture"},
            {"a,b,c,a\n", "1: columns 1 and 4 are both called a"},
            {"a,x,b\n1,2,3\n\n4,5\n", "4: expected 3 fields, got 2: column 3 (b) is missing"},
            {"a,b\n1,2,3\n", "2: expected 2 fields, got 3: column 3 has no name in the header"},

@@ -55,6 +55,16 @@ TEST(output_file, replaces_no_file_that_another_program_put_there_meanwhile) {
   }
 }
 
+TEST(output_file, replaces_no_file_to_which_another_program_wrote_meanwhile) {
+  const TemporaryDirectory directory;
+  directory.write("out.csv", "before");
+  OutputFile slow(directory.file("out.csv"));
+  directory.write("out.csv", "before and after");  // in place
+  EXPECT_NE(tests::thrown_by<OutputError>([&] { slow.commit(); }).find("another program has written it meanwhile"),
+            std::string::npos);
+  EXPECT_EQ(directory.read("out.csv"), "before and after");
+}
+
 TEST(output_file, makes_and_replaces_what_a_symbolic_link_points_to) {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory.file("other"));

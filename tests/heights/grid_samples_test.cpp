@@ -286,6 +286,8 @@ TEST_F(GridSamples, that_geotiff_scales_or_places_on_pixels_of_any_size_are_refu
       written({.keys = of_model(2)}),
       "has pixels in degrees of longitude and latitude (GTModelTypeGeoKey), which are not square; expected a projection, in "
       "a unit of length");
+  EXPECT_EQ(written({.scale = {2, 2, 1}, .other_types = true}), "has tag 33550 of another type; expected type 12");
+  EXPECT_EQ(written({.keys = of_model(1), .other_types = true}), "has tag 34735 of another type; expected type 3");
 }
 
 TEST_F(GridSamples, that_imagej_calibrates_or_stacks_are_refused) {
@@ -297,7 +299,9 @@ TEST_F(GridSamples, that_imagej_calibrates_or_stacks_are_refused) {
   EXPECT_EQ(described("a picture with\ncf=0\n"), "") << "is no text of ImageJ's";
   EXPECT_EQ(described("ImageJ=1.53t\ncf=0\nc0=-32768.0\nc1=1.0\nvunit=gray value\n"),
             "declares a calibration of its numbers (ImageJ's cf); expected heights, which scale_mm scales");
-  EXPECT_EQ(described("ImageJ=1.53t\nimages=3\nslices=3\n"), "has a stack of pictures (ImageJ's images); expected one");
+  for (const char* words : {"ImageJ=1.53t\nimages=1\n", "ImageJ=1.53t\nimages=1"}) EXPECT_EQ(described(words), "") << words;
+  for (const char* words : {"ImageJ=1.53t\nimages=3\nslices=3\n", "ImageJ=1.53t\nimages=12\n"})
+    EXPECT_EQ(described(words), "has a stack of pictures (ImageJ's images); expected one") << words;
 }
 
 // The number is text, and a sample has fewer bits or runs from black to white.

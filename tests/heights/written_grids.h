@@ -46,6 +46,7 @@ struct TiffOptions {
   std::vector<double> points = {};
   std::vector<std::uint16_t> keys = {};
   const char* description = nullptr;  // ImageJ's
+  bool other_types = false;           // the scale as FLOAT, the keys as LONG
 };
 
 // The first row is the top one.
@@ -65,19 +66,28 @@ void write_tiff(const std::filesystem::path& file, std::uint32_t columns, std::u
   TIFFSetField(tiff, TIFFTAG_COMPRESSION, options.compression);
   TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   if (options.predictor != PREDICTOR_NONE) TIFFSetField(tiff, TIFFTAG_PREDICTOR, options.predictor);
-  static const TIFFFieldInfo kTags[]{{42113, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_NODATA")},
-                                     {33550, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelPixelScale")},
-                                     {34264, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelTransformation")},
-                                     {42112, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_METADATA")},
-                                     {33922, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelTiepoint")},
-                                     {34735, -1, -1, TIFF_SHORT, FIELD_CUSTOM, 1, 1, const_cast<char*>("GeoKeyDirectory")}};
-  TIFFMergeFieldInfo(tiff, kTags, 6);
-  if (options.no_data) TIFFSetField(tiff, kTags[0].field_tag, options.no_data);
-  if (options.metadata) TIFFSetField(tiff, kTags[3].field_tag, options.metadata);
-  if (options.scale[0] != 0) TIFFSetField(tiff, kTags[1].field_tag, 3, options.scale.data());
-  if (options.matrix[15] != 0) TIFFSetField(tiff, kTags[2].field_tag, 16, options.matrix.data());
-  if (!options.points.empty()) TIFFSetField(tiff, kTags[4].field_tag, options.points.size(), options.points.data());
-  if (!options.keys.empty()) TIFFSetField(tiff, kTags[5].field_tag, options.keys.size(), options.keys.data());
+  const bool other = options.other_types;
+  const TIFFFieldInfo tags[]{
+      {42113, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_NODATA")},
+      {33550, -1, -1, other ? TIFF_FLOAT : TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelPixelScale")},
+      {34264, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelTransformation")},
+      {42112, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_METADATA")},
+      {33922, -1, -1, TIFF_DOUBLE, FIELD_CUSTOM, 1, 1, const_cast<char*>("ModelTiepoint")},
+      {34735, -1, -1, other ? TIFF_LONG : TIFF_SHORT, FIELD_CUSTOM, 1, 1, const_cast<char*>("GeoKeyDirectory")}};
+  TIFFMergeFieldInfo(tiff, tags, 6);
+  if (options.no_data) TIFFSetField(tiff, tags[0].field_tag, options.no_data);
+  if (options.metadata) TIFFSetField(tiff, tags[3].field_tag, options.metadata);
+  if (options.scale[0] != 0) {
+    const std::array<float, 3> floats{static_cast<float>(options.scale[0]), static_cast<float>(options.scale[1]),
+                                      static_cast<float>(options.scale[2])};
+    TIFFSetField(tiff, tags[1].field_tag, 3, other ? static_cast<const void*>(floats.data()) : options.scale.data());
+  }
+  if (options.matrix[15] != 0) TIFFSetField(tiff, tags[2].field_tag, 16, options.matrix.data());
+  if (!options.points.empty()) TIFFSetField(tiff, tags[4].field_tag, options.points.size(), options.points.data());
+  if (!options.keys.empty()) {
+    const std::vector<std::uint32_t> longs(options.keys.begin(), options.keys.end());
+    TIFFSetField(tiff, tags[5].field_tag, longs.size(), other ? static_cast<const void*>(longs.data()) : options.keys.data());
+  }
   if (options.description) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, options.description);
   const std::uint32_t size = options.tile;
   if (size > 0) {

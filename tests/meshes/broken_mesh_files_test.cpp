@@ -231,6 +231,8 @@ TEST(broken_mesh_files, of_stl_are_refused_in_words) {
       {"a.stl", "solid " + std::string(74, 'x') + std::string("\2\0\0\0", 4) + std::string(50, '\0'),
        "byte 80: declares 2 triangles, which take 184 bytes; the file has 134"},
       {"a.stl", "; a comment\nsolid a\n" + facet + "endsolid a\n", "is no STL file: expected the word solid, got another text"},
+      {"a.stl", "; f\xC3\xBCr\nsolid a\n" + facet, "is no STL file: expected the word solid, got another text"},
+      {"a.stl", "\xEF\xBB\xBF; a comment\nsolid a\n" + facet, "is no STL file: expected the word solid, got another text"},
       {"a.stl", "solid\n" + std::string(20, '\0'), "is no STL file: expected the word solid, or 84 bytes and more"},
   });
 }
