@@ -185,11 +185,12 @@ printf 'solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nv
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' > one.ply
 # Behind what its reader passes over.
 printf '# a ball\n\n' | cat - ball.off > remark.off
-{ printf '\n  OFF%s' "$(sed -n 2p ball.off)"; sed 1,2d ball.off; } > word.off
+{ printf '\n  OFF%s\n' "$(sed -n 2p ball.off)"; sed 1,2d ball.off; } > word.off
 { printf '\xef\xbb\xbf \r\n'; sed 's/solid/SOLID/' one.stl; } > blank.stl
 for file in ball.off ball.obj one.stl one.ply remark.off word.off blank.stl; do
-  same "$("$forceshade" mesh check $file --unit mm)" "$("$forceshade" mesh check - --unit mm < $file)"
-  same "$("$forceshade" mesh check $file --unit mm)" "$(cat $file | "$forceshade" mesh check - --unit mm)"
+  of_file=$("$forceshade" mesh check $file --unit mm) || { echo "$file cannot be read"; exit 1; }
+  same "$of_file" "$("$forceshade" mesh check - --unit mm < $file)"
+  same "$of_file" "$(cat $file | "$forceshade" mesh check - --unit mm)"
 done
 same "forceshade: standard input: line 1: expected a coordinate, got the end of the line" \
   "$(echo 'v 1 2' | "$forceshade" mesh check - --unit mm 2>&1)"
