@@ -237,9 +237,27 @@ Tick Session::unfinished(unsigned moves, bool is_slipping) {
 
 // r is where the state stays.
 Tick Session::resting(unsigned moves, bool is_slipping, Status status) {
-  if (!kept_) kept_ = grid_place(*on_);
+  const bool is_new = !kept_;
+  if (is_new) kept_ = grid_place(*on_);
   state_ = {*kept_, on_->star->name(on_->cell), is_slipping};
-  return ended(*on_, moves, is_slipping, is_same(on_->x, p_), status);
+  const Tick tick = ended(*on_, moves, is_slipping, is_same(on_->x, p_), status);
+  if (is_new && on_->star->kind() == Star::Kind::line) go_to_place();
+  return tick;
+}
+
+// Edges that lie on each other in part have other grids, and the state's place may be on another one than that which the last
+// way was rounded on.
+void Session::go_to_place() {
+  Point x = *point_of(*soup_, *kept_);
+  if (is_same(x, on_->x)) return;
+  x.forget();
+  const std::size_t looks = looks_;  // these count in no tick, as where the state comes from outside
+  if (make_on_surface(*next_, x) && !is_exhausted())
+    if (const std::optional<Cell> cell = next_->star->cell(state_.cell)) {
+      next_->cell = *cell;
+      std::swap(on_, next_);
+    }
+  looks_ = looks;
 }
 
 Tick Session::ended(const At& r, unsigned moves, bool is_slipping, bool is_at_goal, Status status) {

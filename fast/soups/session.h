@@ -63,6 +63,7 @@ class Session {
   End along_ray(const Way& way);
   Tick free(unsigned moves);
   Tick resting(unsigned moves, bool is_slipping, Status status);
+  void go_to_place();
   Tick resting_at_end(At& r, unsigned moves, bool is_slipping);
   Tick ended(const At& r, unsigned moves, bool is_slipping, bool is_at_goal, Status status);
 
