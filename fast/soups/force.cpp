@@ -212,7 +212,7 @@ class Forces {
     std::array<Side, 2> sides{};
     if (!r_.star->is_one_part() || walls(sides) == 0) return {};
     its.kind = Shade::Kind::corner;
-    its.sign = seen(r_.star->triangles()[r_.star->triangles_of(r_.star->pieces()[sides[0].piece]).front()], sides[0]);
+    its.sign = r_.star->name(r_.cell).is_behind ? -1 : 1;
     return its;
   }
 

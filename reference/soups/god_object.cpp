@@ -156,10 +156,8 @@ class Shading {
       if (N && *N != its) return {};
       N = its;
     }
-    const std::vector<Side> sides = walls();
-    if (!star_.is_one_part() || sides.empty()) return {};
-    const Star::Piece& piece = star_.pieces()[sides.front().piece];
-    return seen(*piece.triangles.front(), star_.up(sides.front()), *N);
+    if (!star_.is_one_part() || walls().empty()) return {};
+    return std::get<1>(star_.name(cell_)) ? Vector(-*N) : *N;  // it says back
   }
 
   const Vector& r_;
