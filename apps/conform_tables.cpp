@@ -76,13 +76,11 @@ int judge(const std::string& forces, const conformance::Tolerance& tolerance, co
   const auto damping = damping_of(description, rate);
   const std::shared_ptr<const properties::Subject> subject = properties::subject_of(description);
   conformance::Judge judge(subject, tolerance, 0, damping);
-  std::ifstream file;
-  if (forces != "-") file = files::open_file(forces);
-  conformance::read_cases(forces == "-" ? standard_input() : file, forces == "-" ? "standard input" : forces,
-                          [&](const conformance::Case& its) {
-                            if (interrupted()) throw Interrupted("not all forces were compared, and nothing was written");
-                            judge.add(its);
-                          });
+  InputFile input(forces, files::open_file);
+  conformance::read_cases(input.stream(), input.name(), [&](const conformance::Case& its) {
+    if (interrupted()) throw Interrupted("not all forces were compared, and nothing was written");
+    judge.add(its);
+  });
   const conformance::Judgement& found = judge.judgement();
   const Identity& identity = subject->identity();
   const std::string words = words_of(found, identity, tolerance);

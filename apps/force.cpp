@@ -67,12 +67,9 @@ ExitCode run(const ForceOptions& options, const SubjectOption& subject) {
   watch_for_interrupt();
   std::ios::sync_with_stdio(false);
   const Answer answer = answer_of(options, subject);
-  std::ifstream file;
-  if (options.input != "-") file = files::open_input(options.input);
-  std::istream& in = options.input == "-" ? standard_input() : file;
+  InputFile input(options.input);
   files::OutputFile output(options.out);
-  const RowCount count = answer_rows(in, options.input == "-" ? "standard input" : options.input, format_of(options),
-                                     output.stream(), std::cerr, answer);
+  const RowCount count = answer_rows(input.stream(), input.name(), format_of(options), output.stream(), std::cerr, answer);
   output.commit();
   if (count.unanswered == 0) return kHeld;
   tell(std::to_string(count.unanswered) + " of " + std::to_string(count.rows) + " rows could not be answered");

@@ -16,6 +16,7 @@
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
+#include "apps/standard_input.h"
 #include "files/csv.h"
 #include "files/output_file.h"
 #include "files/printable.h"
@@ -89,7 +90,7 @@ void print(const std::vector<std::string>& lines, const std::string& before = ""
 
 // "FILE: line 12: face 3 has no area: ...", as in every message about a file.
 void print_faults(const std::string& file, const std::vector<std::string>& faults) {
-  print(faults, (file == "-" ? "standard input" : file) + ": ");
+  print(faults, name_of_input(file) + ": ");
 }
 
 void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {

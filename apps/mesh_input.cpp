@@ -17,20 +17,20 @@
 
 #include "apps/progress_line.h"
 #include "apps/standard_input.h"
+#include "files/file_kind.h"
 #include "forceshade/error.h"
+#include "rendering/meshes/lines.h"
 
 namespace forceshade::apps {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStandardInput = "standard input";
-
 std::string bytes_of_standard_input() {
   try {
     return {std::istreambuf_iterator<char>(standard_input()), {}};
   } catch (const std::ios_base::failure& error) {
-    throw Error(kStandardInput, "cannot read: " + error.code().message());
+    throw Error(name_of_input("-"), "cannot read: " + error.code().message());
   }
 }
 
@@ -69,7 +69,7 @@ bool is_binary_stl(std::string_view bytes) {
 
 // By the first word behind what a file of each format may begin with.
 std::string ending_of(std::string_view bytes) {
-  constexpr std::string_view kBlank = " \t\v\f\r\n", kByteOrderMark = "\xEF\xBB\xBF";
+  using files::kByteOrderMark, mesh::kBlank;
   if (is_binary_stl(bytes)) return ".stl";
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   const auto skip_to = [&bytes](std::size_t at) { bytes.remove_prefix(std::min(at, bytes.size())); };
@@ -86,7 +86,7 @@ std::string ending_of(std::string_view bytes) {
 }  // namespace
 
 mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
-  if (file != "-") return mesh::load_with_corners(file, unit);
+  if (!is_standard_input(file)) return mesh::load_with_corners(file, unit);
   const std::string bytes = bytes_of_standard_input();
   const TemporaryFile kept;
   const fs::path named = kept.named(ending_of(bytes));
@@ -96,7 +96,7 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
     return mesh::load_with_corners(named, unit);
   } catch (const Error& error) {
     if (!std::string_view(error.what()).starts_with(named.string() + ": ")) throw;
-    throw Error(kStandardInput, std::string(error.reason()));
+    throw Error(name_of_input(file), std::string(error.reason()));
   }
 }
 
@@ -104,7 +104,7 @@ namespace {
 
 template <class Work>
 auto with_progress_of(const std::string& what, const std::string& file, const Work& work) {
-  const std::string name = what + (file == "-" ? kStandardInput : fs::path(file).filename().string());
+  const std::string name = what + (is_standard_input(file) ? name_of_input(file) : fs::path(file).filename().string());
   try {
     return with_progress(name, work);
   } catch (const Interrupted&) {

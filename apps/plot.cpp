@@ -147,9 +147,8 @@ void draw(const std::vector<PlannedView>& views, const std::vector<Kind>& kinds,
 
 // The fast path's ticks at the positions of a CSV, in their order; "-" is standard input.
 std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session) {
-  std::ifstream file;
-  if (input != "-") file = files::open_input(input);
-  files::Reader rows(input == "-" ? standard_input() : file, input == "-" ? "standard input" : input, {"x_mm", "y_mm", "z_mm"});
+  InputFile positions(input);
+  files::Reader rows(positions.stream(), positions.name(), {"x_mm", "y_mm", "z_mm"});
   std::vector<Ticked> path;
   while (rows.next()) {
     if (interrupted()) throw Interrupted("no picture was drawn");

@@ -8,6 +8,7 @@
 
 #include "certificate/build_json.h"
 #include "certificate/certificate_text.h"
+#include "certificate/findings_json.h"
 #include "rendering/breakdown.h"
 #include "rendering/identity/identity_json.h"
 #include "text/number_text.h"
@@ -36,21 +37,14 @@ void add_assessment(Json& json, const Assessment& assessment) {
 // After what names the subject.
 void add_findings(Json& json, const Findings& law, bool is_unit) {
   Json properties = Json::array();
-  for (const PropertyResult& p : law.properties)
-    properties.push_back({{"name", p.name}, {"cases", p.cases}, {"held", p.held}, {"counterexample", p.counterexample}});
+  for (const PropertyResult& p : law.properties) properties.push_back(json_of(p));
   Json energy = Json::array();
-  for (const LoopEnergy& e : law.energy)
-    energy.push_back(
-        {{"depth_mm", e.depth_mm}, {"bound_mJ", e.bound_mJ}, {"witness_mJ", e.witness_mJ}, {"measured_mJ", e.measured_mJ}});
+  for (const LoopEnergy& e : law.energy) energy.push_back(json_of(e));
   json.update({{"continuous", law.jumps.empty()}, {"jumps", law.jumps}, {"unit", is_unit}, {"conservative", law.conservative}});
   json.update(comparison_json(law));
   Json spread{{"parameter_sets", law.spread.parameter_sets}};
   spread.update(comparison_json(law.spread));
-  json.update({{"closest_call",
-                {{"x_mm", static_cast<double>(law.closest_call.x)},
-                 {"y_mm", static_cast<double>(law.closest_call.y)},
-                 {"z_mm", static_cast<double>(law.closest_call.z)},
-                 {"ulps_from_tie", law.closest_call.ulps_from_tie}}},
+  json.update({{"closest_call", json_of(law.closest_call)},
                {"spread", spread},
                {"properties", properties},
                {"energy_per_loop", energy}});

@@ -8,6 +8,7 @@
 
 #include "certificate/build_json.h"
 #include "certificate/certificate_text.h"
+#include "certificate/findings_json.h"
 #include "certificate/json_fields.h"
 #include "forceshade/certificate.h"
 #include "forceshade/fast.h"
@@ -106,7 +107,7 @@ Comparison comparison_from(Fields& fields, const Build& build) {
 std::vector<PropertyResult> properties_from(Fields& entry) {
   std::vector<PropertyResult> all;
   for (Fields& fields : entry.objects("properties")) {
-    PropertyResult one{fields.text("name"), fields.count("cases"), fields.flag("held"), fields.text("counterexample", true)};
+    PropertyResult one = property_from(fields);
     fields.expect("name", all.size() < kPropertyNames.size() && one.name == kPropertyNames[all.size()],
                   "each property once: " + one_of(kPropertyNames).substr(7));
     fields.expect("cases", one.cases > 0, "1 or more");
@@ -122,8 +123,7 @@ std::vector<PropertyResult> properties_from(Fields& entry) {
 std::vector<LoopEnergy> energy_from(Fields& entry, bool conservative) {
   std::vector<LoopEnergy> all;
   for (Fields& fields : entry.objects("energy_per_loop")) {
-    const LoopEnergy one{fields.number("depth_mm"), fields.interval("bound_mJ"), fields.number("witness_mJ"),
-                         fields.number("measured_mJ")};
+    const LoopEnergy one = loop_from(fields);
     fields.expect("depth_mm", one.depth_mm > 0, "more than 0");
     fields.expect("bound_mJ", one.bound_mJ[1] >= 0 && (!conservative || one.bound_mJ[1] == 0),
                   conservative ? "[0, 0], as no loop of a conservative law gives energy" : "no bound below 0");
@@ -134,8 +134,7 @@ std::vector<LoopEnergy> energy_from(Fields& entry, bool conservative) {
 }
 
 ClosestCall closest_call_from(Fields fields) {
-  const ClosestCall call{fields.binary32("x_mm"), fields.binary32("y_mm"), fields.binary32("z_mm"),
-                         fields.number("ulps_from_tie")};
+  const ClosestCall call = call_from(fields);
   fields.expect("ulps_from_tie", call.ulps_from_tie > 0 && call.ulps_from_tie <= 1, "more than 0 and at most 1");
   fields.end();
   return call;

@@ -105,6 +105,13 @@ std::string command_that_gathers(const std::vector<const SubjectResult*>& subjec
   return commands;
 }
 
+// Drive looks for one sufficient entry of a subject, so the others are not missing anything.
+bool has_sufficient_entry(const Certificate& certificate, const Identity& identity) {
+  return std::any_of(certificate.subjects.begin(), certificate.subjects.end(), [&](const SubjectResult& entry) {
+    return entry.identity.is_same(identity) && assessed(entry).standing == Standing::sufficient;
+  });
+}
+
 }  // namespace
 
 Assessment assessed(const SubjectResult& subject) {
@@ -131,10 +138,7 @@ Assessment assessed(const Certificate& certificate) {
   for (const SubjectResult& subject : certificate.subjects) {
     const Assessment one = assessed(subject);
     if (one.standing == Standing::failed) return one;
-    if (std::any_of(certificate.subjects.begin(), certificate.subjects.end(), [&](const SubjectResult& other) {
-          return other.identity.is_same(subject.identity) && assessed(other).standing == Standing::sufficient;
-        }))
-      continue;  // as drive does, which looks for one sufficient entry
+    if (one.standing == Standing::sufficient || has_sufficient_entry(certificate, subject.identity)) continue;
     insufficient.push_back(&subject);
     lacks += (lacks.empty() ? "" : "; and ") + one.lacks;
   }

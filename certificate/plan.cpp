@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certificate/build_json.h"
+#include "certificate/findings_json.h"
 #include "certificate/json_fields.h"
 #include "rendering/identity/identity_json.h"
 
@@ -64,7 +65,6 @@ void read_points(Fields& fields, Plan& plan) {
 Json tally_json(const Tally& tally) {
   Json counterexamples = Json::array();
   for (const auto& [part, words] : tally.counterexamples) counterexamples.push_back({{"part", part}, {"words", words}});
-  const ClosestCall& call = tally.closest_call;
   return {{"points", tally.points},
           {"mismatches", tally.mismatches},
           {"aims", tally.aims},
@@ -72,19 +72,14 @@ Json tally_json(const Tally& tally) {
           {"methods", tally.methods},
           {"statuses", tally.statuses},
           {"sets", tally.sets},
-          {"closest_call",
-           {{"x_mm", static_cast<double>(call.x)},
-            {"y_mm", static_cast<double>(call.y)},
-            {"z_mm", static_cast<double>(call.z)},
-            {"ulps_from_tie", call.ulps_from_tie}}},
+          {"closest_call", json_of(tally.closest_call)},
           {"counterexamples", counterexamples}};
 }
 
 Json found_json(ItemKind kind, const Found& found) {
   if (kind == ItemKind::properties) {
     Json list = Json::array();
-    for (const PropertyResult& p : found.properties)
-      list.push_back({{"name", p.name}, {"cases", p.cases}, {"held", p.held}, {"counterexample", p.counterexample}});
+    for (const PropertyResult& p : found.properties) list.push_back(json_of(p));
     return list;
   }
   if (kind != ItemKind::energies) return tally_json(found.tally);
@@ -92,8 +87,7 @@ Json found_json(ItemKind kind, const Found& found) {
   for (const LoopEnergy& e : found.energies.loops) {
     if (!std::isfinite(e.depth_mm + e.bound_mJ[0] + e.bound_mJ[1] + e.witness_mJ + e.measured_mJ))
       throw Error("no result can be written: an energy per loop is no finite number");
-    loops.push_back(
-        {{"depth_mm", e.depth_mm}, {"bound_mJ", e.bound_mJ}, {"witness_mJ", e.witness_mJ}, {"measured_mJ", e.measured_mJ}});
+    loops.push_back(json_of(e));
   }
   return {{"fault", found.energies.fault}, {"loops", loops}};
 }
@@ -115,7 +109,7 @@ Tally tally_from(Fields fields) {
   read(fields, "statuses", tally.statuses);
   read(fields, "sets", tally.sets);
   Fields call = fields.object("closest_call");
-  tally.closest_call = {call.binary32("x_mm"), call.binary32("y_mm"), call.binary32("z_mm"), call.number("ulps_from_tie")};
+  tally.closest_call = call_from(call);
   call.end();
   for (Fields& one : fields.objects("counterexamples")) {
     tally.counterexamples.emplace_back(one.count("part"), one.text("words", true));
@@ -129,15 +123,14 @@ Found found_from(ItemKind kind, Fields& outer) {
   Found found;
   if (kind == ItemKind::properties) {
     for (Fields& one : outer.objects("found")) {
-      found.properties.push_back({one.text("name"), one.count("cases"), one.flag("held"), one.text("counterexample", true)});
+      found.properties.push_back(property_from(one));
       one.end();
     }
   } else if (kind == ItemKind::energies) {
     Fields fields = outer.object("found");
     found.energies.fault = fields.text("fault", true);
     for (Fields& one : fields.objects("loops")) {
-      found.energies.loops.push_back(
-          {one.number("depth_mm"), one.interval("bound_mJ"), one.number("witness_mJ"), one.number("measured_mJ")});
+      found.energies.loops.push_back(loop_from(one));
       one.end();
     }
     fields.end();

@@ -231,7 +231,7 @@ bool Reader::read_line() try {
   }
   if (const auto at = first_byte_not_utf8(line_text_))
     throw no_text(static_cast<unsigned char>(line_text_[*at]), *at, "expected UTF-8 text, got ");
-  if (line_ == 1 && line_text_.starts_with("\xEF\xBB\xBF")) line_text_.erase(0, 3);
+  if (line_ == 1 && line_text_.starts_with(kByteOrderMark)) line_text_.erase(0, kByteOrderMark.size());
   return true;
 } catch (const std::ios_base::failure& failure) {
   throw error(line_ + 1, "cannot read: " + failure.code().message());

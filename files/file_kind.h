@@ -24,9 +24,11 @@ std::string kind_of_file(std::string_view bytes);
 bool is_folder(const std::string& path);
 bool is_named_pipe(const std::string& path);  // not what a shell makes for <(...)
 
-// A pointer of Git LFS: the short text that a clone without the files themselves has in place of each.
+// The byte order mark that some editors write in front of a text in UTF-8.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// The beginning of such a text, and its name in messages.
+// The beginning of a pointer of Git LFS, the short text that a clone without the files themselves has in place of each, and its
+// name in messages.
 inline constexpr std::string_view kLfsBeginning = "version https://git-lfs.github.com/spec/",
                                   kLfsPointer = "a pointer of Git LFS in the place of a file, which 'git lfs pull' fetches";
 

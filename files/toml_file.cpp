@@ -92,7 +92,8 @@ TomlDocument::TomlDocument(const std::string& text, const std::filesystem::path&
   std::ranges::sort(places);
   Place here{1, 0};
   auto next = places.begin();
-  for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size() && next != places.end(); ++i) {
+  for (std::size_t i = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0; i < text.size() && next != places.end();
+       ++i) {
     if (begins_character(text[i])) ++here.second;
     if (here == *next) decimals_.emplace(*next++, number_at(std::string_view(text).substr(i)));
     if (text[i] == '\n') here = {here.first + 1, 0};

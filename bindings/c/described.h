@@ -53,9 +53,7 @@ struct Subject {
 
 std::variant<Subject, ParameterError> build(const Description& description);
 
-// Rejects descriptions with moving objects, of which a binding makes no subject.
-
-// Throws Error for a scene with motions: a program gives the poses of each tick itself.
+// Throws Error for a scene with motions, of which a binding makes no subject: a program gives the poses of each tick itself.
 inline void expect_still(const Description& description) {
   if (description.moves())
     throw Error(description.name +

@@ -13,8 +13,7 @@
 namespace forceshade::fast::soups {
 
 // |true value - value| <= error. kLeast covers what is lost below the least normal number, in the value and in its bound: at
-// most 2^-1075 in each operation, of which a product has four and a quotient, where the divisor multiplies what is lost, is
-// told below.
+// most 2^-1075 in each of the four operations of a product. In a quotient the divisor multiplies it (operator/).
 struct Ball {
   double value = 0, error = 0;
 

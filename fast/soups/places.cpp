@@ -134,8 +134,7 @@ GridLine line_of(const Star& star) {
 Place point_place(const Star& star) {
   for (const Star::Held& held : star.triangles())
     for (std::size_t i = 0; i < 3; ++i)
-      if (held.has_side(i) && held.has_side(i == 0 ? 2 : i - 1))
-        return {PlaceKind::vertex, PlaceKind::nowhere, {held.face->vertex[i], 0, 0, 0}, {}};
+      if (held.has_side(i) && held.has_side(i == 0 ? 2 : i - 1)) return vertex_place(held.face->vertex[i]);
   const auto triangles = star.triangles();
   if (const auto first = least_edge(star, [](const EdgeAt&) { return true; })) {
     const Line line = first->line();

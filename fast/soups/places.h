@@ -34,6 +34,10 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
+inline Place vertex_place(std::uint32_t vertex) noexcept {
+  return {PlaceKind::vertex, PlaceKind::nowhere, {vertex, 0, 0, 0}, {}};
+}
+
 // Nothing where the soup has no such place.
 std::optional<Point> point_of(const Soup& soup, const Place& place);
 

@@ -60,8 +60,7 @@ Point triangle_point(const Soup& soup, const Face& f, std::int64_t k, std::int64
   return x;
 }
 Point line_point(const Soup& soup, const GridLine& line, std::int64_t m) {
-  if (line.is_edge() && (m == 0 || m == kGrid))
-    return *point_of(soup, {PlaceKind::vertex, PlaceKind::nowhere, {line.edge[m == 0 ? 0 : 1], 0, 0, 0}, {}});
+  if (line.is_edge() && (m == 0 || m == kGrid)) return *point_of(soup, vertex_place(line.edge[m == 0 ? 0 : 1]));
   return *point_of(soup, line.place(m));
 }
 
@@ -71,10 +70,9 @@ At* Session::rounded(At* at) {
   rounded_place_.reset();
   switch (at->star->kind()) {
     case Star::Kind::point: {
-      // As its place tells it: the numbers of one that a way led to are longer with each move.
-      const std::uint32_t name = at->x.vertex;
-      at->x =
-          *point_of(*soup_, name == kNone ? point_place(*at->star) : Place{PlaceKind::vertex, PlaceKind::nowhere, {name}, {}});
+      // Takes the numbers of its place, since those of a point that a way led to grow with each move.
+      const std::uint32_t vertex = at->x.vertex;
+      at->x = *point_of(*soup_, vertex == kNone ? point_place(*at->star) : vertex_place(vertex));
       return at;
     }
     case Star::Kind::line: return rounded_on_line(at);

@@ -109,6 +109,14 @@ bool Session::make_on_surface(At& at, const Point& x) {
   return !at.star->is_empty();
 }
 
+bool Session::make_in_cell(At& at, Point x, const Star::Name& name) {
+  x.forget();
+  if (!make_on_surface(at, x) || is_exhausted()) return false;
+  const std::optional<Cell> cell = at.star->cell(name);
+  if (cell) at.cell = *cell;
+  return cell.has_value();
+}
+
 const Session::Near& Session::near_at(const Segment& segment, std::size_t& time) {
   near_at_ = along_;
   const Time& t = times_[time];
@@ -248,15 +256,10 @@ Tick Session::resting(unsigned moves, bool is_slipping, Status status) {
 // Edges that lie on each other in part have other grids, and the state's place may be on another one than that which the last
 // way was rounded on.
 void Session::go_to_place() {
-  Point x = *point_of(*soup_, *kept_);
+  const Point x = *point_of(*soup_, *kept_);
   if (is_same(x, on_->x)) return;
-  x.forget();
   const std::size_t looks = looks_;  // these count in no tick, as where the state comes from outside
-  if (make_on_surface(*next_, x) && !is_exhausted())
-    if (const std::optional<Cell> cell = next_->star->cell(state_.cell)) {
-      next_->cell = *cell;
-      std::swap(on_, next_);
-    }
+  if (make_in_cell(*next_, x, state_.cell)) std::swap(on_, next_);
   looks_ = looks;
 }
 
@@ -305,14 +308,10 @@ void Session::resume(const State& state) {
   is_on_ = false;
   kept_.reset();
   if (!in_domain(state.place.position)) return;
-  std::optional<Point> x = point_of(*soup_, state.place);
+  const std::optional<Point> x = point_of(*soup_, state.place);
   if (!x) return;
   if (state.place.kind != PlaceKind::free) {
-    x->forget();
-    if (!make_on_surface(*on_, *x) || is_exhausted()) return;
-    const std::optional<Cell> cell = on_->star->cell(state.cell);
-    if (!cell) return;
-    on_->cell = *cell;
+    if (!make_in_cell(*on_, *x, state.cell)) return;
     is_on_ = true;
     kept_ = state.place;
   }

@@ -78,9 +78,11 @@ class Session {
   const Star& star_at(const Point& x, const Near& near);
   void make_end(At& at, const Point& x, const Near& near, const Direction& back, const Direction& w);
   bool make_on_surface(At& at, const Point& x);
-  // Into *stop_.
+  // At x, in the cell of this name; false where there is none, or where x has more triangles than a tick looks at.
+  bool make_in_cell(At& at, Point x, const Star::Name& name);
   // The triangles among which are all that hold the way's point at the first of these times; it moves on to the next one.
   const Near& near_at(const Segment& segment, std::size_t& time);
+  // Into *stop_.
   bool is_stopped(const Segment& segment, const Time& most, const Direction& w, const Near& near);
 
   At* rounded(At* at);

@@ -9,8 +9,8 @@
 //   if (certificate) std::puts(properties::to_json(*certificate).c_str());
 //
 // Errors: a failed check is a result, Certificate::held(); under a fast::arithmetic_fault() certify() throws
-// std::runtime_error. assessed() of certificate.h tells if a certificate is too little for driving. One of a program's own
-// renderer or subject says so, and permits no driving of what the library renders.
+// std::runtime_error. assessed() of certificate.h tells if a certificate is too little for driving. A certificate of
+// a program's own renderer or subject says so, and permits no driving of what the library renders.
 //
 // Threads: certify() uses as many threads as its options say. `stop` may be set by any thread or a signal handler.
 //

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "files/file_kind.h"
+
 namespace forceshade::mesh {
 namespace {
 
@@ -96,7 +98,7 @@ bool Lines::next() {
       return false;
     }
     line_ = {buffer_.get() + begin_, length};
-    if (number_ == 1 && line_.starts_with(kByteOrderMark)) line_.remove_prefix(kByteOrderMark.size());
+    if (number_ == 1 && line_.starts_with(files::kByteOrderMark)) line_.remove_prefix(files::kByteOrderMark.size());
     begin_ += taken;
     position_ += taken;
     return true;

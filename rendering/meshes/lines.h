@@ -28,8 +28,8 @@ class Words {
   std::string_view rest_;
 };
 
-// The byte order mark that some editors write in front of a text in UTF-8.
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+// These may stand before the first word of a text, and between its words and lines.
+inline constexpr std::string_view kBlank = " \t\v\f\r\n";
 
 // Lines end in LF, CRLF or CR. A byte order mark in front of the first is no part of it.
 class Lines {

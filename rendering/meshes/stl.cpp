@@ -6,7 +6,9 @@
 #include <cctype>
 #include <string_view>
 
+#include "files/file_kind.h"
 #include "rendering/meshes/bytes.h"
+#include "rendering/meshes/lines.h"
 #include "rendering/meshes/numbers.h"
 #include "rendering/meshes/readers.h"
 #include "rendering/meshes/weld.h"
@@ -114,8 +116,6 @@ class StlText {
   Welder welder_;
 };
 
-constexpr std::string_view kBlank = " \t\v\f\r\n";
-
 // The first bytes of a file behind blanks, up to the end of its first triangle, if it is binary.
 std::string head_of(const std::filesystem::path& file) {
   std::string head;
@@ -129,7 +129,7 @@ std::string head_of(const std::filesystem::path& file) {
 // Many binary files begin with the word solid, too. No text has a zero byte, but a binary file of less than 2^24 triangles has
 // one in their number.
 bool begins_with_solid(std::string_view head) {
-  if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  if (head.starts_with(files::kByteOrderMark)) head.remove_prefix(files::kByteOrderMark.size());
   head.remove_prefix(std::min(head.find_first_not_of(kBlank), head.size()));
   const std::string_view solid = "solid";
   return head.size() >= solid.size() && std::equal(solid.begin(), solid.end(), head.begin(), [](char expected, char found) {

@@ -47,9 +47,8 @@ class Parts final : public device::SampleSink {
   system::Thread closing_;  // writes them
 };
 
-// The words for samples that a recording lacks.
-
-// Empty where every sample is in the recording of this path and the disk took all of it.
+// The words for samples that a recording lacks: empty where every sample is in the recording of this path and the disk took all
+// of it.
 inline std::string words_of_loss(const std::string& path, const Recorder::Result& result) {
   if (result.lost == 0 && result.error.empty()) return "";
   return (result.error.empty() ? path + ": the disk was too slow" : result.error) + "; recorded " +

@@ -107,7 +107,7 @@ TEST(own_renderer, is_in_the_certificate_whichever_way_it_was_handed_over) {
     }
 }
 
-// All of the evidence that drive asks for, at the gate that drive asks.
+// With all of the evidence that drive asks for, at the gate of drive.
 TEST(own_renderer, does_not_drive_the_law_of_the_library_by_any_evidence) {
   const tests::TemporaryDirectory directory;
   const auto verdict = [&](const Certificate& certificate) {

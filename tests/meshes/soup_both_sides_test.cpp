@@ -171,8 +171,8 @@ TEST(soups_on_both_sides, every_column_of_drawn_paths_is_the_same) {
   constexpr int kTicks = 40;
   // Each was found by a mistake, or by a mutant that few sets find: a point of a triangle's grid on another sheet, a first cell
   // that is not the least, a corner before the next point of a line's grid, pieces that lead to the hand alike, a rounding that
-  // is stopped, a place on the grid of another edge of the same line, a vertex whose
-  // first wall and cell are named after triangles that are turned against each other.
+  // is stopped, a place on the grid of another edge of the same line, a vertex whose first wall and cell are named after
+  // triangles that are turned against each other.
   constexpr std::uint64_t kFirst[]{103263, 99, 249, 660, 296, 34002949, 34006154};
   std::size_t ticks = 0, sets = 0, touching = 0;
   std::map<int, std::size_t> places;

@@ -28,10 +28,8 @@ class Dialogue {
   files::ChildProcess process_;
 };
 
-// The list in an answer of a renderer or simulator.
-
-// The list behind the key of an answer, with an entry for each of what was requested: "positions". whose: "renderer", for
-// messages. Throws files::ProcessFailed.
+// The list behind the key of an answer of a renderer or simulator, with an entry for each of what was requested: "positions".
+// whose: "renderer", for messages. Throws files::ProcessFailed.
 const nlohmann::ordered_json& list_in(const nlohmann::ordered_json& answer, const char* key, std::size_t size,
                                       const char* asked, const char* whose);
 

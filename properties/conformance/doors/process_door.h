@@ -12,7 +12,7 @@
 
 namespace forceshade::conformance {
 
-// command: a line for /bin/sh. allocations_line: what it is told to say what it allocated (kAllocations); empty where it does
+// command: a line for /bin/sh. allocations_line: the line that asks it what it allocated (kAllocations); empty where it does
 // not count that.
 OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits = {},
                           const std::string& allocations_line = "");
@@ -27,7 +27,7 @@ std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t cou
 // program.
 inline constexpr const char* kObjectProgram = "libexec/forceshade/forceshade-object";
 
-// That process is told this line to say how often and how much the object allocated in its answers so far:
+// The line that asks that process how often and how much the object allocated in its answers so far, which it answers with
 // {"calls":2,"bytes":96}, or {} where it does not know.
 inline constexpr std::string_view kAllocations = R"({"allocations":true})";
 // The exit code of that process after goodbye and close(): none that an object gives that ends it itself.
