@@ -5,6 +5,7 @@
 
 #include "apps/command.h"
 #include "apps/page.h"
+#include "apps/troubleshooting.h"
 #include "certificate/certificate_text.h"
 #include "files/printable.h"
 #include "forceshade/certificate.h"
@@ -63,7 +64,7 @@ int write_certificate(const properties::Certificate& certificate, files::OutputF
   if (assessment.standing == properties::Standing::insufficient)
     std::printf("too little for drive: %s\nto gather it: %s\n", files::printable(assessment.lacks).c_str(),
                 files::printable(assessment.remedy).c_str());
-  std::printf("%s\n", verdict(certificate, assessment.standing).c_str());
+  std::printf("%s\n", with_page(verdict(certificate, assessment.standing)).c_str());
   return certificate.held() ? kHeld : kFailed;
 }
 

@@ -12,6 +12,7 @@
 #include "apps/options.h"
 #include "apps/output_options.h"
 #include "apps/signals.h"
+#include "apps/troubleshooting.h"
 #include "device/check.h"
 #include "device/kinds.h"
 #include "files/csv.h"
@@ -39,7 +40,8 @@ class Checks {
   // Shown as soon as it is known: what follows may take its time.
   void add(Check check) {
     if (printed_) {
-      std::printf("%-18s %-17s %s\n", check.name.c_str(), name_of(check.grade).data(), files::printable(check.words).c_str());
+      std::printf("%-18s %-17s %s\n", check.name.c_str(), name_of(check.grade).data(),
+                  files::printable(with_page(check.words)).c_str());
       std::fflush(stdout);
     }
     all_.push_back(std::move(check));

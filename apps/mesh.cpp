@@ -17,6 +17,7 @@
 #include "apps/output_options.h"
 #include "apps/signals.h"
 #include "apps/standard_input.h"
+#include "apps/troubleshooting.h"
 #include "files/csv.h"
 #include "files/output_file.h"
 #include "files/printable.h"
@@ -84,13 +85,15 @@ std::vector<std::string> lines_of(const std::string& words) {
   return lines;
 }
 
-void print(const std::vector<std::string>& lines, const std::string& before = "") {
-  for (const std::string& line : lines) std::printf("%s\n", files::printable(before + line).c_str());
+void print(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::printf("%s\n", files::printable(line).c_str());
 }
 
 // "FILE: line 12: face 3 has no area: ...", as in every message about a file.
 void print_faults(const std::string& file, const std::vector<std::string>& faults) {
-  print(faults, name_of_input(file) + ": ");
+  std::string text;
+  for (const std::string& fault : faults) text += files::printable(name_of_input(file) + ": " + fault) + '\n';
+  std::fputs(with_page(text).c_str(), stdout);
 }
 
 void write_mesh(const std::string& path, const mesh::TriangleMesh& triangles) {

@@ -8,6 +8,7 @@
 
 #include "apps/documentation.h"
 #include "apps/tell.h"
+#include "apps/troubleshooting.h"
 #include "files/shell.h"
 #include "files/suggestion.h"
 #include "subjects/file.h"
@@ -270,7 +271,7 @@ std::string failure_message(const CLI::App& app, const CLI::Error& error) {
        parent = parent->get_parent())
     name = parent->get_name() + ' ' + name;
   const std::string help = command.get_parent() == nullptr ? "" : ' ' + name;
-  return reason_of(app, error) + "\n'" + program_name() + " help" + help + "' shows what is expected.\n";
+  return with_page(reason_of(app, error)) + "\n'" + program_name() + " help" + help + "' shows what is expected.\n";
 }
 
 }  // namespace forceshade::apps

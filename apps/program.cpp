@@ -16,6 +16,7 @@
 #include "apps/standard_streams.h"
 #include "apps/subject_file.h"
 #include "apps/tell.h"
+#include "apps/troubleshooting.h"
 #include "certificate/build.h"
 #include "files/output_file.h"
 #include "files/printable.h"
@@ -30,7 +31,7 @@ namespace {
 std::span<const Example> examples;
 
 void print_lines(const std::string& text) {
-  std::istringstream lines(text);
+  std::istringstream lines(with_page(text));
   for (std::string line; std::getline(lines, line);) std::cerr << files::printable(line) << '\n';
 }
 
@@ -148,7 +149,8 @@ int run(const Program& program, const std::vector<std::string>& arguments) {
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) refuse_options_before_verbs(*command);
   app.footer(
       std::string(kQuantities) + '\n' + kFiles + '\n' + kExitCodes +
-      of_program("\n'forceshade help COMMAND' explains a command,\n'forceshade man COMMAND | man -l -' shows its page."));
+      of_program("\n'forceshade help COMMAND' explains a command,\n'forceshade man COMMAND | man -l -' shows its page.\n") +
+      "Pages such as docs/using.md lie in the sources, and in share/doc/forceshade of an installation.");
   if (const std::string fault = fault_of_first_word(app, program.former, line.words); !fault.empty()) {
     tell(fault);
     return kBadInput;
@@ -161,8 +163,8 @@ int run(const Program& program, const std::vector<std::string>& arguments) {
     return report(app, error, line);
   } catch (const device::DeviceError& error) {
     // Several lines: what was tried and what to check.
-    std::cerr << program_name() << ": device fault: ";
-    print_lines(error.what());
+    std::cerr << program_name() << ": ";
+    print_lines("device fault: " + std::string(error.what()));
     return kDeviceFault;
   } catch (const Interrupted& error) {
     const std::string undone = error.what(), unsaid = Interrupted().what();

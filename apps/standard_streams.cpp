@@ -11,6 +11,7 @@
 #include <iostream>
 #include <system_error>
 
+#include "apps/troubleshooting.h"
 #include "files/output_file.h"
 
 namespace forceshade::apps {
@@ -37,7 +38,7 @@ void flush_standard_output() {
 
 void print_beside(std::initializer_list<std::string_view> outputs, const std::string& words) {
   if (std::ranges::find(outputs, "-") != outputs.end()) return;
-  std::fputs(words.c_str(), stdout);
+  std::fputs(with_page(words).c_str(), stdout);
   flush_standard_output();
 }
 

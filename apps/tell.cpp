@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "apps/troubleshooting.h"
 #include "files/printable.h"
 
 namespace forceshade::apps {
@@ -13,7 +14,7 @@ std::string& program_name() {
 }
 
 void tell(const std::string& words) {
-  std::fprintf(stderr, "%s: %s\n", program_name().c_str(), files::printable(words).c_str());
+  std::fprintf(stderr, "%s: %s\n", program_name().c_str(), files::printable(with_page(words)).c_str());
 }
 
 }  // namespace forceshade::apps

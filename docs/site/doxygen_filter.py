@@ -24,7 +24,8 @@ def filtered(text):
     first = re.search(r"^(?:/\*(?:.|\n)*?\*/\n|(?://.*\n)+)", text, re.MULTILINE)
     words = [re.sub(r"^(//|/\*| \*(?!/)) ?| *\*/$", "", line) for line in first[0].splitlines()]
     block = "".join(f"/// {line}\n" for line in ["@file", *of_file(words)])
-    rest = text[first.end():]
+    # The end of a namespace, and the file of what is only declared, describe nothing.
+    rest = re.sub(r" +// (namespace .*|[a-z0-9_/]+\.(h|cpp))$", "", text[first.end():], flags=re.MULTILINE)
     rest = re.sub(r"^( *)// ?", r"\1/// ", rest, flags=re.MULTILINE)
     rest = re.sub(r"^( *)/\* (?!-)", r"\1/** ", rest, flags=re.MULTILINE)  # not the headings of sections
     rest = re.sub(r"^( *[^ /*\n][^\n]*?) +// (.*)$", r"\1  ///< \2", rest, flags=re.MULTILINE)

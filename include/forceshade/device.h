@@ -18,7 +18,7 @@
 // run_servo_loop() of servo_loop.h has both.
 //
 // Not promised: what a device does after a fault but to carry out zero force; and the models that can be simulated. The
-// devices: docs/device.md, docs/phantom.md, docs/simulation.md.
+// devices: docs/device.md.
 
 #if __cplusplus < 202002L
 #error "forceshade is in C++20: expected -std=c++20 or later"

@@ -206,7 +206,7 @@ for file in flat.obj -; do
   name=$([ $file = - ] && echo "standard input" || echo $file)
   same "$name: line 5: face 0 has no area: its vertices 0, 1 and 2 lie on a line" \
     "$("$forceshade" mesh check $file --unit mm < flat.obj | grep "line 5:")"
-  same "$name: lines 5 and 6: faces 0 and 1 run along their edge, of vertices 0 and 1, in the same direction: one of them is turned over" \
+  same "$name: lines 5 and 6: faces 0 and 1 run along their edge, of vertices 0 and 1, in the same direction: one of them is turned over (docs/troubleshooting.md#shapes)" \
     "$("$forceshade" mesh check $file --unit mm < flat.obj | grep "lines 5 and 6:")"
 done
 printf 'OFF\n# a quadrilateral whose second half has no area\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 2 0\n4 0 1 2 3\n' > fan.off
