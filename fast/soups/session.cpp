@@ -323,7 +323,13 @@ Tick Session::tick(const std::array<float, 3>& position) {
   hand_ = quantised(position);
   p_ = Point::of(hand_);
   looks_ = boxes_ = 0;
-  return run();
+  const State before = state_;
+  const std::uint64_t cuts = Whole::cuts;
+  const Tick tick = run();
+  if (Whole::cuts == cuts) [[likely]]
+    return tick;
+  resume(before);
+  return {Status::unfinished, 0, {}, state_};
 }
 
 Tick Session::run() {

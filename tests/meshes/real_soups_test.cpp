@@ -28,6 +28,7 @@
 #include "rendering/meshes/make.h"
 #include "tests/meshes/passing.h"
 #include "tests/meshes/rendering.h"
+#include "tests/meshes/uncut.h"
 #include "tests/support/drawn.h"
 
 namespace forceshade::tests {

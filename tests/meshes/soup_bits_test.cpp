@@ -194,7 +194,7 @@ TEST(lengths_of_integers_on_soups, are_below_what_the_type_holds) {
     most_bits = 0;
     run();
     std::printf("  %5d bits: %s\n", most_bits, what);
-    EXPECT_LT(most_bits, static_cast<int>(64 * Whole::kLimbs)) << what;
+    EXPECT_LE(most_bits / 64 + 2, static_cast<int>(Whole::kLimbs)) << what;  // of two factors' limbs, whose last are not full
     return most_bits;
   };
   const At hand{corner, Bits::of(1)}, foot = foot_in_plane(face, corner);
@@ -219,7 +219,27 @@ TEST(lengths_of_integers_on_soups, are_below_what_the_type_holds) {
                          for (std::size_t i = kRounded; i < all.size(); ++i) press(g, all[i].second);
                        }));
   }
-  EXPECT_GT(longest, static_cast<int>(32 * Whole::kLimbs)) << "the type is longer than needed";
+  EXPECT_EQ(longest / 64 + 2, static_cast<int>(Whole::kLimbs))
+      << "the type is longer than needed, and cuts nothing above the bound";
+}
+
+// Each operation that makes a number longer counts, and no other one.
+TEST(lengths_of_integers_on_soups, a_result_that_is_cut_is_counted) {
+  const auto cuts_of = [](const auto& run) {
+    const std::uint64_t before = std::exchange(Whole::cuts, 0);
+    run();
+    return std::exchange(Whole::cuts, before);
+  };
+  constexpr int kBits = 64 * static_cast<int>(Whole::kLimbs);
+  const Whole one(1), half = one.shifted(kBits / 2 - 1);  // whose limbs are full
+  Whole largest;
+  EXPECT_EQ(cuts_of([&] { largest = half * half; }), 0U);
+  EXPECT_EQ(cuts_of([&] { largest = largest + largest; }), 0U);
+  EXPECT_EQ(largest.bits(), kBits);
+  EXPECT_EQ(cuts_of([&] { largest = largest + half - one; }), 0U);
+  EXPECT_EQ(cuts_of([&] { largest + largest; }), 1U);
+  EXPECT_EQ(cuts_of([&] { largest* Whole(-1); }), 1U) << "it may be cut";
+  EXPECT_EQ(cuts_of([&] { one.shifted(kBits); }), 1U);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "reference/soups/god_object.h"
 #include "tests/meshes/costly_meshes.h"
 #include "tests/meshes/soup_words.h"
+#include "tests/meshes/uncut.h"
 #include "tests/support/drawn.h"
 
 namespace forceshade {

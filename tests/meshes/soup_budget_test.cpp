@@ -15,6 +15,7 @@
 #include "fast/soups/session.h"
 #include "reference/soups/tick.h"
 #include "tests/meshes/costly_meshes.h"
+#include "tests/meshes/uncut.h"
 #include "tests/support/allocations.h"
 #include "tests/support/drawn.h"
 

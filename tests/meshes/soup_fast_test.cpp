@@ -2,6 +2,7 @@
 // The real-time side on any set of triangles, against the paths of a program that shares nothing with it, and on meshes against
 // those of the programs of meshes.
 
+#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,6 +12,7 @@
 
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/soup_words.h"
+#include "tests/meshes/uncut.h"
 #include "tests/support/allocations.h"
 
 namespace forceshade::fast::soups {
@@ -69,6 +71,34 @@ TEST(soups_in_real_time, a_mesh_has_the_same_paths) {
                     rough = FORCESHADE_SOURCE_DIR "/tests/golden/friction";
   for (const std::string& name : tests::god_object_paths_in(meshes)) expect_same(tests::read_god_object_path(meshes, name));
   for (const std::string& name : tests::friction_paths_in(rough)) expect_same(tests::read_friction_path(meshes, rough, name));
+}
+
+// Far beyond the domain of a mesh, where no proof holds: a tick whose integers are cut is unfinished and keeps the state, and
+// the test in which it happens fails.
+TEST(soups_in_real_time, a_tick_whose_integers_are_cut_is_unfinished) {
+  constexpr float kFar = 0x1p65F;
+  const mesh::TriangleMesh mesh{{{0, 0, 0},
+                                 {kFar * 1.34375F, kFar * -0.1875F, kFar * 1.359375F},
+                                 {kFar * -1.28125F, kFar * -0.421875F, kFar * -0.015625F},
+                                 {kFar * 1.140625F, kFar * 0.15625F, kFar * -0.859375F},
+                                 {kFar * -0.5625F, kFar * -0.703125F, kFar * 1.328125F}},
+                                {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}};
+  const auto soup = std::make_shared<const Soup>(
+      mesh, std::vector{mesh::Sides::both}, std::vector<mesh::Material>{},
+      mesh::CornerNormals(3, {mesh::Normal{0, 0, 1}, mesh::Normal{0, 1, 0}, mesh::Normal{1, 0, 0}}));
+  Session session(soup, kStiffness, true);
+  for (const std::array<float, 3>& position : {std::array{-1.390625F, -1.125F, 1.0625F}, {-0.15625F, -0.046875F, -0.5625F}})
+    EXPECT_NE(session.tick(position).status, Status::unfinished);
+  EXPECT_EQ(session.tick({0.78125F, 1.25F, -0.046875F}).status, Status::contact);
+  const State before = session.state();
+  tests::expect_uncut();
+  const Tick tick = session.tick({-0.484375F, 0.640625F, 1.375F});
+  EXPECT_NONFATAL_FAILURE(tests::expect_uncut(), "longer than soup_bits_test allows");
+  Whole::cuts = 0;
+  EXPECT_EQ(tick.status, Status::unfinished);
+  EXPECT_EQ(tick.moves, 0U);
+  EXPECT_EQ(tick.force, (std::array<float, 3>{}));
+  EXPECT_TRUE(tick.after == before && session.state() == before);
 }
 
 }  // namespace

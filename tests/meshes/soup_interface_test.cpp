@@ -17,6 +17,7 @@
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/soup_paths.h"
+#include "tests/meshes/uncut.h"
 #include "tests/support/drawn.h"
 
 namespace forceshade::reference::soups {

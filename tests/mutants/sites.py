@@ -21,6 +21,8 @@ NOT_ENTERED = {Kind.STATIC_ASSERT, Kind.ENUM_DECL, Kind.TYPE_ALIAS_DECL, Kind.TY
 NUMBERS = {TypeKind.INT, TypeKind.UINT, TypeKind.LONG, TypeKind.ULONG, TypeKind.LONGLONG, TypeKind.ULONGLONG, TypeKind.FLOAT,
            TypeKind.DOUBLE, TypeKind.LONGDOUBLE, TypeKind.SHORT, TypeKind.USHORT, TypeKind.UCHAR, TypeKind.SCHAR}
 FLOATS = {TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE}
+if not hasattr(Kind, "BUILTIN_BIT_CAST_EXPR"):
+    Kind.BUILTIN_BIT_CAST_EXPR = Kind(280)  # of CXCursorKind; Python's module of clang 14 has no name for it
 WRAPPERS = {Kind.UNEXPOSED_EXPR, Kind.PAREN_EXPR}
 
 

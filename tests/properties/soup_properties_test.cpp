@@ -27,6 +27,7 @@
 #include "properties/positions.h"
 #include "tests/meshes/passing.h"
 #include "tests/meshes/rendering.h"
+#include "tests/meshes/uncut.h"
 #include "tests/support/drawn.h"
 #include "tests/support/with_rapidcheck.h"
 
