@@ -37,6 +37,7 @@ constexpr std::array kFormer{
     FormerWords{"certify --sweeps", "forceshade certify plan --exhaustive LIST"},
     FormerWords{"certify --shards", "forceshade certify plan --units N"},
     FormerWords{"certify status", "forceshade certify merge PLAN"},
+    FormerWords{"energy --step", "forceshade force FILE", ", along a path: each row has the force of a tick"},
     FormerWords{"recording info", "forceshade recording check FILE"},
     FormerWords{"recording verify", "forceshade recording check FILE"},
     FormerWords{"recording recompute", "forceshade recording check FILE --law ID", ", or another subject"},

@@ -22,7 +22,6 @@
 #include "forceshade/checks.h"
 #include "forceshade/identity.h"
 #include "properties/mesh_energy.h"
-#include "properties/tick_changes.h"
 #include "reference/height_energy.h"
 #include "text/number_text.h"
 
@@ -33,7 +32,7 @@ using Json = nlohmann::ordered_json;
 using reference::binary64;
 
 struct EnergyOptions {
-  std::string depth, json, length = "100mm", step = "0.1mm";
+  std::string depth, json, length = "100mm";
   Section section;
   damping::Described damping;
 };
@@ -202,12 +201,10 @@ void expect_length(const char* option, float value, float least, float most) {
 struct MeshVerdict {
   const std::string& name;
   const MeshRendering& rendering;
-  double depth, length, step;  // mm
+  double depth, length;  // mm
   properties::LargestTurns turns;
   properties::MeshStroke stroke;
-  properties::TickChanges changes;
 
-  properties::HandStep hand() const { return {.depth = depth, .step = step}; }
   // mJ/mm, of a turn.
   double rate_of(double turn) const { return static_cast<double>(rendering.stiffness) * depth * turn; }
   double most_rate() const { return rate_of(turns.most()); }
@@ -225,10 +222,6 @@ Json json_of(const properties::MeshPosition& position) {
   return {static_cast<double>(position[0]), static_cast<double>(position[1]), static_cast<double>(position[2])};
 }
 
-Json json_of(const properties::Change& change) {
-  return {{"bound", change.bound}, {"found", change.found}, {"at_mm", {json_of(change.at[0]), json_of(change.at[1])}}};
-}
-
 Json json_of(const MeshVerdict& verdict) {
   Json json{{"mesh", verdict.name},
             {"shading", name_of(verdict.rendering.shading)},
@@ -239,13 +232,7 @@ Json json_of(const MeshVerdict& verdict) {
             {"largest_turns",
              {{"inside", verdict.turns.inside}, {"edges", verdict.turns.edges}, {"vertices", verdict.turns.vertices}}},
             {"rate_mJ_per_mm", {verdict.least_rate(), verdict.most_rate()}},
-            {"bound_mJ", {verdict.least_work(), verdict.most_work()}},
-            {"between_ticks",
-             {{"step_mm", verdict.step},
-              {"force_N", json_of(verdict.changes.force)},
-              {"turn_degrees", json_of(verdict.changes.turn)},
-              {"bounds_are_of_this_mesh", verdict.changes.is_own},
-              {"moves_found", verdict.changes.moves}}}};
+            {"bound_mJ", {verdict.least_work(), verdict.most_work()}}};
   if (verdict.turns.most() == 0) return json;
   json["witness"] = Json::array();
   for (const properties::MeshPosition& corner : verdict.stroke.corners) json["witness"].push_back(json_of(corner));
@@ -261,7 +248,7 @@ Json json_of(const MeshVerdict& verdict) {
   return json;
 }
 
-void print_energy(const MeshVerdict& verdict) {
+void print(const MeshVerdict& verdict) {
   const char* name = verdict.name.c_str();
   if (verdict.turns.most() == 0) {
     std::printf("%s: without shading no closed path gives energy to the hand, but for the length of its steps\n", name);
@@ -286,36 +273,24 @@ void print_energy(const MeshVerdict& verdict) {
       100 * verdict.share(), 100 * verdict.share_of_way(), 100 * verdict.share_of_turn());
 }
 
-void print(const MeshVerdict& verdict) {
-  print_energy(verdict);
-  std::printf("%s\n", words_of(verdict.changes, verdict.hand()).c_str());
-  if (!verdict.changes.is_own)
-    std::printf("the mesh %s: these bounds between ticks are of any mesh\n",
-                verdict.rendering.checked.is_regular() ? "has too many triangles for its own" : "is not regular");
-}
-
-// depth: of the god-object from the hand; length: of a closed path; step: of the hand from tick to tick; all in mm. json: where
-// the verdict goes as JSON, "-" for standard output, or empty. Throws Error where there is no bound for this rendering, and
-// Interrupted; nothing is written then. Returns the exit code.
-int print_energy_of_mesh(const std::string& name, const MeshRendering& rendering, float depth, float length, float step,
+// depth: of the god-object from the hand; length: of a closed path; both in mm. json: where the verdict goes as JSON, "-" for
+// standard output, or empty. Throws Error where there is no bound for this rendering, and Interrupted; nothing is written then.
+// Returns the exit code.
+int print_energy_of_mesh(const std::string& name, const MeshRendering& rendering, float depth, float length,
                          const std::string& json) {
   if (const std::string why = properties::why_no_energy_bound(rendering); !why.empty()) throw Error(name + ": " + why);
   expect_length("--depth", depth, 0x1p-10F, 100);
   expect_length("--length", length, 0x1p-10F, 10000);
-  expect_length("--step", step, 0x1p-10F, 100);
   watch_for_interrupt();
   const auto judged = [&](const Monitor& monitor) {
     MeshVerdict verdict{.name = name,
                         .rendering = rendering,
                         .depth = static_cast<double>(depth),
                         .length = static_cast<double>(length),
-                        .step = static_cast<double>(step),
                         .turns = properties::largest_turns(rendering),
-                        .stroke = {},
-                        .changes = {}};
-    verdict.changes = properties::tick_changes(rendering, verdict.hand(), monitor.part(0, 0.5));
+                        .stroke = {}};
     if (verdict.turns.most() > 0)
-      verdict.stroke = properties::best_stroke(rendering, verdict.turns, verdict.depth, verdict.length, monitor.part(0.5, 1));
+      verdict.stroke = properties::best_stroke(rendering, verdict.turns, verdict.depth, verdict.length, monitor);
     return verdict;
   };
   try {
@@ -340,8 +315,6 @@ void add_energy(CLI::App& app, int& result) {
   add_json(*command, options->json, "the verdict, with the loop,");
   add_section(*command, options->section, "of a height map, over which its loops lie")->needs("--height-map");
   add_length(*command, "--length", options->length, "of the loops on a mesh, at most")->needs("--mesh");
-  add_length(*command, "--step", options->step, "the hand's way over a mesh from one tick to the next, at most")
-      ->needs("--mesh");
   command->callback([options, subject, &result] {
     const float depth = files::parse_length("--depth", options->depth);
     const Description what = subject->description();
@@ -356,7 +329,7 @@ void add_energy(CLI::App& app, int& result) {
                         [&](const DescribedHeightMap& map) { return run_height_map(*options, what.name, map, depth); },
                         [&](const MeshRendering& mesh) {
                           return print_energy_of_mesh(what.name, mesh, depth, files::parse_length("--length", options->length),
-                                                      files::parse_length("--step", options->step), options->json);
+                                                      options->json);
                         },
                         [&](const DescribedScene&) -> int {
                           throw Error(what.name + ": expected a scene without objects that move, got one with them");

@@ -6,21 +6,54 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 
 #include "properties/mesh_energy.h"
-#include "properties/rest_regions.h"
 #include "rendering/half_edges.h"
 #include "rendering/mesh_rendering.h"
 
 namespace forceshade::properties {
 namespace {
 
-constexpr double kSlack = 1e-9;  // of a sine: a direction that is outside by less counts as inside
+using mesh::end_of, mesh::previous_in_triangle, mesh::start_of;
+
+constexpr std::size_t kMostRays = 64;  // of a vertex whose directions are tried by pairs
+constexpr double kSlack = 1e-9;        // of a sine: a direction that is outside by less counts as inside
 
 // The chord of an angle below 90° with this sine.
 double chord_of(double sine) {
   return sine < 1 ? 2 * std::sin(std::asin(sine) / 2) : std::numbers::sqrt2;
+}
+
+// The sine by which the second triangle rises in front of the plane of the first, seen from their common edge. n: the unit
+// normal of the first. one, other: the half-edges of both along this edge (rendering/half_edges.h).
+double rise_beside(const mesh::TriangleMesh& mesh, const Eigen::Vector3d& n, std::uint32_t one, std::uint32_t other) {
+  const Eigen::Vector3d begin = vector_of(mesh.vertices[start_of(mesh, one)]);
+  return n.dot((vector_of(mesh.vertices[start_of(mesh, previous_in_triangle(other))]) - begin).normalized());
+}
+
+// Unit vectors along the half-edges.
+std::vector<Eigen::Vector3d> edges_from(const mesh::TriangleMesh& mesh, const std::vector<std::uint32_t>& half_edges) {
+  std::vector<Eigen::Vector3d> edges;
+  for (const std::uint32_t h : half_edges)
+    edges.push_back((vector_of(mesh.vertices[end_of(mesh, h)]) - vector_of(mesh.vertices[start_of(mesh, h)])).normalized());
+  return edges;
+}
+
+// Unit vectors along the extreme rays of all D with D·e >= 0 for each of these unit vectors: each is at a right angle to two of
+// them. Nothing where these are more than 64.
+std::optional<std::vector<Eigen::Vector3d>> extreme_rays(const std::vector<Eigen::Vector3d>& edges) {
+  if (edges.size() > kMostRays) return std::nullopt;
+  std::vector<Eigen::Vector3d> rays;
+  for (const Eigen::Vector3d& e : edges)
+    for (const Eigen::Vector3d& f : edges) {
+      const Eigen::Vector3d ray = e.cross(f);
+      if (ray.norm() <= kSlack) continue;
+      const Eigen::Vector3d D = ray.normalized();
+      if (std::ranges::none_of(edges, [&](const Eigen::Vector3d& edge) { return D.dot(edge) < -kSlack; })) rays.push_back(D);
+    }
+  return rays;
 }
 
 class Turns {

@@ -15,7 +15,6 @@
 #include "properties/mesh_path.h"
 #include "properties/mesh_properties.h"
 #include "properties/spread.h"
-#include "properties/tick_changes.h"
 #include "properties/worst_tick.h"
 #include "rendering/mesh_rendering.h"
 
@@ -170,7 +169,6 @@ std::vector<std::string> MeshSubject::parts() const {
                     (mesh_->checked.is_regular() ? "" : ", where no other plane's is,") +
                     std::string(" the shading gives at most ") + text.data() + " mJ more for each mm of path and N of force");
   }
-  if (why_no_energy_bound(*mesh_).empty()) words.push_back(words_of(tick_changes(*mesh_, HandStep(), {}), HandStep()));
   words.push_back(words_of(worst_tick(*mesh_)));
   for (const std::string& part : forceshade::words_of(mesh_->texture.map)) words.push_back("texture, " + part);
   return words;

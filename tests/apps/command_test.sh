@@ -60,16 +60,14 @@ expect 0 "bump-2p: active" -- energy --law bump-2p --depth 2 --json energy.json
 grep -q '"witness":\[\[12.69' energy.json || { echo "FAILED: $(cat energy.json)"; exit 1; }
 "$forceshade" mesh make icosphere --cells 1 --out energy.off > made.txt
 expect 0 "energy.off: the shading gives at most" -- energy --mesh energy.off --unit mm --depth 0.5 --length 50mm --json most.json
-printed=$(cat most.json); also '"gives_energy":true' '"between_ticks":{"step_mm":0.1'
+printed=$(cat most.json); also '"gives_energy":true'
 expect 0 "without shading no closed path gives energy" -- energy --mesh energy.off --unit mm --depth 0.5 --shading none
 expect 0 "no witness: no stroke no longer than 0.1 mm" -- energy --mesh energy.off --unit mm --depth 0.5 --length 0.1 --json none.json
 printed=$(cat none.json); also '"witness":[]'
 expect 2 "energy.off: expected the contact rule direct, got sub-goal" -- \
   energy --mesh energy.off --unit mm --depth 1 --contact sub-goal --shading vertex
 expect 2 "--depth is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 0
-expect 0 "the hand 0.5 mm further (500 mm/s at 1000 ticks a second): at most" -- \
-  energy --mesh energy.off --unit mm --depth 1 --step 0.5mm --shading none
-expect 2 "--step is 0 mm; expected 0.0009765625 to 100 mm" -- energy --mesh energy.off --unit mm --depth 1 --step 0
+expect 2 "\"energy --step\" is 'forceshade force FILE' now, along a path" -- energy --mesh energy.off --unit mm --depth 1 --step 0.5mm
 expect 0 "drawn/energy-energy.png" -- "$forceshade" plot energy --mesh energy.off --unit mm --out drawn --overwrite
 expect 2 "plot: expected energy or a file of positions for a mesh, got" -- "$forceshade" plot force --mesh energy.off --unit mm --out drawn --overwrite
 
