@@ -7,8 +7,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "device/phantom/hdapi_library.h"
-#include "device/phantom/shared_objects.h"
 #include "device/simulated/model.h"
 
 namespace forceshade::device {
@@ -117,26 +115,6 @@ std::string_view name_of(Grade grade) noexcept {
   return "cannot be checked";
 }
 
-std::vector<Check> check_library(const std::vector<std::string>& names, const std::string& advice) {
-  const char *library = "driver library", *dependencies = "its dependencies";
-  for (const std::string& name : names) {
-    const auto file = file_of_library(name);
-    if (!file) continue;
-    const Check found{library, Grade::ok, file->string()};
-    const auto missing = missing_dependencies(*file);
-    if (!missing) return {found, {dependencies, Grade::unknown, "the program ldd cannot be run on it"}};
-    if (missing->empty()) return {found, {dependencies, Grade::ok, "all are there"}};
-    std::vector<std::string> words;
-    for (const std::string& one : *missing) {
-      const std::string package = package_of(one);
-      words.push_back(package.empty() ? one : one + " (" + package + ")");
-    }
-    return {found, {dependencies, Grade::wrong, "missing, with what has it: " + joined(words)}};
-  }
-  return {{library, Grade::wrong, "none found of " + joined(names) + ": " + advice},
-          {dependencies, Grade::unknown, "there is no library"}};
-}
-
 Check check_name(const DriverFolder& folder, const std::string& name) {
   const char* what = "device names";
   if (!folder.problem.empty()) return {what, Grade::unknown, folder.problem};
@@ -174,11 +152,7 @@ Check check_nodes(const std::vector<DeviceNode>& nodes) {
 }
 
 std::vector<Check> phantom_checks(const std::string& name) {
-  std::vector<Check> checks = check_library(
-      hdapi::names_to_try(), "install the vendor's OpenHaptics and device driver, or name the file in FORCESHADE_HD_LIBRARY");
-  checks.push_back(check_name(driver_folder(), name));
-  checks.push_back(check_nodes(device_nodes()));
-  return checks;
+  return {check_name(driver_folder(), name), check_nodes(device_nodes())};
 }
 
 Check check_identity(const Capabilities& capabilities) {

@@ -23,16 +23,12 @@ struct Check {
   std::string words;
 };
 
-// A vendor's library: which file the loader would take for the first of these names, and what that file lacks. Two checks.
-// advice: what to do where no such file exists, "install the vendor's OpenHaptics".
-std::vector<Check> check_library(const std::vector<std::string>& names, const std::string& advice);
-
 // `name`: the device's, empty for the default one.
 Check check_name(const DriverFolder& folder, const std::string& name);
 
 Check check_nodes(const std::vector<DeviceNode>& nodes);
 
-// The four of these: of a PHANToM of this name before it is opened.
+// Both: of a PHANToM of this name before it is opened, which says why where its library cannot be loaded.
 std::vector<Check> phantom_checks(const std::string& name);
 
 // Model, serial number, driver and firmware.

@@ -54,7 +54,6 @@ const std::map<std::string, std::string> kExceptions{
     {"apps/terminal_attendant.cpp", "waits for a key of the terminal"},
     {"device/haply/haply_socket.cpp", "waits for a network"},
     {"device/lasting_words.cpp", "a lock that is held for a moment, and across no step"},
-    {"device/phantom/shared_objects.cpp", "runs the loader's own programs, before any run"},
     {"files/child_process.cpp", "the process of a third-party program"},
     {"files/keeper.cpp", "the process between this one and a third-party program"},
     {"files/keeper.h", "the same"},

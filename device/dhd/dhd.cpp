@@ -137,12 +137,9 @@ Check check_usb(const std::vector<dhd::UsbDevice>& devices) {
 }
 
 std::vector<Check> dhd_checks(const std::string&) {
-  std::vector<Check> checks = check_library(dhd::names_to_try(), dhd::kToInstall);
-  const bool is_there = checks.front().grade == Grade::ok;
-  checks.push_back(check_usb(dhd::usb_devices()));
+  std::vector<Check> checks{check_usb(dhd::usb_devices())};
   try {
-    checks.push_back(is_there ? dhd::check_devices(dhd::load(dhd::names_to_try()))
-                              : Check{"devices", Grade::unknown, "there is no library"});
+    checks.push_back(dhd::check_devices(dhd::load(dhd::names_to_try())));
   } catch (const std::runtime_error& error) {
     std::string words = error.what();
     std::ranges::replace(words, '\n', ' ');

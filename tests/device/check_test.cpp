@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "device/phantom/shared_objects.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::device {
@@ -74,43 +73,6 @@ TEST(check, of_a_name_says_which_there_are) {
   expect(check_name(two, "Right arm"), Grade::wrong, {"/f holds Default Device, Left arm", "not \"Right arm\""});
   expect(check_name({"/f", "", {}}, ""), Grade::wrong, {"/f holds none", "set-up program"});
   expect(check_name({"/f", "/f: No such file or directory", {}}, "x"), Grade::unknown, {"/f: No such"});
-}
-
-TEST(check, of_a_library_names_everything_that_it_lacks_at_once) {
-  const std::vector<Check> checks = check_library({"libforceshade_is_nowhere.so.1", LACKING_LIBRARY}, "install it");
-  ASSERT_EQ(checks.size(), 2U);
-  expect(checks[0], Grade::ok, {LACKING_LIBRARY});
-  expect(checks[1], Grade::wrong, {"libforceshade_lacking_first.so.5", "libforceshade_lacking_second.so.5"});
-}
-
-TEST(check, of_a_library_finds_the_file_that_the_loader_would_take) {
-  const fs::path lacking = LACKING_LIBRARY;
-  // A library of this kind of processor, and no other kind of file.
-  const TemporaryDirectory here;
-  here.write(lacking.filename().string(), "not a library");
-  const Environment path("LD_LIBRARY_PATH", here.path() + ":" + lacking.parent_path().string());
-  EXPECT_EQ(file_of_library(lacking.filename()), lacking);
-  EXPECT_TRUE(file_of_library("libc.so.6").has_value());
-  EXPECT_FALSE(file_of_library("libforceshade_is_nowhere.so.1").has_value());
-  const std::vector<Check> checks = check_library({"libforceshade_is_nowhere.so.1", "/nowhere/libHD.so"}, "name it in HERE");
-  ASSERT_EQ(checks.size(), 2U);
-  expect(checks[0], Grade::wrong, {"libforceshade_is_nowhere.so.1, /nowhere/libHD.so: name it in HERE"});
-  expect(checks[1], Grade::unknown, {});
-}
-
-TEST(check, of_a_whole_library_finds_nothing_missing) {
-  const std::vector<Check> checks = check_library({"libc.so.6"}, "install it");
-  ASSERT_EQ(checks.size(), 2U);
-  expect(checks[1], Grade::ok, {"all are there"});
-  EXPECT_EQ(missing_dependencies("/nowhere"), std::nullopt);
-}
-
-TEST(check, names_the_package_where_it_is_known) {
-  EXPECT_EQ(package_of("libtinfo.so.5"), "libtinfo5");
-  EXPECT_EQ(package_of("libncurses.so.5"), "libncurses5");
-  EXPECT_EQ(package_of("libPhantomIOLib42.so"), "the vendor's device driver (Touch driver)");
-  EXPECT_EQ(package_of("libHDU.so.3.4"), "the vendor's OpenHaptics");
-  EXPECT_EQ(package_of("libforceshade_lacking_first.so.5"), "");
 }
 
 // A made-up machine: a Touch on USB, a keyboard, something on FireWire, and other nodes.
