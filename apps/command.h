@@ -37,6 +37,6 @@ using Add = void(CLI::App& parent, int& result);
 Add add_laws, add_force, add_energy, add_plot, add_properties, add_certify, add_conform, add_drive, add_recording, add_device,
     add_mesh;
 Add add_certify_plan, add_certify_work, add_certify_merge, add_device_check, add_device_try, add_mesh_make;
-Add add_conform_positions, add_conform_judge, add_conform_recording, add_conform_simulator, add_conform_compare;
+Add add_conform_positions, add_conform_judge, add_conform_recording, add_conform_simulator;
 
 }  // namespace forceshade::apps

@@ -30,6 +30,7 @@ constexpr std::array kFormer{
     FormerWords{"compare", "forceshade conform judge FILE"},
     FormerWords{"vectors", "forceshade conform positions --out FILE.json"},
     FormerWords{"conform vectors", "forceshade conform positions --out FILE.json"},
+    FormerWords{"conform compare", "diff BEFORE.json AFTER.json", ", of what 'forceshade conform --json' wrote"},
     FormerWords{"conform --recording", "forceshade conform recording FILE"},
     FormerWords{"conform --simulator", "forceshade conform simulator --command COMMAND"},
     FormerWords{"conform --max-answer-time", "forceshade conform --timing SECONDS"},
@@ -105,8 +106,6 @@ constexpr std::array kExamples{
             "the run of another system, without a subject"},
     Example{"conform simulator", "forceshade conform simulator --command 'python3 ball.py'",
             "a physics engine that is driven by forces"},
-    Example{"conform compare", "forceshade conform compare before.json after.json",
-            "the changes from one version of a renderer to the next"},
     Example{"drive",
             "forceshade drive --law bump-2p --certificate cert/certificate.json \\\n"
             "      --device simulated --seconds 5",

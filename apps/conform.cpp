@@ -120,7 +120,6 @@ void add_conform(CLI::App& app, int& result) {
   add_conform_judge(*command, result);
   add_conform_recording(*command, result);
   add_conform_simulator(*command, result);
-  add_conform_compare(*command, result);
   command->callback([its, subject, outputs, command, &result] {
     if (!command->get_subcommands().empty()) return;
     if (its->renderer.command.empty()) throw CLI::RequiredError("--command");

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "report/conformance/error_size.h"
 #include "report/gnuplot.h"
 #include "report/html.h"
 #include "report/panels.h"
@@ -16,6 +16,26 @@
 
 namespace forceshade::conformance {
 namespace {
+
+// The colours by which pictures tell errors apart.
+struct ErrorSize {
+  std::uint64_t least;  // ulp, up to that of the next one
+  const char* colour;   // each darker than the one before, so that no sight of colours is needed
+  const char* words;
+};
+
+constexpr std::array<ErrorSize, 6> kErrorSizes{{{0, "#c6c1b4", "0"},
+                                                {1, "#f0a830", "1"},
+                                                {2, "#d55e00", "2 to 255"},
+                                                {256, "#a31621", "256 to 65\u202F535"},
+                                                {65536, "#541388", "65\u202F536 and more"},
+                                                {kNoNumber, "#000000", "no finite force"}}};
+
+const ErrorSize& size_of(std::uint64_t ulps) {
+  std::size_t i = kErrorSizes.size() - 1;
+  while (ulps < kErrorSizes[i].least) --i;
+  return kErrorSizes[i];
+}
 
 using properties::figure;
 using properties::grouped;

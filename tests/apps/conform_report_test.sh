@@ -44,21 +44,5 @@ for key in run:
     assert not jsonschema.Draft7Validator(json.load(open(sys.argv[1]))).is_valid(run | {key: []} if key != "invariants" else run | {key: {}}), key' "$schema" timed.json || exit 1
 fi
 
-# Side by side.
-compare() { "$forceshade" conform compare "$@"; }
-expect 0 "not worse: 0 got worse, 0 got better" -- compare right.json right.json
-expect 1 "worse: answers that are not correctly rounded: 0 became " -- compare right.json off.json
-expect 1 '"direction": "worse"' -- compare right.json off.json --json
-expect 0 "better: the largest error in ulp: " -- compare off.json right.json
-expect 0 "changed: the time of an answer: none became half within " -- compare right.json timed.json
-expect 1 "worse: the run: judged became ended early: " -- compare right.json ended.json
-expect 2 "refused.json: expected a run as that of right.json, whose name is wall, got bump-2p" -- compare right.json refused.json
-expect 2 "nowhere.json: cannot be read: No such file" -- compare right.json nowhere.json
-expect 2 "page.html: expected what 'forceshade conform --json' writes: expected JSON, got" -- compare page.html right.json
-head -c 2000 right.json > half.json
-expect 2 "half.json: expected what 'forceshade conform --json' writes: line " -- compare half.json right.json
-expect 2 "larger than 16777216 bytes" -- compare right.json /dev/zero
-expect 2 "after" -- compare right.json
-expect 2 "--law: expected after 'conform compare' or not at all, got before it" -- "$forceshade" conform --law wall compare right.json right.json
 expect 2 "--command" -- "$forceshade" conform --law wall
 same "" "$(ls | grep partial || true)"

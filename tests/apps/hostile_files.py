@@ -1,19 +1,14 @@
-"""Files that are not what they are given for: forces beside positions, recordings of other systems, conformance runs."""
+"""Files that are not what they are given for: forces beside positions, and recordings of other systems."""
 
-import functools
-import json
 import os
 import random
 import struct
-import subprocess
 import sys
 
 from hostile_programs import Case, add
-from hostile_renderers import WALL
 
 COMPARE = ["conform", "judge", "--law", "wall", "--stiffness", "1.5"]
 RECORDING = ["conform", "recording", "--law", "wall", "--stiffness", "1.5"]
-RUNS = ["conform", "compare"]
 GIGABYTE = 10**9
 
 
@@ -42,35 +37,34 @@ def long_line(path):
             out.write(b"x" * 10**7)
 
 
-NO_FILES = {  # words of the verdicts on CSV and JSON
-    "an empty file": (b"", "header row", "it is empty"),
-    "spaces": (b"  \n\n", "expected", "expected JSON"),
-    "a folder": (os.mkdir, "directory", "directory"),
-    "a name that leads nowhere": (lambda path: os.symlink("nowhere", path), "No such file", "No such file"),
-    "a name that leads to itself": (lambda path: os.symlink(os.path.basename(path), path), "symbolic links", "symbolic links"),
-    "no end of zeros": (lambda path: os.symlink("/dev/zero", path), "got", "larger than|expected"),
-    "nothing at all": (lambda path: os.symlink("/dev/null", path), "header row", "it is empty"),
-    "a GB of zeros": (sparse, "got", "larger than"),
-    "memory of the process": (lambda path: os.symlink("/proc/self/mem", path), "expected|cannot|error", "expected|cannot|error"),
-    "a pipe to which nobody writes": (os.mkfifo, "it is a named pipe", "it is a named pipe"),
-    "random bytes": (random.Random(1).randbytes(5000), "expected", "expected JSON"),
-    "a program": (lambda path: os.symlink(os.path.realpath(sys.executable), path), "expected", "larger than|expected JSON"),
-    "a picture": (b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 4, "expected", "expected JSON"),
-    "compressed": (b"\x1f\x8b\x08\0" + random.Random(2).randbytes(500), "gzip|expected", "expected JSON"),
-    "UTF-16": ("t_s,x_mm\n{}".encode("utf-16"), "UTF-16|expected", "expected JSON"),
-    "HTML": (b"<!doctype html>\n<html></html>\n", "expected", "expected JSON"),
-    "a million quotes": (b'"' * 1_000_000, "expected", "expected JSON"),
-    "a million brackets": (b"[" * 1_000_000, "expected", "expected"),
+NO_FILES = {  # words of the verdicts on CSV
+    "an empty file": (b"", "header row"),
+    "spaces": (b"  \n\n", "expected"),
+    "a folder": (os.mkdir, "directory"),
+    "a name that leads nowhere": (lambda path: os.symlink("nowhere", path), "No such file"),
+    "a name that leads to itself": (lambda path: os.symlink(os.path.basename(path), path), "symbolic links"),
+    "no end of zeros": (lambda path: os.symlink("/dev/zero", path), "got"),
+    "nothing at all": (lambda path: os.symlink("/dev/null", path), "header row"),
+    "a GB of zeros": (sparse, "got"),
+    "memory of the process": (lambda path: os.symlink("/proc/self/mem", path), "expected|cannot|error"),
+    "a pipe to which nobody writes": (os.mkfifo, "it is a named pipe"),
+    "random bytes": (random.Random(1).randbytes(5000), "expected"),
+    "a program": (lambda path: os.symlink(os.path.realpath(sys.executable), path), "expected"),
+    "a picture": (b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 4, "expected"),
+    "compressed": (b"\x1f\x8b\x08\0" + random.Random(2).randbytes(500), "gzip|expected"),
+    "UTF-16": ("t_s,x_mm\n{}".encode("utf-16"), "UTF-16|expected"),
+    "HTML": (b"<!doctype html>\n<html></html>\n", "expected"),
+    "a million quotes": (b'"' * 1_000_000, "expected"),
+    "a million brackets": (b"[" * 1_000_000, "expected"),
 }  # fmt: skip
 NAMED = ("directory", "No such file", "symbolic links", "it is a named pipe")  # what is said of them whatever they hold
-for name, (made, csv, other) in NO_FILES.items():
+for name, (made, csv) in NO_FILES.items():
     file_case("forces", name, csv, "given.csv", made, COMPARE)
     is_read = csv not in NAMED  # by what reads forces, too
     file_case("recording", name, csv, "given.csv", made, RECORDING, slow=is_read)
-    file_case("run", name, other, "given.json", made, RUNS + ["given.json"])
     file_case("forces", f"{name}, of NumPy", csv if csv in NAMED else "NPY header", "given.npy", made, COMPARE, slow=is_read)
-for kind, file, arguments, words in (("forces", "given.csv", COMPARE, "bytes in a row"), ("recording", "given.csv", RECORDING, "bytes in a row"), ("run", "given.json", RUNS + ["given.json"], "larger than")):
-    file_case(kind, "a line of 1 GB", words, file, long_line, arguments, slow=True)
+for kind, arguments in (("forces", COMPARE), ("recording", RECORDING)):
+    file_case(kind, "a line of 1 GB", "bytes in a row", "given.csv", long_line, arguments, slow=True)
 
 # CSV. Rows that are right: the wall's stiffness is 1.5 N/mm.
 HEADS = {"forces": b"x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,reset,aim", "recording": b"t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N"}
@@ -168,49 +162,3 @@ for name, fields, words in (
     ("reset of float", FIELDS + [("reset", "<f4")], "expected |u1"), ("a huge field", FIELDS + [("aim", "|S999999999")], "expected"),
 ):  # fmt: skip
     npy_case(name, words, described(fields, "(1,)"), struct.pack("<8f", *NUMBERS, 0, 0))
-
-
-# Conformance runs: another one, in which something is wrong, beside one that is right.
-@functools.cache
-def right_run():
-    return subprocess.run([os.environ["FORCESHADE"]] + WALL + ["--command", "true", "--json"], stdout=subprocess.PIPE).stdout
-
-
-def run_case(name, words, change, code=2):
-    def made(path):
-        for file, content in (("before.json", right_run()), (os.path.basename(path), change(right_run()))):
-            with open(os.path.join(os.path.dirname(path), file), "wb") as out:
-                out.write(content)
-
-    file_case("run", name, words, "given.json", made, RUNS + ["before.json"], code)
-
-
-def without(key):
-    return lambda right: json.dumps({one: value for one, value in json.loads(right).items() if one != key}).encode()
-
-
-def with_value(key, value):
-    return lambda right: json.dumps(json.loads(right) | {key: value}).encode()
-
-
-run_case("that is right", "not worse: 0 got worse, 0 got better", lambda right: right, code=0)
-run_case("that is right, with CRLF", "not worse", lambda right: right.replace(b"\n", b"\r\n"), code=0)
-run_case("that is right, with a BOM", "not worse|expected", lambda right: b"\xef\xbb\xbf" + right, code=0)
-run_case("that ended early and says that it held", "held is true; expected false", with_value("held", True))
-run_case("that is cut", "expected", lambda right: right[: len(right) // 2])
-run_case("twice", "expected", lambda right: right * 2)
-run_case("in a list", "expected", lambda right: b"[" + right + b"]")
-run_case("with NaN", "expected", lambda right: right.replace(b"{", b'{"nan": NaN,', 1))
-run_case("with a key twice", "twice", lambda right: right.replace(b'"held": false', b'"held": false, "held": true', 1))
-run_case("nested a thousand times", "expected|levels|deep", lambda right: right.replace(b"{", b'{"more": ' + b"[" * 1000 + b"]" * 1000 + b",", 1))
-run_case("nested a million times", "expected|levels|deep", lambda right: right.replace(b"{", b'{"more": ' + b"[" * 1_000_000 + b"]" * 1_000_000 + b",", 1))
-run_case("with a text that is not UTF-8", "expected", lambda right: right.replace(b"wall", b"w\xffll"))
-for key in ("schema", "held", "applicable", "invariants", "exact", "renderer", "seed"):
-    run_case("without " + key, key, without(key))
-    for value in (None, 7, [], {}, [7]):
-        if (key, value) not in (("invariants", []), ("seed", 7)):
-            run_case(f"with {key} {value}", key, with_value(key, value))
-for value in ("forceshade conformance 2", "forceshade judgement 1", "forceshade conformance of a hand 1", ""):
-    run_case(f"of schema {value!r}", "schema", with_value("schema", value))
-for invariants in ([{}], [{"name": 7}], [[]], {"name": "a"}):
-    run_case(f"with invariants {json.dumps(invariants)}", "expected", with_value("invariants", invariants))
