@@ -25,6 +25,8 @@ constexpr std::array kCommands{
 constexpr std::array kFormer{
     FormerWords{"geometry", "forceshade laws --radius LENGTH --width LENGTH"},
     FormerWords{"polygons", "forceshade laws --theta-critical ANGLE"},
+    FormerWords{"laws --height-map", "forceshade laws --radius LENGTH --width LENGTH --theta-critical ANGLE",
+                ", of the bump that comes nearest to the profile"},
     FormerWords{"figures", "forceshade plot thesis"},
     FormerWords{"positions", "forceshade conform positions"},
     FormerWords{"compare", "forceshade conform judge FILE"},

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // forceshade laws: ids, parameters and domains of the laws; the geometry of a bump in any number of correctly rounded digits;
-// how many polygons a bump needs by the theta-critical hypothesis, with figure 5-5 of the thesis as a table; or how many the
-// section y = 0 of a height map needs, and those polygons as a height map.
+// how many polygons a bump needs by the theta-critical hypothesis, with figure 5-5 of the thesis as a table.
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,12 +13,9 @@
 #include "apps/output_options.h"
 #include "apps/subject_option.h"
 #include "files/quantity.h"
-#include "forceshade/heights.h"
 #include "forceshade/reference.h"
-#include "reference/profile.h"
 #include "reference/theta_critical.h"
 #include "report/thesis_figures.h"
-#include "subjects/height_map.h"
 
 namespace forceshade::apps {
 namespace {
@@ -42,8 +37,7 @@ void print_figure_5_5() {
 
 struct LawsOptions {
   unsigned digits = 30;
-  std::string json, height_map, out;
-  Section section;
+  std::string json;
   reference::RationalAngle theta_critical = 0;
   double theta_critical_degrees = 0;  // nearest
 };
@@ -91,57 +85,12 @@ void print_polygons(const LawsOptions& options, const Parameters& bump) {
   print_figure_5_5();
 }
 
-// Every piece between knots that were rounded to binary32 still turns by less than theta-critical, surely.
-bool turns_little(const HeightMap& map, const std::vector<height::Knot>& knots,
-                  const reference::RationalAngle& theta_critical) {
-  for (std::size_t i = 1; i < knots.size(); ++i)
-    if (reference::Profile(map.parts, knots[i - 1].x, knots[i].x).polygons_needed(theta_critical).polygons > 1) return false;
-  return true;
-}
-
-void print_polygons_of_map(const LawsOptions& options) {
-  if (!options.json.empty() && options.json == options.out)
-    throw Error("--json and --out: expected two files, got \"" + options.json + "\" for both");
-  const Section& its = options.section;
-  if (its.along != 'x' || its.at != 0) throw Error("--section: expected a range on x at y = 0, got another line");
-  const HeightMap map{heights::read_spec(options.height_map).map.parts};
-  subjects::expect_valid(options.height_map, {map, height::Mode::force_shaded});
-  try {
-    const reference::Profile profile(map.parts, its.from, its.to);
-    const auto [polygons, is_fewest] = profile.polygons_needed(options.theta_critical);
-    const double turning = profile.most_turning();
-    write_json(options.json,
-               {{"height_map", options.height_map},
-                {"theta_critical_deg", options.theta_critical_degrees},
-                {"turning_deg", turning},
-                {"polygons", polygons},
-                {"surely_fewest", is_fewest},
-                {"turning_each_deg", turning / polygons}},
-               -1);
-    if (options.json != "-")
-      std::printf(polygons == 1 ? "%u polygon%s: the normal turns by %.6g degrees\n"
-                                : "%u polygons%s: the normal turns by %.6g degrees, over each of them by %.6g\n",
-                  polygons, is_fewest ? "" : " (or one fewer, which misses by less than 1e-18 degrees or nothing)", turning,
-                  turning / polygons);
-    if (options.out.empty()) return;
-    auto knots = profile.knots(polygons);
-    if (!turns_little(map, knots, options.theta_critical)) knots = profile.knots(polygons + 1);
-    const auto shaded =
-        reference::HeightMapField::build({map.parts, {{height::Polygons{knots}}}}, height::Mode::force_shaded, 1);
-    if (const auto* error = std::get_if<ParameterError>(&shaded)) throw Error(options.out + ": " + error->message());
-    write_file(options.out,
-               heights::shading_polygons(options.height_map, knots, std::filesystem::absolute(options.out).parent_path()));
-  } catch (const std::invalid_argument& error) {
-    throw Error(options.height_map + ": " + error.what());
-  }
-}
-
 }  // namespace
 
 void add_laws(CLI::App& app, int&) {
   const auto options = std::make_shared<LawsOptions>();
-  CLI::App* command = app.add_subcommand(
-      "laws", "List the force laws; or print the geometry of a bump, or count the polygons that a bump or profile needs");
+  CLI::App* command =
+      app.add_subcommand("laws", "List the force laws; or print the geometry of a bump, or count the polygons that it needs");
   const auto bump = std::make_shared<BumpOptions>(*command);
   CLI::Option* digits = add_whole(*command, "--digits", options->digits, "significant decimal digits of the geometry", kDigits);
   CLI::Option* critical =
@@ -151,16 +100,8 @@ void add_laws(CLI::App& app, int&) {
                   options->theta_critical_degrees = degrees;
                 });
   critical->excludes(digits);
-  CLI::Option* map = command->add_option("--height-map", options->height_map, "instead of a bump: the section y = 0 of a map");
-  map->type_name("SPEC")->needs(critical);
-  bump->allow_instead(map);
-  add_section(*command, options->section, "of the map: x from where to where, at y = 0")->needs(map);
-  add_output(*command, "--out", options->out,
-             "the map that shades its polygons, a TOML file for --height-map of other commands", {".toml"})
-      ->needs(map);
   CLI::Option* json = add_json(*command, options->json, "the geometry or the polygons");
-  command->callback([options, bump, digits, critical, map, json] {
-    if (!map->empty()) return print_polygons_of_map(*options);
+  command->callback([options, bump, digits, critical, json] {
     if (!critical->empty()) return print_polygons(*options, bump->bump());
     if (bump->is_given() || !digits->empty() || !json->empty()) return print_geometry(*options, bump->bump());
     print_laws();

@@ -140,10 +140,6 @@ BumpOptions::BumpOptions(CLI::App& command)
   for (CLI::Option* option : {radius_option_, width_option_}) option->group(kSubjectGroup);
 }
 
-void BumpOptions::allow_instead(CLI::Option* other) {
-  for (CLI::Option* option : {radius_option_, width_option_}) option->excludes(other);
-}
-
 Parameters BumpOptions::bump() const {
   subjects::Options options{{"law", std::string(name_of(LawId::bump_cylinder))}, {"stiffness", "1"}};
   if (!radius_option_->empty()) options.add({"radius", radius_});

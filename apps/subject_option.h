@@ -56,9 +56,6 @@ class BumpOptions {
 
   bool is_given() const { return !radius_option_->empty() || !width_option_->empty(); }
 
-  // From then on they are refused beside this option.
-  void allow_instead(CLI::Option* other);
-
   // With a stiffness of 1 N/mm, which the geometry does not need. Throws Error.
   Parameters bump() const;
 

@@ -1,15 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reference/theta_critical.h"
 
+#include <boost/multiprecision/gmp.hpp>
 #include <mutex>
 #include <optional>
 
-#include "reference/enclosed_angle.h"
 #include "reference/laws/slow_geometry.h"
 #include "reference/numbers/decimal.h"
+#include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
 namespace {
+
+using Fraction = boost::multiprecision::mpq_rational;
+
+Enclosure in_degrees(const Enclosure& radians) {
+  // acos(-1) is π, enclosed at the precision in force.
+  return radians * 180 / acos(Enclosure(-1));
+}
+
+Fraction number_of(const RationalAngle& angle) {
+  Fraction number(angle.number);
+  mpq_canonicalize(number.backend().data());
+  return number;
+}
+
+Enclosure enclosed_degrees(const RationalAngle& angle) {
+  Enclosure number;
+  mpfi_set_q(number.backend().data(), number_of(angle).backend().data());
+  return angle.is_radians ? in_degrees(number) : number;
+}
 
 Enclosure enclosing_degrees(const Parameters& bump) {
   return in_degrees(enclosing_theta(bump) * 3);

@@ -106,7 +106,6 @@ std::vector<Sort> sorts() {
       {"tests/properties/height_properties_test.cpp", maps},
       {"tests/reference/height_energy_test.cpp", maps},
       {"tests/reference/height_reference_test.cpp", maps},
-      {"tests/reference/profile_test.cpp", maps},
       {"tests/report/side_view_test.cpp", maps},
   };
   const std::string some = "it tests what the schemes that it names have; mesh_subject_test.cpp runs every scheme";

@@ -73,8 +73,4 @@ struct Lines {
 // Throws Error.
 Lines lines_of_parts(const std::filesystem::path& file);
 
-// The same file as a text that stands in `directory`: its map shading polygons with these knots, whatever it was before.
-std::string shading_polygons(const std::filesystem::path& file, const std::vector<height::Knot>& knots,
-                             const std::filesystem::path& directory);
-
 }  // namespace forceshade::heights

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -93,15 +92,6 @@ files::TomlFile parsed(const fs::path& file) {
   return files::TomlFile(file, kLargestFile, files::LineForm::words);
 }
 
-// The numbers of a copy of what a document has, rounded, so that they are what they are read as.
-void round_decimals(toml::node& copy, const toml::node& original, const files::TomlDocument& document) {
-  if (const toml::table* table = original.as_table())
-    for (const auto& [key, value] : *table) round_decimals(*copy.as_table()->get(key.str()), value, document);
-  if (const toml::array* list = original.as_array())
-    for (std::size_t i = 0; i < list->size(); ++i) round_decimals((*copy.as_array())[i], (*list)[i], document);
-  if (auto* number = copy.as_floating_point()) number->get() = static_cast<double>(*document.binary32(original));
-}
-
 Spec spec_of(const fs::path& file, Values values) {
   const files::TomlFile parsed_file = parsed(file);
   Table keys(parsed_file);
@@ -161,25 +151,6 @@ Lines lines_of_parts(const fs::path& file) {
     return all;
   };
   return {lines("part"), lines("surface")};
-}
-
-std::string shading_polygons(const fs::path& file, const std::vector<height::Knot>& knots, const fs::path& directory) {
-  const files::TomlFile parsed_file = parsed(file);
-  toml::table root = parsed_file.document().root();
-  round_decimals(root, parsed_file.document().root(), parsed_file.document());
-  for (toml::node& part : *root["part"].as_array())
-    if (auto grid = part.as_table()->at_path("file"); grid.is_string()) {
-      const fs::path from = fs::absolute(file).parent_path() / *grid.value<std::string>();
-      grid.as_string()->get() = fs::relative(from, fs::absolute(directory)).string();
-    }
-  toml::array pairs;
-  for (const height::Knot& knot : knots)
-    pairs.push_back(toml::array{static_cast<double>(knot.x), static_cast<double>(knot.height)});
-  root.insert_or_assign("render", "height-map-shaded");
-  root.insert_or_assign("surface", toml::array{toml::table{{"shape", "polygons"}, {"knots_mm", std::move(pairs)}}});
-  std::ostringstream text;
-  text << toml::toml_formatter{root} << '\n';
-  return text.str();
 }
 
 }  // namespace forceshade::heights

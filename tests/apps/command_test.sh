@@ -72,21 +72,11 @@ expect 0 "drawn/energy-energy.png" -- "$forceshade" plot energy --mesh energy.of
 expect 2 "plot: expected energy or a file of positions for a mesh, got" -- "$forceshade" plot force --mesh energy.off --unit mm --out drawn --overwrite
 
 # laws that count polygons
-printf 'render = "height-map"\n[[part]]\nshape = "sphere-cap"\nradius_mm = 20\nwidth_mm = 12\n' > cap.toml
 expect 0 "3 polygons: the bump subtends 112.885 degrees, each of them 37.6285" -- \
   "$forceshade" laws --radius 600mil --width 1in --theta-critical 40
 expect 0 '"polygons":4' -- "$forceshade" laws --radius 12.7 --width 25.4 --theta-critical 60 --json -
-expect 2 "--height-map: expected --theta-critical beside it" -- "$forceshade" laws --height-map cap.toml
 same "$("$forceshade" laws --theta-critical 40)" "$("$forceshade" laws --radius 600mil --width 1in --theta-critical 40deg)"
 same "$("$forceshade" laws --theta-critical 90)" "$("$forceshade" laws --theta-critical 1.57079632679489662rad)"
-expect 2 "--radius: expected without --height-map, got both" -- "$forceshade" laws --radius 5 --height-map x.toml --theta-critical 40
-expect 2 "rim of a cap" -- "$forceshade" laws --height-map "$examples/groove.toml" --section x=-6..6 --theta-critical 40
-expect 0 "6 polygons: the normal turns by" -- "$forceshade" laws --height-map "$examples/gaussian.toml" --section x=-15..15 \
-  --theta-critical 15 --out polygons.toml
-expect 0 ",contact" -- sh -c "printf 'x_mm,y_mm,z_mm\n3,0,-1\n' | '$forceshade' force --height-map 'polygons.toml' --stiffness 1"
-expect 2 "number of knots is 1036" -- "$forceshade" laws --height-map cap.toml --section x=-5..5 --theta-critical 0.028 --out no.toml
-expect 0 "polygon" -- "$forceshade" laws --height-map "$examples/leather.toml" --section x=-2..2 --theta-critical 90 --out leather.toml
-expect 0 ",contact" -- sh -c "printf 'x_mm,y_mm,z_mm\n1,0,-1\n' | '$forceshade' force --height-map 'leather.toml' --stiffness 1"
 
 # height maps
 felt() { printf 'x_mm,y_mm,z_mm\n0,0,2\n1,0,-0.5\n' | "$forceshade" force --stiffness 1 --height-map "$@"; }

@@ -95,16 +95,12 @@ TEST(height_spec, rounds_numbers_once) {
       expected.push_back(knot);
     }
     const std::filesystem::path map = directory.write("map.toml", text + "]\n");
-    // A map that is written with other knots beside it is read as the same numbers.
-    directory.write("shading.toml", shading_polygons(map, {{-1, 0}, {1, 0}}, directory.file("")));
-    for (const std::filesystem::path& read : {map, std::filesystem::path(directory.file("shading.toml"))}) {
-      const Spec spec = read_spec(read);
-      const auto& knots = std::get<height::Polygons>(spec.map.parts[0].shape).knots;
-      ASSERT_EQ(knots.size(), expected.size());
-      for (std::size_t i = 0; i < knots.size(); ++i) {
-        ASSERT_EQ(knots[i].x, expected[i][0]) << i;
-        ASSERT_EQ(knots[i].height, expected[i][1]) << i;
-      }
+    const Spec spec = read_spec(map);
+    const auto& knots = std::get<height::Polygons>(spec.map.parts[0].shape).knots;
+    ASSERT_EQ(knots.size(), expected.size());
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+      ASSERT_EQ(knots[i].x, expected[i][0]) << i;
+      ASSERT_EQ(knots[i].height, expected[i][1]) << i;
     }
   }
   std::printf("  %d of 4000 would be wrong by way of binary64\n", twice);
@@ -146,41 +142,6 @@ width_mm = 8
   ASSERT_EQ(knots.size(), 3U);
   EXPECT_EQ(knots[1].height, 1.5F);
   EXPECT_EQ(knots[2].x, 4);
-}
-
-TEST(height_spec, writes_a_map_that_shades_polygons_and_can_be_read_elsewhere) {
-  const TemporaryDirectory here, there;
-  std::filesystem::create_directory(here.file("pictures"));
-  std::filesystem::copy(FORCESHADE_SOURCE_DIR "/examples/leather.png", here.file("pictures/leather.png"));
-  const std::string file = here.write("map.toml", R"(
-render = "height-map-conservative"
-[[part]]
-shape = "gaussian"
-height_mm = 0.1
-sigma_mm = 0.7
-negated = true
-[[part]]
-shape = "grid"
-file = "pictures/leather.png"
-pitch_mm = 0.15
-scale_mm = 0.4
-)");
-  const std::vector<height::Knot> knots{{-0.1F, 0x1.8p-29F}, {1.0F / 3, 1e4F}, {9999.999F, -2.0F / 3}};
-  const Spec before = read_spec(file);
-  const Spec after = read_spec(there.write("shading.toml", shading_polygons(file, knots, there.file(""))));
-  EXPECT_EQ(after.mode, height::Mode::force_shaded);
-  ASSERT_EQ(after.map.parts.size(), 2U);
-  EXPECT_TRUE(after.map.parts[0].negated);
-  EXPECT_EQ(std::get<height::Gaussian>(after.map.parts[0].shape).sigma, 0.7F);
-  EXPECT_EQ(std::get<std::shared_ptr<const height::Grid>>(after.map.parts[1].shape)->values,
-            std::get<std::shared_ptr<const height::Grid>>(before.map.parts[1].shape)->values);
-  ASSERT_EQ(after.map.surface.size(), 1U);
-  const auto& read = std::get<height::Polygons>(after.map.surface[0].shape).knots;
-  ASSERT_EQ(read.size(), knots.size());
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    EXPECT_EQ(read[i].x, knots[i].x);
-    EXPECT_EQ(read[i].height, knots[i].height);
-  }
 }
 
 TEST(height_spec, says_what_is_wrong_and_where) {
