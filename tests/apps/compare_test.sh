@@ -20,12 +20,9 @@ expect 0 "held: 10000 of 10000" -- judge given.npy
 
 # One number off.
 printf '%s\n' x_mm,y_mm,z_mm,fx_N,fy_N,fz_N 3,0,-0.5,0x1.595c48p+0,0,0x1.41c266p+1 > off.csv
-expect 1 "FAILED: 0 of 1 (0 %) within the tolerance, correctly rounded" -- judge off.csv --tolerance "0 ulp"
 expect 1 "off.csv:2: at x = 0x1.8p+1 (3)" -- judge off.csv
 expect 0 "held: 1 of 1 (100 %) within the tolerance, 1 ulp" -- judge off.csv --tolerance "1 ulp"
 expect 0 "held: 1 of 1 (100 %) within the tolerance, 4e-07 N" -- judge off.csv --tolerance 4e-7N
-expect 1 "FAILED" -- judge off.csv --tolerance 1e-7N
-expect 0 "held" -- judge off.csv --tolerance "0.001 %"
 expect 1 '"beyond_tolerance": 1' -- judge off.csv --json
 expect 1 "<failure" -- judge off.csv --junit -
 

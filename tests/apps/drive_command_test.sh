@@ -9,13 +9,6 @@ recording() { "$forceshade" recording "$@"; }
 expect 0 "certified: 1250000 points" -- "$forceshade" certify --law bump-1p-shaded --out here
 [ -s here/certificate.json ] && [ -s here/certificate.html ] || { echo "FAILED: certify wrote nothing"; exit 1; }
 expect 2 "expected a directory" -- "$forceshade" certify --law wall --points 1 --out in.csv/no
-# Its options: what is no whole number, what does not fit, what goes with something else.
-certify() { "$forceshade" certify --law wall "$@"; }
-expect 2 '--points: expected a whole number from 1 to 1000000000000, got "1e6"' -- certify --points 1e6 --out no
-expect 2 '--points: expected a whole number from 1' -- certify --points 0 --out no
-expect 2 '--cases: expected a whole number from 1 to 1000000000, got "-1"' -- certify --cases -1 --out no
-expect 2 '--seed: expected a whole number from 0 to 18446744073709551615, got "18446744073709551616"' -- \
-  certify --seed 18446744073709551616 --out no
 plan() { "$forceshade" certify plan --exhaustive "$@"; }
 for option in --points --cases --seed; do expect 2 "$option: expected without --exhaustive, got both" -- plan $option 3 --out no; done
 expect 2 "--points: expected after 'certify merge'" -- "$forceshade" certify --points 3 merge in.csv --out no
@@ -65,20 +58,7 @@ expect 1 "refused to drive: own.json: the certificate is of a program's own rend
 expect 0 "bump-1p-shaded (a program's own renderer) held" -- \
   "$forceshade" certify merge own.json here/certificate.json --out both
 expect 0 "certified: " -- "$forceshade" certify merge own.json here/certificate.json --out both --overwrite
-sed -e 's/"schema": 8/"schema": 7/' -e '/"renderer": "library"/d' here/certificate.json > earlier.json
-expect 1 "the certificate does not say whose renderer was compared for bump-1p-shaded; driving needs one of the library's" -- \
-  drive --law bump-1p-shaded --certificate earlier.json
-sed 's/"mismatches": 0/"mismatches": 1/' here/certificate.json > failed.json
-expect 2 "subjects[0].counterexamples is an array; expected the first of 1 mismatches" -- \
-  drive --law bump-1p-shaded --certificate failed.json
-sed -e '0,/"held": true/s//"held": false/' -e '0,/"held": true/s//"held": false/' -e 's/"standing": "sufficient"/"standing": "failed"/' \
-  -e '0,/"mismatches": 0/s//"mismatches": 1/' \
-  -e '0,/"counterexamples": \[\]/s//"counterexamples": ["at 0"]/' here/certificate.json > failed.json
-expect 1 "the certificate says that bump-1p-shaded failed" -- drive --law bump-1p-shaded --certificate failed.json
-: > nothing.json
-expect 2 "nothing.json: cannot be read: it is empty" -- drive --law wall --certificate nothing.json
 expect 2 "expected a forceshade certificate" -- drive --law wall --certificate in.csv
-expect 2 "cannot be read" -- drive --law wall --certificate missing.json
 expect 2 "replay" -- "$forceshade" drive --law wall --certificate none --device teapot:x
 expect 0 "(time up)" -- "$forceshade" drive --law wall --certificate none --device simulated --seconds 0.1 --pace none
 expect 0 "(end of data)" -- "$forceshade" drive --law wall --certificate none --device simulated:omni:hand.csv --pace none
@@ -101,8 +81,6 @@ expect 3 "the supervisor stopped the run: energy" -- \
   --seconds 6 --pace none --passivity observer
 expect 0 "passivity         tank: account" -- \
   "$forceshade" drive --law wall --certificate none --device simulated --seconds 0.1 --pace none --passivity tank
-expect 2 "--passivity" -- drive --law wall --certificate none --passivity teapot
-expect 2 "dead-man button: expected none, because the device has no buttons" -- drive --law wall --certificate none --dead-man 1
 expect 2 "dead-man button" -- drive --law wall --certificate none --dead-man 1 --out never.fsr
 same "" "$(ls | grep never)"
 expect 0 "not supervised" -- drive --law wall --certificate none
@@ -112,12 +90,11 @@ expect 0 "not supervised" -- drive --law wall --certificate none
 expect 3 "the supervisor stopped the run: velocity" -- "$forceshade" drive --law wall --certificate none --pace none \
   --device simulated:premium-1.5:torn.csv --out torn.fsr --json torn.json
 expect 0 "end_reason           tripped" -- recording check torn.fsr
-expect 0 "device_model         premium-1.5" -- recording check torn.fsr
+also "device_model         premium-1.5"
 same "" "$(recording check torn.fsr | grep device_serial)"
 expect 3 "before the end    201 ticks kept" -- \
   "$forceshade" drive --law wall --certificate none --pace none --device simulated:premium-1.5:torn.csv
-expect 3 "mm/s; force 0.000 N, one tick before " -- \
-  "$forceshade" drive --law wall --certificate none --pace none --device simulated:premium-1.5:torn.csv
+also "mm/s; force 0.000 N, one tick before "
 grep -q '"rule": "velocity"' torn.json || { echo "FAILED: torn.json has no trip"; exit 1; }
 # A place that is no number has no force where a hand is replayed, and ends the run of a simulated one.
 printf 't_s,x_mm,y_mm,z_mm\n0,0,0,3\n0.01,0,0,3\n0.02,nan,0,3\n0.03,0,0,3\n' > lost.csv
@@ -133,8 +110,6 @@ expect 3 "/nowhere/libHD.so: cannot open shared object file" -- phantom FORCESHA
 expect 3 "it lacks hdInitDevice" -- phantom FORCESHADE_HD_LIBRARY=libm.so.6
 expect 3 "the vendor's licence is missing" -- phantom LD_LIBRARY_PATH="$(dirname "$stand_in_hd")" STAND_IN_HD_INIT=0x600
 expect 3 "the vendor's licence is missing" -- phantom FORCESHADE_HD_LIBRARY="$stand_in_hd" STAND_IN_HD_INIT=0x600
-expect 2 "phantom[:NAME]" -- "$forceshade" drive --law wall --certificate none --device phantom:
-expect 2 "--rate" -- drive --law wall --certificate none --rate 5
 
 # A file that exists is replaced only with --overwrite, whatever option names it, and is refused before any work.
 echo old > kept
@@ -173,7 +148,7 @@ expect 0 "(end of data)" -- drive --law bump-1p-shaded --certificate here/certif
 expect 2 '--out: expected a new file, or --overwrite beside it; "run.fsr" is there already' -- \
   drive --law wall --certificate none --out run.fsr
 expect 0 "certificate_digest   $(sha256sum here/certificate.json | cut -d' ' -f1)" -- recording check run.fsr
-expect 0 "device               replay:hand.csv" -- recording check run.fsr
+also "device               replay:hand.csv"
 expect 0 '"radius_mm": "15.24"' -- recording check run.fsr --json -
 expect 0 "whole: 4 samples" -- recording check run.fsr
 expect 0 "" -- recording export run.fsr --out run.csv
@@ -198,17 +173,12 @@ expect 0 '"\u009bkey": "\u202egpj"' -- recording check "$corpus/recording/escape
 same "" "$(recording check "$corpus/recording/escape.fsr" | tr -d '[:print:]\n')"
 expect 1 "the metadata (law, parameters, certificate, device and so on) are not what was written" -- \
   recording check "$corpus/recording/changed_stiffness.fsr"
-expect 1 "are not what was written" -- recording check "$corpus/recording/changed_stiffness.fsr"
 expect 2 "are not what was written" -- recording export "$corpus/recording/changed_stiffness.fsr" --out never.csv
 same "" "$(ls | grep never)"
 expect 1 "0 missing, 2 repeated" -- recording check "$corpus/recording/twice.fsr"
 expect 0 "format 2 has no checksum of the metadata" -- recording check "$corpus/recording/format2.fsr"
 expect 0 "every checksum, and the metadata" -- recording check "$corpus/recording/whole.fsr"
-expect 2 "got the view metadata" -- recording check "$corpus/recording/endless_view.fsr"
-expect 2 "got the view chunk" -- recording check "$corpus/recording/endless_chunks.fsr"
-expect 2 "missing.fsr: cannot open: No such file" -- recording check missing.fsr
 expect 2 "recording: expected a command: check, export; got none" -- recording
-expect 2 'got "chekc"; the nearest is check' -- recording chekc run.fsr
 small_disk() { (trap '' XFSZ; ulimit -f 200; "$@"); }
 expect 2 "full.fsr: disk I/O error; recorded" -- \
   small_disk "$forceshade" drive --law wall --certificate none --device simulated --pace none --seconds 20 --out full.fsr

@@ -19,7 +19,7 @@ expect 0 "box              -1270, -1270, -1270 to 1270, 1270, 1270 mm" -- mesh c
 expect 2 "a coordinate within 10000 mm, got -50 m; a small mesh" -- mesh check cube.off --unit m
 expect 0 "" -- mesh make height-map --height-map "$examples/gaussian.toml" --size 20 --cells 8 --out map.off
 expect 0 "box              -10, -10, " -- mesh check map.off --unit mm
-expect 0 " to 10, 10, 3 mm" -- mesh check map.off --unit mm
+also " to 10, 10, 3 mm"
 expect 2 "--height-map: expected a height map" -- mesh make height-map --out map2.off
 expect 2 "is there already" -- mesh make cube --out cube.off
 expect 0 "" -- mesh make cube --size 1in --out cube.off --overwrite
@@ -46,17 +46,11 @@ expect 2 "expected one of mm, cm, m, in; got \"ft\"" -- mesh check cube.off --un
 # Files that are no mesh: 1, with the faces; in JSON, too.
 printf 'OFF\n4 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 0\n3 0 1 2\n3 1 0 3\n' > folded.off
 expect 1 "faces 0 and 1 are folded onto each other at their edge, of vertices 0 and 1" -- mesh check folded.off --unit mm
-expect 1 "FAILED: " -- mesh check folded.off --unit mm
-expect 1 "faces 0 and 1 are folded onto each other" -- mesh check folded.off --unit mm
 printf 'OFF\n6 2 0\n0 0 0\n4 0 0\n2 3 0\n2 1 -1\n2 1 1\n6 1 0\n3 0 1 2\n3 3 4 5\n' > crossing.off
 expect 1 "faces 0 and 1 meet, but have no vertex in common" -- mesh check crossing.off --unit mm
-# An L of two triangles whose common edge has vertices of its own on either side.
-printf 'OFF\n6 2 0\n0 0 0\n10 0 0\n0 10 0\n0 0 0\n10 0 0\n0 0 10\n3 0 1 2\n3 3 5 4\n' > seam.off
-expect 1 "meet, but have no vertex in common" -- mesh check seam.off --unit mm
-expect 0 "unit normals  held" -- "$forceshade" properties --mesh seam.off --unit mm --cases 50 --seed 3
 expect 1 '"held": false' -- mesh check folded.off --unit mm --json
 expect 0 '"held": true' -- mesh check cube.off --unit mm --json
-expect 0 '"rim_edges": 0' -- mesh check cube.off --unit mm --json
+also '"rim_edges": 0'
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n' > flat.off
 expect 1 "face 0 has no area" -- mesh check flat.off --unit mm
 printf 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n' > square.off
@@ -69,7 +63,7 @@ fan() { awk -v n="$1" 'BEGIN { print "OFF\n" n + 1 " " n " 0\n0 0 0"
 fan 1001
 expect 0 "vertex 0 has 1001 faces: each move of a tick from there looks at all of them, which can take longer than 0.1 ms" -- \
   mesh check fan.off --unit mm
-expect 0 "held: a mesh of 1001 faces" -- mesh check fan.off --unit mm
+also "held: a mesh of 1001 faces"
 expect 0 '"vertex 0 has 1001 faces' -- mesh check fan.off --unit mm --json
 fan 1000
 same "" "$(mesh check fan.off --unit mm | grep 'each move of a tick')"
@@ -98,13 +92,10 @@ expect 2 "expected a name that ends in .obj, .off, .ply or .stl" -- mesh check "
 printf 'OFF\n8 6 0\n0 0 0\n4 0 0\n2 3 0\n2 -3 0\n4 0 0\n9 9 9\n1 0 0\n0 1e-20 0\n3 0 1 2\n3 7 4 3\n3 0 1 1\n3 0 6 4\n3 2 1 0\n3 7 3 1\n' > broken.off
 expect 1 "face 2 has vertex 1 twice" -- mesh check broken.off --unit mm
 expect 0 "joined 2 vertices to another with the same coordinates" -- mesh repair broken.off --unit mm --out repaired.off
-expect 0 "held: a mesh of 2 faces" -- mesh check repaired.off --unit mm
+also "dropped 1 faces with a vertex twice: 2" "dropped 1 faces without area: 3" "turned 1 faces over: 1"
+also "dropped 2 faces with the vertices of a face before them: 4, 5"
 expect 0 "nothing to repair" -- mesh repair repaired.off --unit mm --out again.off
 same "$(cat repaired.off)" "$(cat again.off)"
-expect 0 "dropped 1 faces with a vertex twice: 2" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
-expect 0 "dropped 1 faces without area: 3" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
-expect 0 "dropped 2 faces with the vertices of a face before them: 4, 5" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
-expect 0 "turned 1 faces over: 1" -- mesh repair broken.off --unit mm --out repaired.off --overwrite
 expect 0 '"held": true' -- mesh repair broken.off --unit mm --out repaired.off --overwrite --json
 expect 2 "is there already" -- mesh repair broken.off --unit mm --out repaired.off
 # A repaired mesh is an OFF file: it does not replace a file of another format.
@@ -126,7 +117,6 @@ expect 2 '--shading: expected vertex or none for a mesh that is not regular, got
   "$forceshade" force valley.csv --mesh crossing.off --unit mm --shading edge
 expect 2 '--contact: expected direct or friction for a mesh that is not regular' -- \
   "$forceshade" force valley.csv --mesh crossing.off --unit mm --contact sub-goal
-expect 0 "unit normals  held" -- "$forceshade" properties --mesh crossing.off --unit mm --cases 20
 expect 2 "face 0 has no area" -- "$forceshade" force valley.csv --mesh flat.off --unit mm
 # Objects of a scene that touch: the hand goes over their seam and feels nothing of it, and the wedge between two is no way in.
 mesh make cube --size 20mm --out twenty.off
