@@ -8,7 +8,7 @@ import pickle
 
 import numpy as np
 import pytest
-from conftest import ROOT, TETRAHEDRON, positions, rows_of, same_bits
+from conftest import ROOT, TETRAHEDRON, same_bits
 from test_misuse import read_only, refused
 
 import forceshade
@@ -129,19 +129,6 @@ def test_a_scene_is_damped_by_the_speed_of_the_hand():
     assert bare.damping is None and bare.damping_state is None and not same_bits(found, forces)
 
 
-def test_golden_rows():
-    its = {row["path"]: row for row in rows_of("damping/parameters.csv")}
-    assert len(its) > 3
-    for path, row in its.items():
-        rate, share, along, most, across, full = (float(row[key]) for key in list(row)[1:7])
-        damping = Damping(rate=rate, share=share, damping=along, most=most, drag=across, full_at=full)
-        rows = rows_of(f"damping/{path}.csv")
-        three = lambda *keys: np.array([[row[key] for key in keys] for row in rows], F)
-        at, springs, expected = three("x_mm", "y_mm", "z_mm"), three("fx_N", "fy_N", "fz_N"), three("Fx_N", "Fy_N", "Fz_N")
-        found = damping.steps(at, springs, periods=[int(row["periods"]) for row in rows])
-        assert np.array_equal(found, expected, equal_nan=True)
-
-
 def test_the_table_of_a_file_counts_at_a_rate(tmp_path, wall):
     table = '[damping]\ndamping = 0.002\nmost = 3\ndrag = "1Ns/m"\ntime = "2ms"\n'
     (tmp_path / "oil.toml").write_text('law = "wall"\n' + table)
@@ -193,14 +180,6 @@ def test_drawn_ticks_are_those_of_the_program_in_rationals(monkeypatch):
             assert np.array_equal(found, expected), seed
         changed += int((expected != springs).any(axis=1).sum())
     assert changed > 1000
-
-
-def test_off_is_the_spring():
-    at, off = positions(500), Damping(rate=1000, drag=0)
-    springs = SUBJECTS["law"].forces(at)
-    assert same_bits(off.steps(at, springs), springs)
-    session = forceshade.Session(SUBJECTS["law"], damping=off)
-    assert same_bits(session.steps(at), springs) and session.damping_state == DampingState()
 
 
 def test_the_numbers_of_a_damping():

@@ -55,47 +55,6 @@ def test_the_geometry_has_every_digit():
             assert number(value) == number(row[key]), (row, key)
 
 
-def grids():
-    """The maps of the golden file that are one grid."""
-    maps = collections.defaultdict(list)
-    for row in rows_of("height_maps.csv"):
-        maps[row["map"]].append(row)
-    for name, parts in maps.items():
-        if len(parts) == 1 and parts[0]["negated"] == "0" and "bilinear" in parts[0]["shape"]:
-            yield name, parts[0]["shape"], parts[0]["numbers"].split()
-
-
-def test_bilinear_height_maps_give_every_bit_digit_and_status():
-    forces = collections.defaultdict(list)
-    for row in rows_of("height_forces.csv"):
-        forces[row["map"], row["rendering"], row["K_N_per_mm"]].append(row)
-    count = 0
-    for name, shape, numbers in grids():
-        columns, rows, pitch = int(binary32(numbers[0])), int(binary32(numbers[1])), binary32(numbers[2])
-        heights = np.array([binary32(text) for text in numbers[3:]], np.float32).reshape(rows, columns)
-        edge = "tile" if "tile" in shape else "clamp"
-        for (of, rendering, stiffness), its in forces.items():
-            if of != name:
-                continue
-            subject = forceshade.HeightMap(
-                heights, pitch=pitch, interpolant="bilinear", edge=edge, render=rendering, stiffness=binary32(stiffness)
-            )
-            at = np.array([[binary32(row[axis]) for axis in ("x_mm", "y_mm", "z_mm")] for row in its], np.float32)
-            golden = [[binary32(row[axis]) for axis in ("fx_binary32", "fy_binary32", "fz_binary32")] for row in its]
-            for answers in (subject.answers(at), subject.reference_forces(at)):
-                assert same_bits(answers["force"], golden), (name, rendering)
-                assert list(answers["status"]) == [STATUSES[row["status"]] for row in its]
-            for row, position in list(zip(its, at))[::5]:
-                exact = subject.reference(*position, digits=40)
-                for component, text in zip(exact[:3], (row["fx_N"], row["fy_N"], row["fz_N"])):
-                    if isinstance(component, Fraction):
-                        assert abs(component - Fraction(text)) <= abs(component) * Fraction(1, 10**39)
-                    else:
-                        assert number(component) == number(text)
-            count += len(its)
-    assert count > 50
-
-
 @pytest.mark.parametrize("name", ["tetrahedron", "cube", "hairpin"])
 def test_god_objects_give_every_bit_of_their_paths(name):
     rows, of = rows_of(f"god_object/{name}.csv"), {row["name"]: row for row in rows_of("god_object/meshes.csv")}[name]

@@ -127,19 +127,3 @@ def test_of_a_session_are_those_of_its_last_step():
     for said, step in zip((Status.FREE, Status.CONTACT, Status.UNFINISHED, Status.FREE), [*far, [0, 0, 1]]):
         scene.step(step, [forceshade.Pose()])
         assert scene.status is said
-
-
-def test_share_no_memory_with_what_else_is_written():
-    both = np.zeros((3, 3), np.float32)
-    with pytest.raises(ValueError, match="status overlaps the positions or out"):
-        BUMP.forces(np.zeros((3, 3), np.float32), out=both, status=both.view(np.uint8).ravel()[:3])
-
-
-def test_a_law_is_not_resumed_from_the_state_of_a_mesh_and_no_session_from_one_of_none():
-    session = Session(ROUGH)
-    session.step(1, 1, -1)
-    with pytest.raises(forceshade.Error, match="a law or a height map remembers nothing"):
-        Session(BUMP).resume(session.state)
-    for wrong in (State(side=2), State(side=-1)):
-        with pytest.raises(ValueError, match="state: expected one that a session gave"):
-            session.resume(wrong)
