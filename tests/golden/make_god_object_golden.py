@@ -8,7 +8,8 @@ Usage: make_god_object_golden.py [directory]       (the default is god_object/ b
            the same by the contact rule sub-goal on some of the meshes; the default is sub_goal_god_object/
        make_god_object_golden.py --check directory [mesh ...]
            computes every path in the directory again and compares every column
-The contact rule friction has a program of its own, make_friction_golden.py.
+Paths by the contact rule friction are made by make_friction_golden.py. The tick here is that of friction; a mesh without materials
+has coefficients of 0, where friction is the direct rule.
 
 All decisions are signs of integers or of rationals; there is no tree, no tolerance and no floating-point number in a decision.
 The methods are chosen to differ from the formulas of docs/god-object.md:
@@ -18,7 +19,9 @@ The methods are chosen to differ from the formulas of docs/god-object.md:
     the place of the crossing;
   - projections onto triangles: 2 x 2 normal equations;
   - grid points: all neighbours of the point are tried;
-  - forces: a component is rounded from its exact square, shaded and unshaded alike;
+  - friction: pull and pressure are both computed as squares of vectors, not by u² = t² + z²; a share is the floor of an integer's
+    root;
+  - forces: a component a + √b is rounded by comparing exact numbers;
   - sub-goals: the position, moved by what lies between the feet in the triangle of itself and of its foot on the shading plane.
 Angles and unit normals, which the corner normals are made of, are decimals of 110 digits; a corner normal that these leave in
 doubt would stop the program. Everything else is exact. The unit of length of the integers is 2^-77 mm: vertices and positions
@@ -105,6 +108,39 @@ def shortest(f):
     return '-' + shown if f < 0 else shown
 
 
+# ---------------------------------------------------------------- a + √b
+
+def sign_of_sum(a, root):
+    """The sign of a + σ√b, root = (σ, b)."""
+    signs = (a > 0) - (a < 0), root[0] if root[1] else 0
+    if signs[0] * signs[1] >= 0:
+        return signs[0] or signs[1]
+    return signs[0] * ((a * a > root[1]) - (a * a < root[1]))
+
+
+def rounded_sum(a, root):
+    """The binary32 nearest to a + σ√b, ties to even; zero is +0."""
+    sign = sign_of_sum(a, root)
+    if sign == 0:
+        return 0.0
+    a, root = sign * Fraction(a), (sign * root[0], Fraction(root[1]))
+
+    def reaches(c):
+        return sign_of_sum(a - c, root) >= 0
+    exponent = 129
+    while exponent > -126 and not reaches(Fraction(2)**exponent):
+        exponent -= 1
+    unit = Fraction(2)**(exponent - 23)
+    low, high = 0, 1 << 24  # low · unit ≤ a + σ√b < high · unit
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (middle, high) if reaches(middle * unit) else (low, middle)
+    above = sign_of_sum(a - (low + Fraction(1, 2)) * unit, root)
+    n = low + (above > 0 or above == 0 and low & 1)
+    assert n * unit < 1 << 128
+    return sign * math.ldexp(n, exponent - 23) if n else 0.0
+
+
 # ---------------------------------------------------------------- vectors
 
 def plus(a, b):
@@ -150,9 +186,23 @@ def in_units(position):
 Sector = namedtuple('Sector', 'triangle x y is_x_line is_y_line')  # s·x + t·y; s ≥ 0 unless x is a line, t likewise
 
 
+State = namedtuple('State', 'place side g slipping')
+NOWHERE = State(None, 'front', None, False)
+Way = namedtuple('Way', 'reach kind which end')  # what Mesh.steepest() gives: an edge is of kind 0, a triangle of kind 1
+
+
+def holds(pull, coefficient, pressure):
+    """t² ≤ μ²z² of t² and z², with ∞·0 = 0."""
+    if coefficient == math.inf:
+        return pressure > 0 or pull == 0
+    return pull <= coefficient * coefficient * pressure
+
+
 class Mesh:
-    def __init__(self, vertices, triangles, sides, corner_normals=None):
+    def __init__(self, vertices, triangles, sides, corner_normals=None, materials=None):
         self.vertices, self.triangles, self.sides = vertices, triangles, sides
+        self.materials = materials or [(Fraction(0), Fraction(0))] * len(triangles)  # (static, dynamic): Fraction or inf
+        assert len(self.materials) == len(triangles) and all(s >= d for s, d in self.materials)
         self.w = [in_units(v) for v in vertices]
         self.corner_normals = corner_normals
         self.edges, self.fans = {}, {}
@@ -329,29 +379,6 @@ class Mesh:
                 return place, side, False
         return None, 'front', True
 
-    def slide(self, place, p, way):
-        """(place in Fractions, whether it rests there)."""
-        kind, which, end = way
-        if kind == 0:
-            a, b = which
-            along = minus(self.w[b], self.w[a])
-            t = Fraction(dot(minus(p, self.w[a]), along), dot(along, along))
-            if 0 < t < 1:
-                return ('e', a, b, t), True
-            return ('v', end), self.w[end] == p
-        a, b, c = self.triangles[which]
-        held = dict(self.weights(as_fractions(place)))
-        start = [held.get(v, Fraction(0)) for v in (a, b, c)]
-        x, y, u = minus(self.w[b], self.w[a]), minus(self.w[c], self.w[a]), minus(p, self.grid_point(place))
-        s, t, d = in_basis(x, y, u)
-        change = [Fraction(-s - t, d), Fraction(s, d), Fraction(t, d)]
-        if all(w + dw > 0 for w, dw in zip(start, change)):
-            return ('t', which, start[1] + change[1], start[2] + change[2]), True
-        stop = min(w / -dw for w, dw in zip(start, change) if dw < 0)
-        _, beta, gamma = (w + stop * dw for w, dw in zip(start, change))
-        reached = self.reduced(('t', which, beta, gamma), 1)
-        return reached, self.point(reached) == p
-
     def on_grid(self, place, p):
         """Rule 3: of the grid points around a place, the one nearest to p."""
         if place[0] == 'v':
@@ -376,55 +403,143 @@ class Mesh:
     reached = Counter()
     most_moves = 256  # a tick
 
+    # ------------------------------------------------------------ friction
+
+    def triangles_at(self, place):
+        return self.fans[place[1]] if place[0] == 'v' else self.edges[place[1:3]] if place[0] == 'e' else [place[1]]
+
+    def is_rough(self, place):
+        return any(self.materials[i][0] > 0 for i in self.triangles_at(place))
+
+    def coefficients(self, way):
+        """(μs, μd) of the way's edge or triangle."""
+        own = self.edges[way.which] if way.kind == 0 else [way.which]
+        return tuple(max(self.materials[i][k] for i in own) for k in (0, 1))
+
+    def to_foot(self, u, way):
+        """q − g."""
+        if way.kind == 0:
+            a, b = way.which
+            along = minus(self.w[b], self.w[a])
+            return times(Fraction(dot(u, along), dot(along, along)), along)
+        n = self.normals[way.which]
+        return minus(u, times(Fraction(dot(u, n), dot(n, n)), n))
+
+    def pull_and_pressure(self, u, way):
+        """(t², z²)."""
+        tangential = self.to_foot(u, way)
+        normal = minus(u, tangential)
+        return dot(tangential, tangential), dot(normal, normal)
+
+    def goes_on_slipping(self, place, g, p):
+        """True if a rest at g keeps the bit, if it was set."""
+        u = minus(p, g)
+        if not any(u):
+            return False
+        way = Way(*self.steepest(place, u))
+        static, dynamic = self.coefficients(way)
+        pull, pressure = self.pull_and_pressure(u, way)
+        return way.reach > 0 and static > 0 and not holds(4 * pull, dynamic, pressure)
+
+    def share(self, u, way):
+        """λ of rule 2b."""
+        pull, pressure = self.pull_and_pressure(u, way)
+        dynamic = self.coefficients(way)[1]
+        if dynamic == math.inf or pressure == 0:
+            assert pressure == 0
+            return Fraction(1)
+        left = math.isqrt(math.floor(GRID**2 * dynamic**2 * pressure / pull))
+        assert left < GRID
+        return 1 - Fraction(left, GRID)
+
+    def slide_by(self, place, p, way, share):
+        """The end in Fractions of a slide by a share of the way to the foot, which ends earlier at a border."""
+        g = self.grid_point(place)
+        change = times(share, self.to_foot(minus(p, g), way))
+        if way.kind == 0:
+            a, b = way.which
+            along = minus(self.w[b], self.w[a])
+            t = dot(plus(minus(g, self.w[a]), change), along) / Fraction(dot(along, along))
+            return ('e', a, b, t) if 0 < t < 1 else ('v', way.end)
+        # The weight of a corner is an area over the whole, as seen along the normal.
+        corners = self.triangles[way.which]
+        n = self.normals[way.which]
+        inward = [cross(n, minus(self.w[corners[k - 1]], self.w[corners[k - 2]])) for k in range(3)]
+        whole = dot(n, n)
+        start = [Fraction(dot(inward[k], minus(g, self.w[corners[k - 2]])), whole) for k in range(3)]
+        growth = [dot(inward[k], change) / Fraction(whole) for k in range(3)]
+        part = min([Fraction(1)] + [w / -dw for w, dw in zip(start, growth) if dw < 0])
+        weights = [w + part * dw for w, dw in zip(start, growth)]
+        assert min(weights) >= 0
+        return self.reduced(('t', way.which, *weights[1:]), 1)
+
     def tick(self, state, p):
-        """state: (place or None, side, g). Returns (place or None, side, g), status, moves, the resting place in Fractions."""
-        place, side, g = state
+        """Returns (state, status, moves, the resting place in Fractions)."""
+        place, side, g, slipping = state
         moves = 0
 
-        def at_rest(kept, rest):
+        def at_rest(kept, rest, is_slipping):
             own_side = 'front' if self.is_at_rim(kept) else side
-            return (kept, own_side, self.grid_point(kept)), 'touching', moves, rest
+            return State(kept, own_side, self.grid_point(kept), is_slipping), 'touching', moves, rest
+
+        def stays():
+            return at_rest(place, as_fractions(place), slipping and self.goes_on_slipping(place, g, p))
+
         if g is None:
             u = (1, 1, 1)
-            on_p = [(h, x) for h, x in self.crossings(minus(p, u), u) if h == 1]
+            on_p = [x for h, x in self.crossings(minus(p, u), u) if h == 1]
             if not on_p:
-                return (None, 'front', p), 'free', 0, None
+                return State(None, 'front', p, False), 'free', 0, None
             side = 'front'
-            return at_rest(kept_on_grid(on_p[0][1]), on_p[0][1])
+            if not self.is_rough(on_p[0]):
+                return at_rest(kept_on_grid(on_p[0]), on_p[0], False)
+            place = self.on_grid(on_p[0], p)
+            self.reached['starts on a rough place'] += 1
+            g = self.grid_point(place)
         while True:
             u = minus(p, g)
             was_free = place is None
             if not any(u):
-                return ((None, 'front', g), 'free', moves, None) if was_free else at_rest(place, as_fractions(place))
+                return (State(None, 'front', g, False), 'free', moves, None) if was_free else stays()
             flies = was_free
             if not was_free:
-                reach, *way = self.steepest(place, u)
-                where = self.whereabouts(place, u)
-                flies = where in ('open', side)
-                if not flies and reach <= 0:
-                    return at_rest(place, as_fractions(place))
+                way = Way(*self.steepest(place, u))
+                flies = self.whereabouts(place, u) in ('open', side)
+                if not flies:
+                    if way.reach <= 0:
+                        return stays()
+                    pull, pressure = self.pull_and_pressure(u, way)
+                    if holds(pull, self.coefficients(way)[1 if slipping else 0], pressure):
+                        self.reached['sticks while slipping' if slipping else 'sticks'] += 1
+                        return stays()
             if moves == self.most_moves:
-                return (place, side, g), 'unfinished', moves, as_fractions(place)
+                return State(place, side, g, slipping), 'unfinished', moves, as_fractions(place)
             if flies:
-                x, new_side, is_at_p = self.flight(g, u)
+                x, new_side, is_end = self.flight(g, u)
                 if x is None:
-                    return (None, 'front', p), 'free', moves + 1, None
+                    return State(None, 'front', p, False), 'free', moves + 1, None
             else:
-                x, is_at_p = self.slide(place, p, way)
-                new_side = side
-            if is_at_p:
+                share, new_side = self.share(u, way), side
+                x = self.slide_by(place, p, way, share)
+                is_inside = x[0] == 'et'[way.kind]
+                is_end = is_inside and share == 1 or self.point(x) == p
+            if is_end and not self.is_rough(x):
+                self.reached['flies to a smooth rest' if flies else 'slides to a smooth rest'] += 1
                 moves, side = moves + 1, new_side
-                self.reached['rests after a flight' if flies else 'rests after a slide'] += 1
-                return at_rest(kept_on_grid(x), x)
+                return at_rest(kept_on_grid(x), x, False)
             landed = self.on_grid(x, p)
             there = self.grid_point(landed)
             left = minus(p, there)
             if not was_free and dot(left, left) >= dot(u, u):
-                self.reached['refused flights' if flies else 'refused slides'] += 1
-                return at_rest(place, as_fractions(place))
-            self.reached['landings' if flies else 'slides to a border'] += 1
+                self.reached['refused flight' if flies else 'refused slide'] += 1
+                return stays()
+            self.reached[('lands' if was_free else 'flies along') if flies else 'slides'] += 1
+            self.reached['ends at p on a rough place'] += flies and is_end
+            self.reached['slides less than to a border'] += not flies and share < 1 and is_inside
+            self.reached['slips over an edge'] += slipping and not flies and place[0] == 'e' and way.kind == 1
             place, g = landed, there
             side = 'front' if self.is_at_rim(place) else new_side
+            slipping = slipping or not flies
             moves += 1
 
     # ------------------------------------------------------------ contact rules
@@ -438,7 +553,7 @@ class Mesh:
 
     def sub_goal(self, state, p):
         """In units; p itself where there is none."""
-        place, side, g = state
+        place, side, g, _ = state
         if place is None or place[0] != 't':
             return p
         facing = 1 if side == 'front' else -1
@@ -492,16 +607,30 @@ class Mesh:
             return None
         return N
 
+    def drag(self, rest, p):
+        """D_t."""
+        r = self.point(rest)
+        u = minus(p, r)
+        if not self.is_rough(rest) or not any(u):
+            return 0, 0, 0
+        way = Way(*self.steepest(rest, u))
+        if way.reach <= 0 or self.coefficients(way)[0] == 0:
+            return 0, 0, 0
+        return times(-1, self.to_foot(u, way))
+
     def forces(self, rest, side, p):
         if rest is None:
             return [0.0] * 6
         D = minus(self.point(rest), p)
-        if not any(D):
-            return [0.0] * 6
-        N = self.shading_direction(rest, side, D) or D
+        tangential = self.drag(rest, p)
+        normal = minus(D, tangential)
+        N = self.shading_direction(rest, side, normal) if any(normal) else None
         force = [rounded(K * c / UNIT) for c in D]
-        size_squared = K * K * Fraction(dot(D, D)) / UNIT**2 / Fraction(dot(N, N))
-        return force + [rounded_root(size_squared * c * c, c < 0) for c in N]
+        if N is None:
+            return 2 * force
+        self.reached['shaded with a drag'] += any(tangential)
+        scale = K * K * dot(normal, normal) / UNIT**2 / Fraction(dot(N, N))
+        return force + [rounded_sum(K * t / UNIT, ((c > 0) - (c < 0), scale * c * c)) for t, c in zip(tangential, N)]
 
 
 def as_fractions(place):
@@ -525,19 +654,29 @@ COLUMNS = 'x_mm,y_mm,z_mm,status,feature,side,moves,fx_N,fy_N,fz_N,sx_N,sy_N,sz_
 
 
 def follow(mesh, positions, tick=Mesh.tick):
-    """The rows of a path."""
-    state = None, 'front', None
+    """The rows of a path, with the bit of slipping."""
+    state = NOWHERE
     for position in positions:
         moves, forces = 0, [0.0] * 6
         if all(abs(c) <= 1e4 for c in position):  # false for NaN too
             p = in_units(position)
+            before = state.slipping
             state, status, moves, rest = tick(mesh, state, p)
-            forces = mesh.forces(rest, state[1], p)
+            mesh.reached['the bit ' + {(0, 1): 'set by a tick', (1, 1): 'kept by a tick', (0, 0): 'left clear',
+                                       (1, 0): 'cleared ' + ('at a rest' if state.place else 'by a flight')}
+                         [before, state.slipping]] += 1
+            forces = mesh.forces(rest, state.side, p)
         else:
             status = 'invalid'
-        place, side, _ = state
-        where = ('-', '-') if place is None else (' '.join(map(str, place)), side)
-        yield [*map(shortest, position), status, *where, str(moves), *map(shortest, forces)]
+        where = ('-', '-') if state.place is None else (' '.join(map(str, state.place)), state.side)
+        yield [*map(shortest, position), status, *where, str(int(state.slipping)), str(moves), *map(shortest, forces)]
+
+
+def follow_smooth(*arguments):
+    """The same without the bit, which only an unfinished tick sets where nothing is rough."""
+    for row in follow(*arguments):
+        assert row[6] == '0' or row[3] in ('unfinished', 'invalid')
+        yield row[:6] + row[7:]
 
 
 # ---------------------------------------------------------------- corner normals
@@ -675,24 +814,28 @@ def read_path(directory, name, sides):
     return mesh, normals, rows
 
 
+def compare(name, rows, path):
+    """The number of rows that differ from the path that is computed; the first are printed."""
+    wrong = [f'line {number}: {",".join(row)}\n    computed {",".join(own)}'
+             for number, (row, own) in enumerate(zip(rows, path), 2) if row != own]
+    print(f'{name}: {len(rows)} rows, {len(wrong)} differences', *wrong[:3], sep='\n    ', flush=True)
+    return len(wrong)
+
+
+def positions_of(rows):
+    return [tuple(map(from_text, row[:3])) for row in rows]
+
+
 def check(directory, only):
-    """The number of differences; the first of each mesh are printed."""
+    """The number of differences."""
     different = 0
     for name, (sides, crease) in listed(directory).items():
         if only and name not in only:
             continue
         mesh, given, rows = read_path(directory, name, sides)
-        normals = [[shortest(c) for c in corner] for triangle in corner_normals(mesh, crease) for corner in triangle]
-        wrong = [f'{row}: computed {own}' for row, own in zip(given, normals) if row[2:] != own]
-        wrong += [] if len(given) == len(normals) else ['the number of corner normals']
-        path = follow(mesh, [tuple(map(from_text, row[:3])) for row in rows])
-        for number, (row, own) in enumerate(zip(rows, path), 2):
-            if row != own:
-                wrong.append(f'line {number}: {",".join(row)}\n    computed {",".join(own)}')
-        print(f'{name}: {len(normals)} normals, {len(rows)} ticks, {len(wrong)} differences', flush=True)
-        for text in wrong[:3]:
-            print('   ', text)
-        different += len(wrong)
+        normals = [[*row[:2], *map(shortest, c)] for row, c in zip(given, sum(corner_normals(mesh, crease), []), strict=True)]
+        different += compare(f'{name}, corner normals', given, normals)
+        different += compare(name, rows, follow_smooth(mesh, positions_of(rows)))
     print(dict(Mesh.reached))
     return different
 
@@ -828,6 +971,8 @@ def bounded(position):
 class Paths:
     """Pieces of paths over one mesh. Only sums, products, quotients and square roots, so the same on every machine."""
 
+    tries = 150  # of a refusal
+
     def __init__(self, scene, mesh):
         self.mesh, self.scene, self.draw = mesh, scene, Draw(f'forceshade god-object {scene.name}')
         self.last = (0.0, 0.0, 0.0)
@@ -932,16 +1077,16 @@ class Paths:
     def refusal(self):
         """Tries until a move near a narrow place is refused because of the grid; gives up where that is rare."""
         point, reach, *entry = self.draw.pick(self.scene.hot)
-        for _ in range(150):
+        for _ in range(self.tries):
             found = [*entry, point]
             found += [tuple(c + self.number(reach) for c in point) for _ in range(2)]
-            state, before = (None, 'front', None), Counter(self.mesh.reached)
+            state, before = NOWHERE, Counter(self.mesh.reached)
             for position in found:
                 state = self.mesh.tick(state, in_units(bounded(position)))[0]
             news = self.mesh.reached - before
             self.mesh.reached.clear()
             self.mesh.reached.update(before)
-            if news['refused flights'] + news['refused slides']:
+            if news['refused flight'] + news['refused slide']:
                 yield from found
                 return
 
@@ -977,9 +1122,9 @@ class Paths:
 # ---------------------------------------------------------------- the files
 
 MUST_OCCUR = ['free', 'touching', 'unfinished', 'invalid', 'v front', 'v back', 'e front', 'e back', 't front', 't back',
-              'rests after a flight', 'rests after a slide', 'refused flights', 'refused slides', 'landings',
-              'slides to a border', 'ties of grid points', 'grid points kept', 'shaded on a crease', 'unshaded on a crease',
-              'unshaded at a vertex', 'unshaded, N away from D']
+              'flies to a smooth rest', 'slides to a smooth rest', 'refused flight', 'refused slide', 'lands', 'flies along', 'slides',
+              'ties of grid points', 'grid points kept', 'shaded on a crease', 'unshaded on a crease', 'unshaded at a vertex',
+              'unshaded, N away from D']
 
 
 def write_path(directory, scene, normals, rows):
@@ -1005,47 +1150,31 @@ MUST_OCCUR_BY_SUB_GOAL = ['free', 'touching', 'invalid', 'v front', 'v back', 'e
                           'sub-goals', 'sub-goals off the surface']
 
 
-def main_of_sub_goals(directory):
+def main(directory, chosen, tick, must_occur):
     directory.mkdir(exist_ok=True)
     table = []
-    for scene in scenes():
-        if scene.name not in BY_SUB_GOAL:
-            continue
-        scene = scene._replace(crease=180, ticks=120)
-        mesh = Mesh(scene.vertices, scene.triangles, scene.sides)
-        normals = corner_normals(mesh, scene.crease)
-        mesh.corner_normals = [[tuple(map(Fraction, n)) for n in corners] for corners in normals]
-        rows = list(follow(mesh, Paths(scene, mesh).positions(), Mesh.tick_by_sub_goal))
-        write_path(directory, scene, normals, rows)
-        table.append([scene.name, scene.sides, scene.crease, len(scene.triangles), len(rows)])
-        Mesh.reached.update(places_of(rows))
-    write(directory / 'meshes.csv', [TABLE, *table])
-    print(*(f'{kind}: {Mesh.reached[kind]}' for kind in MUST_OCCUR_BY_SUB_GOAL), sep='\n')
-    assert all(Mesh.reached[kind] for kind in MUST_OCCUR_BY_SUB_GOAL)
-
-
-def main(directory):
-    directory.mkdir(exist_ok=True)
-    table = []
-    for scene in scenes():
+    for scene in chosen:
         mesh = Mesh(scene.vertices, scene.triangles, scene.sides)
         assert_is_mesh(mesh)
         normals = corner_normals(mesh, scene.crease)
         mesh.corner_normals = [[tuple(map(Fraction, n)) for n in corners] for corners in normals]
-        rows = list(follow(mesh, Paths(scene, mesh).positions()))
+        rows = list(follow_smooth(mesh, Paths(scene, mesh).positions(), tick))
         write_path(directory, scene, normals, rows)
         table.append([scene.name, scene.sides, scene.crease, len(scene.triangles), len(rows)])
         seen = places_of(rows)
         Mesh.reached.update(seen)
-        print(f'{scene.name:13}', *(f'{kind} {seen[kind]:3}' for kind in MUST_OCCUR[:10]))
+        print(f'{scene.name:13}', *(f'{kind} {seen[kind]:3}' for kind in must_occur[:10]), flush=True)
     write(directory / 'meshes.csv', [TABLE, *table])
-    print(*(f'{kind}: {Mesh.reached[kind]}' for kind in MUST_OCCUR), sep='\n')
-    assert all(Mesh.reached[kind] for kind in MUST_OCCUR)
+    print(*(f'{kind}: {Mesh.reached[kind]}' for kind in must_occur), sep='\n')
+    assert all(Mesh.reached[kind] for kind in must_occur)
 
 
 if __name__ == '__main__':
     if sys.argv[1:2] == ['--check']:
         sys.exit(1 if check(Path(sys.argv[2]), sys.argv[3:]) else 0)
+    here = Path(__file__).parent
     if sys.argv[1:2] == ['--sub-goal']:
-        sys.exit(main_of_sub_goals(Path(sys.argv[2]) if len(sys.argv) > 2 else Path(__file__).parent / 'sub_goal_god_object'))
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent / 'god_object')
+        some = (scene._replace(crease=180, ticks=120) for scene in scenes() if scene.name in BY_SUB_GOAL)
+        sys.exit(main(Path(sys.argv[2]) if len(sys.argv) > 2 else here / 'sub_goal_god_object', some, Mesh.tick_by_sub_goal,
+                      MUST_OCCUR_BY_SUB_GOAL))
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else here / 'god_object', scenes(), Mesh.tick, MUST_OCCUR)

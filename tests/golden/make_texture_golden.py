@@ -21,7 +21,7 @@ from pathlib import Path
 
 import make_god_object_golden as god_object
 from make_god_object_golden import (DIGITS, UNIT, Mesh, Paths, assert_is_mesh, corner_normals, creases, cross, dot,
-                                    exact_decimal, follow, groups, minus, places_of, plus, rounded, rounded_root,
+                                    exact_decimal, follow_smooth, groups, minus, places_of, plus, rounded, rounded_root,
                                     rounded_surely, scenes, shortest, times, write, write_path)
 from make_golden import binary32, hexfloat, read, single
 from make_height_golden import Map, coarse, f32, values
@@ -231,7 +231,7 @@ def main(directory):
                                 for k in range(3)] for i in range(len(points))]
         mesh.a_map = textured.a_map
         before = Counter(Mesh.reached)
-        rows = list(follow(mesh, TexturedPaths(textured, mesh).positions()))
+        rows = list(follow_smooth(mesh, TexturedPaths(textured, mesh).positions()))
         write_path(directory, scene, normals, rows)
         write(directory / f'{scene.name}.texture.csv',
               [['triangle', 'corner', 'u', 'v', 'x_mm', 'y_mm', 'xx', 'xy', 'xz', 'yx', 'yy', 'yz'],
