@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # headers_test.sh COMPILER SOURCE_DIR SYSTEM_INCLUDE_DIR...: every header that an installed program can include
-# compiles by itself. One that a source file of its name includes first is compiled so by every build (structure_test looks
+# compiles by itself. One that a source file of its name includes first is compiled so by every build (structure_test.py looks
 # that it is first, in these folders and the others). One that another header includes before anything else is compiled by itself
 # with that header. The rest is compiled here.
 set -euo pipefail
