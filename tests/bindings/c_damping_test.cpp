@@ -102,26 +102,6 @@ TEST_F(CDamping, of_a_path_is_that_of_cpp_in_every_bit_step_by_step_and_in_batch
   EXPECT_GT(of_all, 0U);
 }
 
-// The one that a thread has used last is kept, and is not taken for another.
-TEST_F(CDamping, of_two_paths_in_turns_has_the_numbers_of_each) {
-  std::array<forceshade_damping, 2> both{kOil, kOil};
-  both[1].damping = 0.002F;
-  std::array<forceshade_damping_state, 2> states{kBegin, kBegin};
-  std::array<std::vector<float>, 2> forces{springs, springs};
-  for (std::size_t i = 0; i < 1000; ++i)
-    for (std::size_t k = 0; k < 2; ++k)
-      ASSERT_EQ(forceshade_damping_step(&both[k], &states[k], periods[i], &at[3 * i], &forces[k][3 * i], nullptr),
-                FORCESHADE_OK);
-  for (std::size_t k = 0; k < 2; ++k) {
-    std::vector<float> alone = springs;
-    forceshade_damping_state state = kBegin;
-    const forceshade_batch all = tests::batch_of(std::span(at).first(3000), std::span(alone).first(3000), {});
-    ASSERT_EQ(forceshade_damping_steps(&both[k], &state, periods.data(), &all, nullptr), FORCESHADE_OK);
-    EXPECT_EQ(forces[k], alone) << k;
-  }
-  EXPECT_NE(forces[0], forces[1]);
-}
-
 // Backwards, component by component, without statuses and periods.
 TEST_F(CDamping, of_arrays_with_gaps_is_the_same) {
   std::vector<float> forces(springs.size()), expected(springs.size());

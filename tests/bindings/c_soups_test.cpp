@@ -22,7 +22,6 @@
 #include "tests/bindings/subjects.h"
 #include "tests/meshes/soup_paths.h"
 #include "tests/support/drawn.h"
-#include "tests/support/temporary_directory.h"
 
 namespace forceshade {
 namespace {
@@ -178,76 +177,9 @@ TEST(c_soups, give_the_bits_the_status_and_the_state_of_cpp_step_by_step_resumed
   EXPECT_GT(slipping, 50U);
 }
 
-TEST(c_soups, are_shared_by_threads_in_a_batch) {
-  const tests::SoupPath path = tests::read_soup_path(kSoups + "crossing_balls.txt");
-  const forceshade_subject subject = subject_of(path, {kShaded, false});
-  constexpr std::size_t kPaths = 3100;  // enough for three threads
-  std::vector<forceshade_state> states(kPaths, beginning()), others(kPaths, beginning());
-  std::vector<float> at(3 * kPaths), one(at.size()), three(at.size());
-  std::vector<forceshade_status> said_one(kPaths), said_three(kPaths);
-  std::size_t contacts = 0;
-  for (std::size_t tick = 0; tick < 3; ++tick) {
-    for (std::size_t i = 0; i < kPaths; ++i)
-      std::ranges::copy(tests::position_of(path.ticks[(i + tick) % path.ticks.size()]), &at[3 * i]);
-    forceshade_batch batch = tests::batch_of(at, one, said_one);
-    ASSERT_EQ(forceshade_advance(subject, states.data(), &batch, nullptr), FORCESHADE_OK) << forceshade_message();
-    batch = tests::batch_of(at, three, said_three);
-    batch.threads = 3;
-    ASSERT_EQ(forceshade_advance(subject, others.data(), &batch, nullptr), FORCESHADE_OK);
-    EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(float) * one.size()), 0);
-    EXPECT_EQ(said_one, said_three);
-    EXPECT_TRUE(std::ranges::equal(states, others, is_same));
-    contacts += static_cast<std::size_t>(std::ranges::count(said_one, FORCESHADE_CONTACT));
-  }
-  EXPECT_GT(contacts, kPaths / 4);
-  forceshade_subject_free(subject);
-}
-
 // Two boxes with a common face.
 mesh::TriangleMesh boxes() {
   return tests::read_soup_path(kSoups + "cubes_face.txt").mesh;
-}
-
-std::string obj_of(const mesh::TriangleMesh& its, std::size_t first, std::size_t end) {
-  std::string text;
-  for (const mesh::Vertex& v : its.vertices) text += "v " + tests::words(v) + '\n';
-  for (std::size_t i = first; i < end; ++i) {
-    text += 'f';
-    for (const std::uint32_t v : its.triangles[i]) text += ' ' + std::to_string(v + 1);
-    text += '\n';
-  }
-  return text;
-}
-
-TEST(c_soups, are_what_the_touching_objects_of_a_scene_file_make_together) {
-  const mesh::TriangleMesh both = boxes();
-  const std::size_t count = both.triangles.size();
-  const tests::TemporaryDirectory folder;
-  folder.write("first.obj", obj_of(both, 0, count / 2));
-  folder.write("second.obj", obj_of(both, count / 2, count));
-  folder.write("scene.toml",
-               "sides = \"both\"\n[[object]]\nname = \"a\"\nmesh = \"first.obj\"\nunit = \"mm\"\n"
-               "[[object]]\nname = \"b\"\nmesh = \"second.obj\"\nunit = \"mm\"\n");
-  const std::string file = folder.write("subject.toml", "scene = \"scene.toml\"\nstiffness = 0.3\n");
-  forceshade_subject scene{};
-  ASSERT_EQ(forceshade_subject_read(file.c_str(), &scene), FORCESHADE_OK) << forceshade_message();
-  const forceshade_subject arrays = made_of(mesh_of(both, "both", kShaded));
-  forceshade_session one{}, other{};
-  ASSERT_EQ(forceshade_session_open(scene, &one), FORCESHADE_OK);
-  ASSERT_EQ(forceshade_session_open(arrays, &other), FORCESHADE_OK);
-  int contacts = 0;
-  for (const std::string& line : tests::read_soup_path(kSoups + "cubes_face.txt").ticks) {
-    const std::array<float, 3> at = tests::position_of(line);
-    std::array<float, 3> of_scene{}, of_arrays{};
-    forceshade_status status = 99;
-    ASSERT_EQ(forceshade_session_step(one, at.data(), of_scene.data(), &status), FORCESHADE_OK);
-    ASSERT_EQ(forceshade_session_step(other, at.data(), of_arrays.data(), nullptr), FORCESHADE_OK);
-    ASSERT_EQ(bits_of(of_scene.data()), bits_of(of_arrays.data()));
-    contacts += status == FORCESHADE_CONTACT ? 1 : 0;
-  }
-  EXPECT_GT(contacts, 20);
-  for (const forceshade_session session : {one, other}) forceshade_session_close(session);
-  for (const forceshade_subject subject : {scene, arrays}) forceshade_subject_free(subject);
 }
 
 TEST(c_soups, need_no_flag_and_refuse_what_is_of_regular_meshes_alone) {

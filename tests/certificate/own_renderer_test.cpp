@@ -5,19 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <memory>
 
 #include "forceshade/certify.h"
 #include "forceshade/properties.h"
-#include "forceshade/run.h"
 #include "properties/scene_subject.h"
 #include "tests/meshes/rendering.h"
 #include "tests/properties/subject_wrapper.h"
-#include "tests/support/temporary_directory.h"
 
 namespace forceshade::properties {
 namespace {
@@ -25,13 +21,12 @@ namespace {
 using Shared = std::shared_ptr<const Subject>;
 
 constexpr Parameters kWall{.stiffness = 0.5F};
-constexpr std::uint64_t kFewPoints = 100;
 const HeightMap kPlane{{{height::Plane{0.25F, 0.125F, 1}}}};
 
-Certificate compared(const Shared& subject, std::uint64_t points = kFewPoints, int cases = 10) {
+Certificate compared(const Shared& subject) {
   static const std::atomic<bool> never{false};
   return certify(
-             {.subjects = {subject}, .points = points, .cases = cases, .threads = 2}, [](std::string_view, double) {}, never)
+             {.subjects = {subject}, .points = 100, .cases = 10, .threads = 2}, [](std::string_view, double) {}, never)
       .value();
 }
 
@@ -105,40 +100,6 @@ TEST(own_renderer, is_in_the_certificate_whichever_way_it_was_handed_over) {
                                                            : "the certificate has 100 points for ";
       EXPECT_TRUE(said.starts_with(words)) << way << ": " << said;
     }
-}
-
-// With all of the evidence that drive asks for, at the gate of drive.
-TEST(own_renderer, does_not_drive_the_law_of_the_library_by_any_evidence) {
-  const tests::TemporaryDirectory directory;
-  const auto verdict = [&](const Certificate& certificate) {
-    const std::string file = directory.file("certificate.json");
-    std::ofstream(file) << to_json(certificate);
-    return run::certified(file, identity_of(LawId::wall, kWall));
-  };
-  const auto enough = [&](const Shared& subject) {
-    return compared(subject, points_of_kind(kLawKind), static_cast<int>(kCases));
-  };
-  const Certificate own = enough(law_subject(LawId::wall, kWall, &wall_of_library));
-  const run::Certified refused = verdict(own);
-  EXPECT_FALSE(refused.digest);
-  EXPECT_EQ(refused.why_not, directory.file("certificate.json") +
-                                 ": the certificate is of a program's own renderer for wall; driving needs one of the "
-                                 "library's, as 'forceshade certify' makes it");
-  EXPECT_EQ(assessed(own).standing, Standing::insufficient);
-  EXPECT_EQ(assessed(own).remedy, "forceshade certify --law wall --stiffness 0.5 --points 1000000 --cases 2000 --out DIR");
-
-  const Certificate library = enough(law_subject(LawId::wall, kWall));
-  EXPECT_TRUE(verdict(library).digest);
-  const Certificate both = merged({{"own", own}, {"library", library}});
-  EXPECT_TRUE(verdict(both).digest) << "it has both, apart from each other";
-  EXPECT_EQ(assessed(both).standing, Standing::sufficient);
-  EXPECT_EQ(assessed(both).lacks, "");
-
-  const Certificate with_few = merged({{"own", own}, {"few", compared(law_subject(LawId::wall, kWall))}});
-  EXPECT_EQ(verdict(with_few).why_not,
-            directory.file("certificate.json") + ": the certificate has 100 points for wall; driving needs at least 1000000");
-  EXPECT_EQ(assessed(with_few).standing, Standing::insufficient);
-  EXPECT_EQ(assessed(with_few).remedy, assessed(own).remedy) << "each subject once";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <climits>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "forceshade/properties.h"
+#include "properties/binary32.h"
 #include "properties/law_subject.h"
 
 namespace forceshade::properties {
