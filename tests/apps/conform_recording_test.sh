@@ -85,26 +85,10 @@ for k in range(1, 5): rows[i + k][1:4] = rows[i][1:4]; rows[i + k][4:] = rows[i]
 rows[i + 3][4] += 20
 rows[i + 4:] = [r for r in rows[i + 4:]]'
 expect 1 "FAILED: a hand at rest feels a force at rest" -- judge noisy_rest.csv
-# A wall that is pressed ten times, and its force FACTOR times as large where the hand goes out.
-press() {
-  python3 -c 'import math, sys
-print("t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N")
-for i in range(2000):
-    phase = 2 * math.pi * i / 200 + 0.003
-    z = 1 - 2 * math.sin(phase) ** 2
-    out = math.sin(2 * phase) < 0
-    print(f"{i / 1000},0,0,{z:.9g},0,0,{max(0, -0.5 * z) * (float(sys.argv[1]) if out else 1):.9g}")' "$1"
-}
-press 1 > conservative.csv
-press 1.02 > energy.csv
-wall() { "$forceshade" conform recording --law wall "$@"; }
-expect 0 "held: all in all the hand gets no energy" -- wall conservative.csv --tolerance "5 %"
-expect 0 "held: no closed loop gives the hand energy" -- "$forceshade" conform recording conservative.csv
-expect 1 "FAILED: no closed loop gives the hand energy" -- wall energy.csv --tolerance "5 %"
+fault energy 'for i in touching: rows[i][4:] = [f * (1.5 if sum(f * (b - a) for f, a, b in zip(rows[i][4:], rows[i - 1][1:], rows[i][1:4])) > 0 else 1) for f in rows[i][4:]]'
+expect 1 "FAILED: no closed loop gives the hand energy" -- alone energy.csv
 also "FAILED: all in all the hand gets no energy"
-same 2 "$(grep -c '^FAILED' <<< "$printed")"
-expect 1 "FAILED: all in all the hand gets no energy" -- "$forceshade" conform recording energy.csv
-expect 0 "held: all in all" -- wall energy.csv --tolerance "5 %" --allow 1mJ
+wall() { "$forceshade" conform recording --law wall "$@"; }
 # A recording of 1000/N Hz that was copied up to 1000 Hz. copied N SAMPLES: of a hand that presses into a wall.
 copied() {
   python3 -c 'import math, sys
@@ -120,7 +104,7 @@ with_ns=(--columns t=t_ns,x=x_mm,y=y_mm,z=z_mm,fx=fx_N,fy=fy_N,fz=fz_N --toleran
 copied 1 0 > whole.csv
 expect 0 "1000 Hz" -- wall whole.csv "${with_ns[@]}"
 also "jitter 0 ms"
-for case in "2 500 $repeated" "5 200 $repeated" "10 100 $repeated" "17 58.82 $held" "33 30.3 $held" "100 10 $held"; do
+for case in "10 100 $repeated" "17 58.82 $held"; do
   read -r hold rate words <<< "$case"
   copied "$hold" 0 > copied.csv
   expect 1 "$words" -- wall copied.csv "${with_ns[@]}"
@@ -129,14 +113,6 @@ for case in "2 500 $repeated" "5 200 $repeated" "10 100 $repeated" "17 58.82 $he
 done
 copied 33 9 > free.csv
 expect 1 "$repeated" -- wall free.csv "${with_ns[@]}"
-# Noise that is declared: held, and the stiffness within its error.
-fault noise 'for row in rows: row[4:] = [f + random.gauss(0, 3) for f in row[4:]]'
-tolerance="0.02 N" judge noise.csv --allow 0.02N --json noise.json > noise.txt || { echo "FAILED: noise: $(cat noise.json)"; exit 1; }
-python3 -c 'import json
-fit = json.load(open("noise.json"))["fit"]
-assert abs(fit["stiffness_N_per_mm"] - 0.5) < fit["stiffness_error_N_per_mm"] < 0.005, fit
-assert 0.004 < fit["rms_N"] < 0.006, fit' || exit 1
-tolerance="0.003 N" expect 1 "within the tolerance, 0.003 N" -- judge noise.csv --allow 0.02N
 # A sensor that nobody has zeroed, whose force comes 4 ms late, in axes that are turned: found; as they are given, and as they are not.
 python3 -c 'import math
 c, s = math.cos(0.35), math.sin(0.35)

@@ -114,12 +114,6 @@ TEST(device_check, looks_through_the_drivers_library) {
                 "device             ok                model "});
 }
 
-TEST(device_check, refuses_a_device_of_no_kind) {
-  const TemporaryDirectory here;
-  EXPECT_EQ(run_command(here, words_of("device check teapot")).code, 2);
-  EXPECT_EQ(run_command(here, words_of("device check simulated:teapot")).code, 2);
-}
-
 TEST(device_try, leads_through_a_first_contact_and_keeps_its_recording) {
   const TemporaryDirectory here;
   ASSERT_EQ(run_command(here, words_of("certify --law wall --stiffness 0.05 --out cert")).code, 0);
@@ -150,20 +144,6 @@ TEST(device_try, leads_through_a_first_contact_and_keeps_its_recording) {
   EXPECT_EQ(recorder::problems_of(recording), std::vector<std::string>{});
   EXPECT_EQ(recording.metadata().at("device_model"), "premium-1.5");
   EXPECT_FALSE(recording.metadata().contains("device_serial"));
-}
-
-// The gate is that of drive.
-TEST(device_try, refuses_a_certificate_of_a_program_s_own_renderer) {
-  const TemporaryDirectory here;
-  ASSERT_EQ(run_command(here, words_of("certify --law wall --stiffness 0.05 --out cert")).code, 0);
-  std::string text = here.read("cert/certificate.json");
-  const std::string library = "\"renderer\": \"library\"";
-  ASSERT_NE(text.find(library), std::string::npos);
-  here.write("own.json", text.replace(text.find(library), library.size(), "\"renderer\": \"program\""));
-  const auto run = run_command(here, words_of("device try simulated --certificate own.json --dead-man none"));
-  EXPECT_EQ(run.code, 1);
-  expect_holds(run.err, {"refused to drive: own.json: the certificate is of a program's own renderer for wall",
-                         "to have one: forceshade certify --law wall --stiffness 0.05 --out DIR"});
 }
 
 // A hand that means to be 30 mm below the plane: the law gives more than 2 N, and the peak is 0.5 N.
@@ -328,23 +308,6 @@ TEST(recording_check, finds_another_status_beside_the_same_force) {
   }
 }
 
-TEST(drive, says_that_a_simulated_device_has_no_buttons_where_there_is_no_terminal) {
-  const TemporaryDirectory here;
-  // In a session of its own, which has no terminal.
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::setsid();
-    const CommandRun run = run_command(here, words_of("drive --law wall --certificate none --device simulated --dead-man 0"));
-    here.write("err", run.err);
-    ::_exit(run.code);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  EXPECT_EQ(WEXITSTATUS(status), 2);
-  expect_holds(here.read("err"), {"the buttons of a simulated device are keys of a terminal, and there is none to read from",
-                                  "dead-man button: expected none, because the device has no buttons"});
-}
-
 // The tripping tick, which has no force, and the 200 ms before it.
 TEST(drive, keeps_the_last_200_ms_before_a_trip) {
   const TemporaryDirectory here;
@@ -369,15 +332,6 @@ TEST(drive, keeps_the_last_200_ms_before_a_trip) {
   EXPECT_EQ(ticks[200]["t_s"].is_number(), true);
   EXPECT_EQ(summary["device"], (json{{"name", "simulated:premium-1.5:torn.csv"}, {"model", "premium-1.5"}}));
   EXPECT_EQ(summary["signal"], nullptr);
-}
-
-TEST(drive, keeps_no_last_ticks_of_a_run_that_ended_well) {
-  const TemporaryDirectory here;
-  const CommandRun run = run_command(
-      here, words_of("drive --law wall --certificate none --pace none --device simulated --seconds 0.5 --json run.json"));
-  EXPECT_EQ(run.code, 0);
-  EXPECT_EQ(run.out.find("last tick"), std::string::npos);
-  EXPECT_EQ(json::parse(here.read("run.json"))["last_ticks"], json::array());
 }
 
 }  // namespace

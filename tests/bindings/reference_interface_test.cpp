@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cfenv>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -12,7 +11,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,7 +22,6 @@
 #include "tests/bindings/batches.h"
 #include "tests/bindings/references.h"
 #include "tests/bindings/subjects.h"
-#include "tests/support/set_control_words.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade {
@@ -228,41 +225,6 @@ TEST(reference_interface, finds_what_differs_from_the_exact_forces_bit_for_bit) 
   EXPECT_EQ(look(), std::pair(std::size_t{0}, std::size_t{0}));
   forceshade_subject_free(fast);
   forceshade_reference_free(exact);
-}
-
-// A caller that sets the x87 to 53 bits, as WSL 1 does, gets the same numbers, and finds it so afterwards.
-TEST(reference_interface, is_exact_whatever_the_control_words_of_the_caller_are) {
-  const auto all = [] {
-    const forceshade_reference bump = parsed(kBump);
-    std::vector<float> at, found(3 * 2000, 7);
-    for (int i = 0; i < 2000; ++i)
-      at.insert(at.end(), {-12 + 0.012F * static_cast<float>(i), 0, 0.5F - 0.001F * static_cast<float>(i % 700)});
-    std::vector<forceshade_status> status(2000, 99);
-    const forceshade_batch batch = batch_of(at, found, status);
-    EXPECT_EQ(forceshade_reference_forces(bump, &batch, nullptr), FORCESHADE_OK);
-    const std::string digits = decimals(bump, {3, 0, -0.5F}, 12);
-    forceshade_reference_free(bump);
-    return std::pair(found, digits);
-  };
-  const auto expected = all();
-  const tests::SetControlWords set({.x87 = tests::kX87Of53Bits});
-  EXPECT_EQ(all(), expected);
-  EXPECT_TRUE(set.are_still_set());
-}
-
-TEST(reference_interface, serves_many_threads_and_leaves_the_arithmetic_as_it_is) {
-  const forceshade_reference bump = parsed(kBump);
-  const std::array<float, 3> at{3, 0, -0.5F};
-  const std::string expected = decimals(bump, at, 300);
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 4; ++i)
-    threads.emplace_back([&] {
-      for (int j = 0; j < 50; ++j) EXPECT_EQ(decimals(bump, at, 300), expected);
-      EXPECT_EQ(std::fegetround(), FE_TONEAREST);
-      EXPECT_EQ(forceshade_arithmetic_fault(), nullptr);
-    });
-  for (std::thread& thread : threads) thread.join();
-  forceshade_reference_free(bump);
 }
 
 }  // namespace

@@ -83,14 +83,6 @@ def test_a_right_function_holds(renderer, options):
     assert found.contents["exact"]["all"] == {"cases": 2000, "wrong": 0, "beyond_tolerance": 0}
 
 
-@pytest.mark.parametrize("name", forceshade.laws())
-def test_the_forces_of_every_law_hold_with_the_declaration_of_the_page(name):
-    size = {} if name == "wall" else {"radius": 15.24, "width": 25.4}
-    law = forceshade.Law(name, stiffness=0.5, **size)
-    found = conformed(lambda positions: law.forces(positions), law)
-    assert found, found.words
-
-
 def test_a_right_renderer_of_scenes_holds_on_all_that_concerns_meshes():
     found = conformed(OwnMeshes(), TETRAHEDRON, MESHES)
     assert found

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Subjects, sessions and results as objects of Python: equal, pickled, printed, read again."""
 
-import os
 import pickle
 import subprocess
 import sys
@@ -219,19 +218,6 @@ def test_a_wrong_renderer_says_so_in_a_line_and_all_of_it_on_demand():
     with pytest.raises(AssertionError) as caught:
         wrong.check()
     assert str(caught.value) == str(wrong) == wrong.words and "to paste into a test" in wrong.words
-
-
-def test_pytest_shows_where_a_renderer_is_wrong(tmp_path):
-    (tmp_path / "test_mine.py").write_text(
-        "import forceshade\n"
-        "from test_conform import DECLARES, WALL, wall\n"
-        "def test_wall():\n"
-        "    forceshade.conform(lambda at: 2 * wall(at), WALL, declares=DECLARES, points=500).check()\n"
-    )
-    words = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", f"--rootdir={tmp_path}", "test_mine.py"]
-    path = {"PYTHONPATH": ":".join(sys.path[1:] + [str(ROOT / "tests/bindings/python")])}
-    ran = subprocess.run(words, capture_output=True, text=True, cwd=tmp_path, env={**os.environ, **path})
-    assert ran.returncode == 1 and "the simplest beyond it, to paste into a test:" in ran.stdout, ran.stdout
 
 
 def test_what_renders_says_what_in_one_line():

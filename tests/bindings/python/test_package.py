@@ -8,7 +8,6 @@ import json
 import sqlite3
 import subprocess
 import sys
-import threading
 import types
 from fractions import Fraction
 
@@ -42,39 +41,6 @@ def test_identities(bump, wall, tetrahedron):
     assert wall.radius is None and bump.radius == float(np.float32(15.24)) and wall.stiffness == 0.5
     assert tetrahedron.identity.kind == "mesh" and len(tetrahedron.digest) == 64
     assert len(forceshade.library_digest()) == 64
-
-
-def test_sessions_remember_their_path(tetrahedron):
-    path = np.random.default_rng(3).uniform(-1, 4, (500, 3)).astype(np.float32)
-    whole = forceshade.Session(tetrahedron)
-    expected = whole.steps(path)
-    first, second = forceshade.Session(tetrahedron), forceshade.Session(tetrahedron)
-    assert first.state.place == forceshade.Place.NOWHERE
-    one = [first.step(*position) for position in path[:200]]
-    state = first.state
-    second.resume(state)
-    assert second.state == state
-    assert same_bits(one, expected[:200]) and same_bits(second.steps(path[200:]), expected[200:])
-    assert second.state == whole.state and second.status == whole.status
-    whole.reset()
-    assert whole.state == forceshade.State()
-    assert same_bits(whole.answers(path)["force"], expected)
-    assert whole.subject is tetrahedron
-
-
-def test_threads_share_a_subject(bump):
-    at = positions(50_000)
-    expected, found = bump.forces(at), [None] * 4
-
-    def answer(index):
-        found[index] = bump.forces(at)
-
-    threads = [threading.Thread(target=answer, args=(index,)) for index in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert all(same_bits(forces, expected) for forces in found)
 
 
 def test_files_are_read(tmp_path):
@@ -192,16 +158,3 @@ def test_recordings_are_read(tmp_path):
         file.truncate(6000)
     with pytest.raises(forceshade.Error, match="run.fsr"):
         forceshade.read_recording(path)
-
-
-def test_forces_are_those_of_the_command(bump):
-    at = positions(300)[1:]
-    at = at[np.isfinite(at).all(axis=1)]
-    text = "x_mm,y_mm,z_mm\n" + "".join(",".join(str(c) for c in row) + "\n" for row in at)
-    ran = subprocess.run([command(), "force", "--law", "bump-2p"], input=text, capture_output=True, text=True)
-    assert ran.returncode == 0, ran.stderr
-    lines = ran.stdout.strip().splitlines()
-    header, rows = lines[0].split(","), [line.split(",") for line in lines[1:]]
-    columns = [header.index(name) for name in ("fx_N", "fy_N", "fz_N")]
-    forces = [[np.float32(row[column]) for column in columns] for row in rows]
-    assert same_bits(forces, bump.forces(at))

@@ -54,12 +54,6 @@ def test_each_path_has_the_forces_of_its_own_session(tetrahedron):
     assert same_bits(tetrahedron.advance(kept.copy(), at), tetrahedron.advance(kept, at, threads=4))  # a copy keeps paths
 
 
-def test_what_remembers_nothing_gives_its_forces(bump):
-    at, states = positions(3000), np.zeros(3000, forceshade.STATE)
-    assert same_bits(bump.advance(states, at, threads=2), bump.forces(at))
-    assert (states == np.zeros(3000, forceshade.STATE)).all()
-
-
 @pytest.mark.parametrize(
     "states, kind, words",
     [
