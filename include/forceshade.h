@@ -197,8 +197,8 @@ FORCESHADE_API forceshade_result forceshade_subject_text(forceshade_subject subj
 
 /* Checks whether a device may be driven with the subject: FORCESHADE_OK where the certificate, a file that `forceshade certify`
  * wrote, is of this very library, covers the subject, and has enough evidence; FORCESHADE_NOT_COVERED with the reason where it
- * does not; FORCESHADE_BAD_INPUT for a file that is no certificate. A library that was exchanged after certification has
- * another digest, and is not covered (docs/certificate.md, "What drive refuses"). */
+ * does not, or was compared with a renderer that is not the library's; FORCESHADE_BAD_INPUT for a file that is no certificate.
+ * A library that was exchanged after certification has another digest (docs/certificate.md, "What drive refuses"). */
 FORCESHADE_API forceshade_result forceshade_certificate_covers(const char* file, forceshade_subject subject);
 
 /* ---- Forces ---- */
