@@ -214,6 +214,18 @@ TEST(damping, what_binary64_knows_takes_no_integers) {
   EXPECT_EQ(both.fast.state().velocity[2], (1 + 1000 * 0x1p-9F) / 2);
 }
 
+TEST(damping, a_force_that_is_too_large_is_handed_on) {
+  for (const Eigen::Vector3f& force :
+       {Eigen::Vector3f(0, 0, 0x1p26F), Eigen::Vector3f(0, -0x1p26F, 0), Eigen::Vector3f(0x1p126F, 0, 1)}) {
+    tests::DampingOfBothSides both({.rate = 1000, .damping = 1, .drag = 1});
+    both.resume({true, {0, 0, 0}, {3, 5, 7}, 0});
+    EXPECT_EQ(both.tick({0, 0, 0}, 0, force).force, force);
+  }
+  tests::DampingOfBothSides both({.rate = 1000, .damping = 16});
+  both.resume({true, {0, 0, 0}, {0, 0, -0x1p32F}, 0});
+  EXPECT_EQ(both.tick({0, 0, 0}, 0, {0, 0, 0x1.fffffep25F}).force, Eigen::Vector3f(0, 0, 0x1.fffffep26F)) << "S of it";
+}
+
 // In binary64 s is S, though it is less; or the force is no tie, though it is; or λ is 1, though it is less. Each gives another
 // force.
 TEST(damping, what_binary64_cannot_know_is_decided_by_integers) {
@@ -234,7 +246,12 @@ TEST(damping, what_binary64_cannot_know_is_decided_by_integers) {
       Row{{.rate = 1000, .damping = 0x1.29f19ap+2F, .most = 1024, .drag = 0x1.0faf02p+3F, .full_at = 0x1.384bcep+1F},
           {0x1.a8b382p+30F, -0x1.fb172cp+5F, -0x1.2c7324p+30F},
           {0x1.494f7p-1F, 0x1.09160ap-1F, 0x1.d17f3ep-1F},
-          {-0x1.c2b85ap+33F, 0x1.0cb584p+9F, 0x1.3edb46p+33F}}};
+          {-0x1.c2b85ap+33F, 0x1.0cb584p+9F, 0x1.3edb46p+33F}},
+      // A small force, beside which the speed along it is large.
+      Row{{.rate = 1000, .drag = 0x1.8ef6d6p-2F},
+          {0, 0, 0x1.655068p+10F},
+          {0x1.2520cep-9F, 0, -0x1.8219acp-4F},
+          {-0x1.e041fep+0F, 0, -0x1.1c4fdep-3F}}};
   for (const Row& row : rows) {
     tests::DampingOfBothSides both(row.parameters);
     both.resume({true, {0, 0, 0}, row.velocity, 0});
