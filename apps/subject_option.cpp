@@ -75,7 +75,7 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, bool damps)
   CLI::Option* friction =
       add("friction", "MU|STATIC,DYNAMIC", "of a mesh: coefficients of friction, each 0, inf or from 2^-10 to 1024")
           ->needs(mesh);
-  add("materials", "FILE", "of a mesh: a TOML file with the friction and stiffness of groups and faces (docs/meshes.md)")
+  add("materials", "FILE", "of a mesh: a TOML file with friction, stiffness and damping of groups and faces (docs/meshes.md)")
       ->needs(mesh)
       ->excludes(friction);
   add("texture-scale", "LENGTH",

@@ -35,6 +35,7 @@ class ReferenceOfMesh final : public ReferenceSession {
     answer.force = {tick.force[0], tick.force[1], tick.force[2]};
     answer.method = reference::Method::exact;
     answer.status = tick.status;
+    answer.damping = tick.damping;
     return answer;
   }
   std::optional<std::array<std::string, 3>> decimal(unsigned digits) const override {

@@ -13,10 +13,11 @@ namespace {
 // No expression templates: what is computed is what is written.
 using Ratio = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
-constexpr int kLongestGap = 16;        // periods
-constexpr float kSlowest = 0x1p-20F;   // mm/s
-constexpr float kFastest = 0x1p32F;    // mm/s
-constexpr float kTooStrong = 0x1p26F;  // N
+constexpr int kLongestGap = 16;                  // periods
+constexpr float kSlowest = 0x1p-20F;             // mm/s
+constexpr float kFastest = 0x1p32F;              // mm/s
+constexpr float kLeastDamping = 1.0F / 1048576;  // N·s/mm, of what is not 0
+constexpr float kTooStrong = 0x1p26F;            // N
 
 Ratio ratio(float value) {
   return Ratio(static_cast<double>(value));
@@ -33,9 +34,9 @@ bool is_within(float value, float low, float high) {
 std::optional<ParameterError> refused(const damping::Parameters& p) {
   if (!is_within(p.rate, 1, 131072)) return ParameterError{"rate", "Hz", p.rate, 1, 131072};
   if (!is_within(p.share, 1.0F / 1024, 1)) return ParameterError{"share", "", p.share, 1.0F / 1024, 1};
-  constexpr float kLeast = 1.0F / 1048576;
   for (const auto& [name, value] : {std::pair{"damping", p.damping}, std::pair{"drag", p.drag}})
-    if (value != 0 && !is_within(value, kLeast, 16)) return ParameterError{name, "N·s/mm", value, kLeast, 16, nullptr, "0"};
+    if (value != 0 && !is_within(value, kLeastDamping, 16))
+      return ParameterError{name, "N·s/mm", value, kLeastDamping, 16, nullptr, "0"};
   if (!is_within(p.most, 1, 1024) && !(std::isinf(p.most) && p.most > 0))
     return ParameterError{"most", "", p.most, 1, 1024, nullptr, "inf"};
   if (!is_within(p.full_at, 1.0F / 1024, 1024)) return ParameterError{"full_at", "N", p.full_at, 1.0F / 1024, 1024};
@@ -59,6 +60,13 @@ Eigen::Vector3f damped(const Eigen::Vector3f& force, const std::array<float, 3>&
   for (std::size_t i = 0; i < 3; ++i)
     result(static_cast<Eigen::Index>(i)) = nearest(scale * f[i] - full * ratio(p.drag) * (v[i] - along * f[i] / square));
   return result;
+}
+
+// Parameters of which no more acts than is let. A number that is no B counts as 0, and none as no limit.
+damping::Parameters within(const damping::Limits& limits, damping::Parameters p) {
+  for (const auto& [its, most] : {std::pair{&p.damping, limits.damping}, std::pair{&p.drag, limits.drag}})
+    if (most < *its) *its = most < kLeastDamping ? 0 : most;
+  return p;
 }
 
 bool is_state(const damping::State& state) {
@@ -96,7 +104,7 @@ Rounded Damping::tick(const Eigen::Vector3f& position, std::uint32_t periods, co
   if (answer.force.isZero(0))
     answer.force.setZero();
   else
-    answer.force = damped(answer.force, state_.velocity, parameters_);
+    answer.force = damped(answer.force, state_.velocity, within(spring.damping, parameters_));
   return answer;
 }
 

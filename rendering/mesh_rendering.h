@@ -18,6 +18,12 @@ inline std::optional<ParameterError> error_of_stiffness(float stiffness) {
   return ParameterError{"stiffness", "N/mm", stiffness, 0.001F, 1000};
 }
 
+// A limit of a material.
+inline std::optional<ParameterError> error_of_damping(float damping) {
+  if (damping == 0 || damping == HUGE_VALF || (damping >= 0x1p-20F && damping <= 16)) return std::nullopt;
+  return ParameterError{"damping of a material", "N·s/mm", damping, 0x1p-20F, 16, nullptr, "0 or inf"};
+}
+
 inline constexpr float kLeastFriction = 0x1p-10F, kMostFriction = 0x1p10F;  // of those that are neither 0 nor infinite
 
 inline bool is_friction(float coefficient) {
@@ -30,6 +36,10 @@ inline bool has_friction(const mesh::Materials& materials) {
 
 inline bool has_own_stiffness(const mesh::Materials& materials) {
   return std::ranges::any_of(materials.list, [](const mesh::Material& one) { return one.stiffness.has_value(); });
+}
+
+inline bool has_own_damping(const mesh::Materials& materials) {
+  return std::ranges::any_of(materials.list, [](const mesh::Material& one) { return one.damping != damping::Limits{}; });
 }
 
 // That of a triangle.
@@ -47,6 +57,8 @@ inline std::optional<ParameterError> error_of_materials(const mesh::Materials& m
     for (const float coefficient : {material.static_friction, material.dynamic_friction})
       if (!is_friction(coefficient))
         return ParameterError{"coefficient of friction, if not 0 or infinite,", "", coefficient, kLeastFriction, kMostFriction};
+    for (const float its : {material.damping.damping, material.damping.drag})
+      if (const auto error = error_of_damping(its)) return error;
     if (material.dynamic_friction > material.static_friction)
       return ParameterError{"dynamic coefficient of friction", "", material.dynamic_friction, 0, material.static_friction};
     if (material.static_friction > 0 && !friction)

@@ -43,7 +43,7 @@ class Reader {
     made_.of_triangle.assign(loaded_.mesh.triangles.size(), 0);
     if (const toml::node* usual = root.get("default")) {
       const toml::table& table = in_.table_of("default", *usual);
-      in_.expect_keys(table, {"stiffness", "friction"});
+      in_.expect_keys(table, {"stiffness", "friction", "damping", "drag"});
       made_.list.front() = in_.material_of(table);
     }
     for (const toml::table* one : in_.tables_of("material")) add(*one);
@@ -52,7 +52,7 @@ class Reader {
 
  private:
   void add(const toml::table& table) {
-    in_.expect_keys(table, {"name", "stiffness", "friction", "groups", "faces"});
+    in_.expect_keys(table, {"name", "stiffness", "friction", "damping", "drag", "groups", "faces"});
     const std::string name = in_.text_of(table, "name", "[[material]]", "a name");
     if (std::ranges::find(names_, name) != names_.end())
       throw Error(in_.name_of(*table.get("name"), "name") + ": expected another name for each material, got \"" + name +

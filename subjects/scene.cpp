@@ -89,7 +89,8 @@ class SceneReader {
       throw Error(in_.name_of(*map, "height-map") +
                   ": expected a mesh: a height map is a force above a plane and has no faces; 'forceshade mesh make "
                   "height-map' makes a mesh of it");
-    in_.expect_keys(table, {"name", "mesh", "unit", "translation", "rotation", "friction", "stiffness", "materials"});
+    in_.expect_keys(
+        table, {"name", "mesh", "unit", "translation", "rotation", "friction", "stiffness", "damping", "drag", "materials"});
     const std::string name = name_of(table);
     const std::string file = in_.text_of(table, "mesh", name, "a mesh");
     const std::string unit_word = in_.text_of(table, "unit", name, "a unit, mm, cm, m or in");
@@ -197,7 +198,7 @@ class SceneReader {
   mesh::Materials materials_of(const toml::table& table, const mesh::LoadedMesh& loaded) const {
     const toml::node* const node = table.get("materials");
     if (node == nullptr) return {{in_.material_of(table)}, {}};
-    for (const char* other : {"friction", "stiffness"})
+    for (const char* other : {"friction", "stiffness", "damping", "drag"})
       if (const toml::node* its = table.get(other))
         throw Error(in_.name_of(*its, other) + ": expected without materials, got both");
     const std::string file = in_.text_of(table, "materials", "materials", "a file");

@@ -2,6 +2,7 @@
 #include "subjects/tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "files/quantity.h"
@@ -104,6 +105,13 @@ mesh::Material Tables::material_of(const toml::table& table) const {
     if (const auto error = error_of_stiffness(*made.stiffness))
       throw Error(name + error->message().substr(std::string_view(error->parameter).size()));
   }
+  for (const auto& [key, its] : {std::pair{"damping", &made.damping.damping}, std::pair{"drag", &made.damping.drag}})
+    if (const toml::node* node = table.get(key)) {
+      const std::string name = name_of(*node, key), text = words(key, *node, "a number such as \"2Ns/m\"");
+      *its = text == "inf" ? HUGE_VALF : files::parse_damping(name, text);
+      if (const auto error = error_of_damping(*its))
+        throw Error(name + error->message().substr(std::string_view(error->parameter).size()));
+    }
   return made;
 }
 

@@ -58,7 +58,7 @@ class Tables {
   // A text in quotes that is not empty. whose: what needs the key, such as "[[material]]"; expected: "a name".
   std::string text_of(const toml::table& table, std::string_view key, std::string_view whose,
                       const std::string& expected) const;
-  // The material that the keys friction and stiffness give.
+  // The material that the keys friction, stiffness, damping and drag give.
   mesh::Material material_of(const toml::table& table) const;
 
  private:

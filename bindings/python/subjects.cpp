@@ -114,12 +114,12 @@ std::vector<std::array<Number, 3>> rows_of_three(const py::buffer& array) {
 
 Description mesh_of_arrays(const py::buffer& vertices, const py::buffer& triangles, const std::optional<std::string>& sides,
                            const std::optional<std::string>& shading, const std::optional<std::string>& contact, double crease,
-                           float stiffness, const std::vector<std::tuple<std::optional<float>, float, float>>& materials,
+                           float stiffness, const std::vector<std::tuple<std::optional<float>, float, float, float, float>>& materials,
                            const std::vector<std::uint32_t>& material_of_triangle) {
   mesh::TriangleMesh all{rows_of_three<float>(vertices), rows_of_three<std::uint32_t>(triangles)};
   mesh::Materials surface{{}, material_of_triangle};
-  for (const auto& [its_stiffness, static_friction, dynamic_friction] : materials)
-    surface.list.push_back({its_stiffness, static_friction, dynamic_friction});
+  for (const auto& [its_stiffness, static_friction, dynamic_friction, damping, drag] : materials)
+    surface.list.push_back({its_stiffness, static_friction, dynamic_friction, {damping, drag}});
   const mesh::Contact usual = has_friction(surface) ? mesh::Contact::friction : mesh::kUsualContact;
   const auto rule = contact ? static_cast<mesh::Contact>(choice("contact", *contact, mesh::kContactNames)) : usual;
   const std::size_t scheme = shading ? choice("shading", *shading, c::shading_names()) : has_corner_normals(rule) ? 0 : 1;

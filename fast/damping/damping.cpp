@@ -17,16 +17,18 @@ namespace {
 constexpr std::uint32_t kNoSpeed = 17;       // periods since the last valid position: that many and more give no velocity
 constexpr float kLeastVelocity = 0x1p-20F;   // mm/s: what is smaller is 0
 constexpr float kLargestVelocity = 0x1p32F;  // mm/s
+constexpr float kLeastDamping = 0x1p-20F;    // N·s/mm, of B and B_t that are not 0
 constexpr float kForcesEnd = 0x1p26F;        // N: from there on a force is handed on as it is
 
 std::optional<ParameterError> first_error(const damping::Parameters& p) noexcept {
   const auto outside = [](float value, float low, float high) { return !(value >= low && value <= high); };
   if (outside(p.rate, 1, 0x1p17F)) return ParameterError{"rate", "Hz", p.rate, 1, 0x1p17F};
   if (outside(p.share, 0x1p-10F, 1)) return ParameterError{"share", "", p.share, 0x1p-10F, 1};
-  if (p.damping != 0 && outside(p.damping, 0x1p-20F, 16))
-    return ParameterError{"damping", "N·s/mm", p.damping, 0x1p-20F, 16, nullptr, "0"};
+  if (p.damping != 0 && outside(p.damping, kLeastDamping, 16))
+    return ParameterError{"damping", "N·s/mm", p.damping, kLeastDamping, 16, nullptr, "0"};
   if (p.most != HUGE_VALF && outside(p.most, 1, 1024)) return ParameterError{"most", "", p.most, 1, 1024, nullptr, "inf"};
-  if (p.drag != 0 && outside(p.drag, 0x1p-20F, 16)) return ParameterError{"drag", "N·s/mm", p.drag, 0x1p-20F, 16, nullptr, "0"};
+  if (p.drag != 0 && outside(p.drag, kLeastDamping, 16))
+    return ParameterError{"drag", "N·s/mm", p.drag, kLeastDamping, 16, nullptr, "0"};
   if (outside(p.full_at, 0x1p-10F, 1024)) return ParameterError{"full_at", "N", p.full_at, 0x1p-10F, 1024};
   return std::nullopt;
 }
@@ -91,14 +93,38 @@ Four32 decided_velocity(const Quad& v, Four32 x, const Quad& before, const dampi
   return {Eigen::Vector3f(exact_force(in_binary32(v), f, p).data()), spring.status, stage};
 }
 
-// The answer at a velocity.
+// The answer at a velocity, with these B and B_t.
 template <class Numbers>
-FORCESHADE_INLINE Evaluation damped(const Quad& v, const Evaluation& spring, Stage stage, const Numbers& numbers,
-                                    const damping::Parameters& p) noexcept {
+FORCESHADE_INLINE Evaluation damped_by(const Quad& v, const Evaluation& spring, Stage stage, const Numbers& numbers,
+                                       const damping::Parameters& p) noexcept {
   const Rounded force = filtered_force(v, three_in_binary64(spring.force.data()), numbers);
   if (force.is_sure()) [[likely]]
     return {force_of(force.value), spring.status, stage};
   return decided_force(v, spring, stage, p);
+}
+
+// The smaller of B of a path and of what it touches. Another's session may give any number.
+float limited(float path, float touched) noexcept {
+  if (!(touched < path)) return path;
+  return touched < kLeastDamping ? 0 : touched;
+}
+template <class Numbers>
+[[gnu::noinline]] Evaluation damped_within(const Quad& v, const Evaluation& spring, Stage stage, Numbers numbers,
+                                           damping::Parameters p) noexcept {
+  p.damping = limited(p.damping, spring.damping.damping);
+  p.drag = limited(p.drag, spring.damping.drag);
+  numbers.damping = exactly(p.damping);
+  numbers.drag = exactly(p.drag);
+  return damped_by(v, spring, stage, numbers, p);
+}
+
+// The answer at a velocity.
+template <class Numbers>
+FORCESHADE_INLINE Evaluation damped(const Quad& v, const Evaluation& spring, Stage stage, const Numbers& numbers,
+                                    const damping::Parameters& p) noexcept {
+  if (spring.damping.damping < p.damping || spring.damping.drag < p.drag) [[unlikely]]
+    return damped_within(v, spring, stage, numbers, p);
+  return damped_by(v, spring, stage, numbers, p);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ FORCESHADE_INLINE void settle(const Mesh& mesh, const Arrival& at, const HandAnd
                 : at.grid_point.place == mesh::Place::free ? Status::free
                                                            : Status::contact;
   if (mesh.has_stiffness() && is_touching(at.grid_point)) stiffness = stiffness_at(mesh, at.grid_point, stiffness);
+  if (mesh.has_damping() && is_touching(at.grid_point)) tick.damping = damping_at(mesh, at.grid_point);
   ForceDecision decided;
   set_force(mesh_force(mesh, at, ends, stiffness, shading, Stages::kFilter, &decided), tick);
   if (decided.last != Stage::binary64) stages.note(decided.last);

@@ -72,18 +72,32 @@ inline Point point_of(const Mesh& mesh, const GridPoint& grid_point) noexcept {
   }
 }
 
+// Calls include(f) for each triangle of its feature, once or more; it touches the mesh.
+template <class Include>
+void for_each_triangle_at(const Mesh& mesh, const GridPoint& grid_point, const Include& include) noexcept {
+  include(face_of(grid_point.half));
+  if (grid_point.place == mesh::Place::edge && mesh.twin(grid_point.half) != kRim) include(face_of(mesh.twin(grid_point.half)));
+  if (grid_point.place != mesh::Place::vertex) return;
+  const HalfEdge start = mesh.first_around(mesh.start(grid_point.half));
+  for (HalfEdge h = mesh.around(start); h != kRim && h != start; h = mesh.around(h)) include(face_of(h));
+  include(face_of(start));
+}
+
 // N/mm, where materials have one; usual: of those that have none. That of an edge or a vertex is the largest of its triangles.
 inline float stiffness_at(const Mesh& mesh, const GridPoint& grid_point, float usual) noexcept {
-  const auto of_face = [&](HalfEdge h) { return mesh.stiffness_in_triangle(face_of(h)).value_or(usual); };
-  float largest = of_face(grid_point.half);
-  const auto include = [&](HalfEdge h) {
-    if (h != kRim) largest = std::max(largest, of_face(h));
-  };
-  if (grid_point.place == mesh::Place::edge) include(mesh.twin(grid_point.half));
-  if (grid_point.place != mesh::Place::vertex) return largest;
-  const HalfEdge start = mesh.first_around(mesh.start(grid_point.half));
-  for (HalfEdge h = mesh.around(start); h != kRim && h != start; h = mesh.around(h)) include(h);
-  include(start);
+  float largest = 0;
+  for_each_triangle_at(mesh, grid_point,
+                       [&](std::uint32_t f) { largest = std::max(largest, mesh.stiffness_in_triangle(f).value_or(usual)); });
+  return largest;
+}
+
+// Limits, where materials have some: of an edge or a vertex each the largest of its triangles.
+inline damping::Limits damping_at(const Mesh& mesh, const GridPoint& grid_point) noexcept {
+  damping::Limits largest{0, 0};
+  for_each_triangle_at(mesh, grid_point, [&](std::uint32_t f) {
+    const damping::Limits its = mesh.damping_in_triangle(f);
+    largest = {std::max(largest.damping, its.damping), std::max(largest.drag, its.drag)};
+  });
   return largest;
 }
 

@@ -57,6 +57,7 @@ std::variant<Mesh, ParameterError> Mesh::build(const MeshRendering& rendering) {
   if (!rendering.materials.of_triangle.empty()) in_order(result.material_of_face_, rendering.materials.of_triangle);
   result.has_friction_ = forceshade::has_friction(rendering.materials);
   result.has_stiffness_ = has_own_stiffness(rendering.materials);
+  result.has_damping_ = has_own_damping(rendering.materials);
   result.tree_ = BoxTree(result.faces_);
   return result;
 }

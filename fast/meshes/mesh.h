@@ -117,6 +117,9 @@ class Mesh {
   // True if materials have a stiffness of their own; then that of a face, if its material does. N/mm.
   bool has_stiffness() const noexcept { return has_stiffness_; }
   std::optional<float> stiffness_in_triangle(std::uint32_t f) const noexcept { return material_of(f).stiffness; }
+  // True if materials limit a path's damping; then how a face's does.
+  bool has_damping() const noexcept { return has_damping_; }
+  damping::Limits damping_in_triangle(std::uint32_t f) const noexcept { return material_of(f).damping; }
   // The normals of the three corners of face f; empty where the mesh has none.
   const std::array<mesh::Normal, 3>* normals(std::uint32_t f) const noexcept {
     return normals_.empty() ? nullptr : &normals_[f];
@@ -145,7 +148,7 @@ class Mesh {
   std::shared_ptr<const HeightMapField> texture_map_;
   BoxTree tree_;
   mesh::Sides sides_ = mesh::Sides::front;
-  bool has_friction_ = false, has_stiffness_ = false;
+  bool has_friction_ = false, has_stiffness_ = false, has_damping_ = false;
   std::vector<mesh::Material> materials_;
   std::vector<std::uint32_t> material_of_face_;
   float largest_coordinate_ = 0;

@@ -56,14 +56,18 @@ Evaluation SceneSession::step(const Eigen::Vector3f& position, std::span<const s
   std::array<PlacedForce, scene::kMostObjects> forces;
   std::size_t count = 0;
   bool is_valid = true;
+  damping::Limits largest{0, 0};
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const std::array<float, 3> its = is_seen ? seen(poses[i], p, answer.stage) : kNotSeen;
     const Evaluation& one = answers_[i] = objects_[i]->step(Eigen::Vector3f(its.data()));
     is_valid &= one.status != Status::invalid;
     answer.status = std::max(answer.status, one.status);
     answer.stage = std::max(answer.stage, one.stage);
-    if (finished(one.status) == Status::contact) forces[count++] = {&poses[i], {one.force.x(), one.force.y(), one.force.z()}};
+    if (finished(one.status) != Status::contact) continue;
+    forces[count++] = {&poses[i], {one.force.x(), one.force.y(), one.force.z()}};
+    largest = {std::max(largest.damping, one.damping.damping), std::max(largest.drag, one.damping.drag)};
   }
+  if (count != 0) answer.damping = largest;
   if (!is_valid) answer.status = Status::invalid;
   if (finished(answer.status) == Status::contact) add_forces(std::span(forces).first(count), answer);
   return answer;

@@ -92,7 +92,7 @@ mesh::Tick SoupSession::tick(const std::array<float, 3>& position) noexcept {
   const Tick tick = session_.tick(position);
   exact_decisions = nullptr;
   stage_ = in_integers == 0 ? Stage::binary64 : Stage::wide;
-  mesh::Tick result{tick.status, tick.moves, tick.force, object_of(tick.after)};
+  mesh::Tick result{tick.status, tick.moves, tick.force, object_of(tick.after), tick.damping};
   result.after.is_slipping = result.after.is_slipping && has_friction_;
   return result;
 }

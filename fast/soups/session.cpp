@@ -237,6 +237,16 @@ Tick Session::free(unsigned moves) {
   return {Status::free, static_cast<std::uint16_t>(moves), {}, state_};
 }
 
+// Each the largest of the triangles that hold r.
+damping::Limits damping_at(const Soup& soup, const At& r) {
+  damping::Limits largest{0, 0};
+  for (const Star::Held& held : r.star->triangles()) {
+    const damping::Limits its = soup.damping(*held.face);
+    largest = {std::max(largest.damping, its.damping), std::max(largest.drag, its.drag)};
+  }
+  return largest;
+}
+
 // Keeps the state.
 Tick Session::unfinished(unsigned moves, bool is_slipping) {
   if (is_on_) return resting(moves, is_slipping, Status::unfinished);
@@ -276,6 +286,7 @@ Tick Session::ended(const At& r, unsigned moves, bool is_slipping, bool is_at_go
     is_slipping = false;
   state_.is_slipping = is_slipping;
   tick.force = force_at(*soup_, r, p_, way ? &way->q : nullptr, stiffness_, is_shaded_);
+  if (soup_->has_damping()) tick.damping = damping_at(*soup_, r);
   tick.after = state_;
   return tick;
 }

@@ -29,6 +29,7 @@ struct Tick {
   std::uint16_t moves = 0;
   std::array<float, 3> force{};  // N
   State after;
+  damping::Limits damping = {};
 };
 
 // One thread at a time; the soup may be shared. A tick allocates only where it looks at more than kUsual triangles at a point,

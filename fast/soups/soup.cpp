@@ -62,8 +62,10 @@ Soup::Soup(const mesh::TriangleMesh& mesh, const std::vector<mesh::Sides>& sides
       its.static_friction = materials[t].static_friction;
       its.dynamic_friction = materials[t].dynamic_friction;
       its.stiffness = materials[t].stiffness;
+      its.damping = materials[t].damping;
     }
     has_friction_ = has_friction_ || its.static_friction > 0;
+    has_damping_ = has_damping_ || its.damping != damping::Limits{};
     properties_.push_back(its);
     if (!normals.empty()) normals_.push_back(normals[t]);
   }

@@ -38,6 +38,8 @@ class Soup {
   bool has_friction() const noexcept { return has_friction_; }
   // N/mm, of the triangle's material or the usual one.
   float stiffness(const Face& f, float usual) const noexcept { return properties_[of(f)].stiffness.value_or(usual); }
+  bool has_damping() const noexcept { return has_damping_; }
+  damping::Limits damping(const Face& f) const noexcept { return properties_[of(f)].damping; }
   // One for each corner; null without normals.
   const std::array<mesh::Normal, 3>* normals(const Face& f) const noexcept {
     return normals_.empty() ? nullptr : &normals_[of(f)];
@@ -49,6 +51,7 @@ class Soup {
     bool blocks_along = false;
     float static_friction = 0, dynamic_friction = 0;
     std::optional<float> stiffness = {};
+    damping::Limits damping = {};
   };
   std::size_t of(const Face& f) const noexcept { return static_cast<std::size_t>(&f - faces_.data()); }
 
@@ -58,7 +61,7 @@ class Soup {
   std::vector<std::uint32_t> face_of_file_;
   std::vector<Properties> properties_;
   mesh::CornerNormals normals_;
-  bool has_friction_ = false;
+  bool has_friction_ = false, has_damping_ = false;
   BoxTree tree_;
 };
 

@@ -56,6 +56,14 @@ struct Parameters {
   friend bool operator==(const Parameters&, const Parameters&) = default;
 };
 
+// The most that a surface lets act of a path's B and B_t: each 0, 2^-20 to 16, or infinite, which lets all of it act.
+struct Limits {
+  float damping = HUGE_VALF;  // N·s/mm
+  float drag = HUGE_VALF;     // the same
+
+  friend bool operator==(const Limits&, const Limits&) = default;
+};
+
 // Damping as a subject has it, before a rate is known.
 struct Described {
   Parameters parameters;  // without their rate

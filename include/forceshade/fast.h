@@ -160,7 +160,7 @@ class HeightMapField {
 // Converts a tick to the Evaluation that the session's caller sees.
 inline Evaluation evaluation_of(const mesh::Tick& tick, Stage stage) noexcept {
   if (finished(tick.status) != Status::contact) return {{0, 0, 0}, tick.status, stage};
-  return {Eigen::Vector3f(tick.force.data()), tick.status, stage};
+  return {Eigen::Vector3f(tick.force.data()), tick.status, stage, tick.damping};
 }
 
 // A god-object as a servo loop drives it, which also gives the whole tick for comparisons and records.

@@ -24,6 +24,7 @@
 #include <variant>
 #include <vector>
 
+#include "forceshade/damping.h"
 #include "forceshade/height_map.h"
 #include "forceshade/law.h"
 
@@ -61,11 +62,13 @@ struct Texture {
   HeightMap map;  // `surface` is not used: the depth is that of the mesh
 };
 
-// The surface of a triangle as a hand feels it: Coulomb friction and stiffness (docs/friction.md).
+// The surface of a triangle as a hand feels it: Coulomb friction and stiffness (docs/friction.md), and how much of a path's
+// damping acts on it (docs/damping.md).
 struct Material {
   std::optional<float> stiffness = {};  // N/mm, in [10^-3, 10^3]; nothing: that of the rendering
   float static_friction = 0;            // 0, infinity, or 2^-10 to 2^10; at least the dynamic one
   float dynamic_friction = 0;           // the same
+  damping::Limits damping = {};
 
   bool operator==(const Material&) const = default;
 };
@@ -192,6 +195,7 @@ struct Tick {
   std::uint16_t moves = 0;       // flights and slides; a refused one is not counted
   std::array<float, 3> force{};  // N, each component the binary32 nearest to the exact one; zeros are +0
   GodObject after;               // the state that the next tick starts from
+  damping::Limits damping = {};  // of where the force is from
 };
 
 }  // namespace forceshade::mesh

@@ -48,6 +48,7 @@ struct Rounded {
   Status status = Status::free;
   Method method = Method::filter;
   float ulps_from_tie = 1;  // of the component nearest to a rounding tie; 0 for a tie, or too close for the filter to decide
+  damping::Limits damping = {};  // of what is touched
 };
 
 struct DecimalForce {

@@ -25,6 +25,7 @@
 #include <memory>
 #include <utility>
 
+#include "forceshade/damping.h"
 #include "forceshade/law.h"
 
 namespace forceshade::fast {
@@ -36,6 +37,7 @@ struct Evaluation {
   Eigen::Vector3f force{0, 0, 0};  // N; zero where the status is free or invalid
   Status status = Status::free;
   Stage stage = Stage::binary64;
+  damping::Limits damping = {};  // of what is touched, for damping behind the renderer
 };
 
 // Holds whatever the renderer remembers of the path so far.

@@ -78,6 +78,8 @@ Json words_of_materials(const Json& scene) {
   const Json& materials = scene.at("mesh").at("materials");
   if (std::ranges::any_of(materials, [](const Json& one) { return one.at("static_friction") != "0x0p+0"; }))
     words.push_back("friction");
+  if (std::ranges::any_of(materials, [](const Json& one) { return one.contains("damping_N_s_per_mm"); }))
+    words.push_back("damping");
   if (std::ranges::any_of(materials, [](const Json& one) { return !one.at("stiffness_N_per_mm").is_null(); }))
     words.push_back("stiffness");
   return words;
@@ -88,7 +90,8 @@ std::optional<std::string> refusal_of_materials(const KeyReader& its, const Json
   const Json none = Json::array();
   const Json& declared =
       said.contains("materials")
-          ? list_in(its, "materials", "a list of what it renders of a scene's materials: \"friction\", \"stiffness\"")
+          ? list_in(its, "materials",
+                    "a list of what it renders of a scene's materials: \"friction\", \"stiffness\", \"damping\"")
           : none;
   for (const Json& word : words_of_materials(scene))
     if (std::ranges::find(declared, word) == declared.end()) return undeclared("materials", declared, word);

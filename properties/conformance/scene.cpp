@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A stiffness is null where it is that of the scene.
+// A stiffness is null where it is that of the scene, damping and drag where they are those of the path.
 void add_materials(const mesh::Materials& materials, Json& json) {
   json["materials"] = Json::array();
   for (const mesh::Material& one : materials.list) {
@@ -21,6 +21,10 @@ void add_materials(const mesh::Materials& materials, Json& json) {
     json["materials"].push_back({{"stiffness_N_per_mm", one.stiffness ? numbers[0] : Json()},
                                  {"static_friction", numbers[1]},
                                  {"dynamic_friction", numbers[2]}});
+    if (one.damping == damping::Limits{}) continue;
+    const Json limits = hexfloats(std::array{one.damping.damping, one.damping.drag});
+    json["materials"].back()["damping_N_s_per_mm"] = std::isinf(one.damping.damping) ? Json() : limits[0];
+    json["materials"].back()["drag_N_s_per_mm"] = std::isinf(one.damping.drag) ? Json() : limits[1];
   }
   json["material_of_triangle"] = materials.of_triangle;
 }

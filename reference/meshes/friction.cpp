@@ -20,12 +20,14 @@ SurfaceMaterials::SurfaceMaterials(const Surface& surface, const mesh::Materials
 }
 
 mesh::Material SurfaceMaterials::of(const Feature& feature) const {
-  mesh::Material largest;
+  mesh::Material largest{.damping = {0, 0}};
   for (const std::size_t i : surface_.triangles_at(feature)) {
     const mesh::Material& its = of_triangle_[i];
     largest.stiffness = std::max(largest.stiffness, its.stiffness);
     largest.static_friction = std::max(largest.static_friction, its.static_friction);
     largest.dynamic_friction = std::max(largest.dynamic_friction, its.dynamic_friction);
+    largest.damping.damping = std::max(largest.damping.damping, its.damping.damping);
+    largest.damping.drag = std::max(largest.damping.drag, its.damping.drag);
   }
   return largest;
 }

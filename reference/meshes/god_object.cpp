@@ -37,8 +37,9 @@ class RegularTicks final : public Ticks {
     ExactTick tick{{end.status, static_cast<std::uint16_t>(end.moves), {}, end.after}, {}};
     if (!end.rest) return tick;
     const auto& scheme = std::get<std::unique_ptr<const Scheme>>(scheme_);
-    const float stiffness = materials_.of(end.rest->r.feature).stiffness.value();
-    tick.force = exact_force(scheme == nullptr ? Direction() : scheme->direction(*end.rest), *end.rest, stiffness);
+    const mesh::Material its = materials_.of(end.rest->r.feature);
+    tick.force = exact_force(scheme == nullptr ? Direction() : scheme->direction(*end.rest), *end.rest, its.stiffness.value());
+    tick.tick.damping = its.damping;
     return tick;
   }
 

@@ -71,12 +71,15 @@ Rounded SceneSession::step(const Eigen::Vector3f& position, std::span<const scen
   const bool is_seen = poses.size() == objects_.size();
   Rounded answer;
   std::array<Fraction, 3> sum;
+  damping::Limits largest{0, 0};
   bool is_valid = true;
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     const Rounded its = objects_[i](is_seen ? seen_from(poses[i], position).value_or(not_seen) : not_seen);
     is_valid &= its.status != Status::invalid;
     answer.status = std::max(answer.status, its.status);
     if (finished(its.status) != Status::contact) continue;
+    largest.damping = std::max(largest.damping, its.damping.damping);
+    largest.drag = std::max(largest.drag, its.damping.drag);
     const Rotation rotation = rotation_of(poses[i]).value();
     const Vector force = integers_of(its.force);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -85,6 +88,7 @@ Rounded SceneSession::step(const Eigen::Vector3f& position, std::span<const scen
   }
   if (!is_valid) answer.status = Status::invalid;
   if (finished(answer.status) != Status::contact) return answer;
+  answer.damping = largest;
   for (std::size_t axis = 0; axis < 3; ++axis)
     answer.force(static_cast<Eigen::Index>(axis)) = meshes::nearest_binary32(sum[axis], -kFloatScale);
   return answer;

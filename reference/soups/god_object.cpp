@@ -36,8 +36,11 @@ class SoupTicks final : public meshes::Ticks {
       : has_friction_(rendering.contact == mesh::Contact::friction),
         soup_(rendering.mesh(), {rendering.sides}, materials_of(rendering)),
         normals_(rendering.shading == mesh::Shading::vertex_scheme ? rendering.normals : mesh::CornerNormals()) {
-    for (std::size_t i = 0; i < rendering.mesh().triangles.size(); ++i)
-      stiffness_.push_back(material_of(rendering.materials, i).stiffness.value_or(rendering.stiffness));
+    for (std::size_t i = 0; i < rendering.mesh().triangles.size(); ++i) {
+      const mesh::Material its = material_of(rendering.materials, i);
+      stiffness_.push_back(its.stiffness.value_or(rendering.stiffness));
+      damping_.push_back(its.damping);
+    }
   }
 
   meshes::ExactTick tick(const mesh::GodObject& before, const std::array<float, 3>& position,
@@ -45,7 +48,9 @@ class SoupTicks final : public meshes::Ticks {
     const Tick made = soups::tick(soup_, state_of(before), position, most_moves);
     meshes::ExactTick tick{{made.status, static_cast<std::uint16_t>(made.moves), {}, object_of(made.after)}, {}};
     tick.tick.after.is_slipping = has_friction_ && made.after.is_slipping;
-    if (made.rest) tick.force = exact_force(*made.rest, stiffness_at(*made.rest), normals_);
+    if (!made.rest) return tick;
+    tick.force = exact_force(*made.rest, stiffness_at(*made.rest), normals_);
+    tick.tick.damping = damping_at(*made.rest);
     return tick;
   }
 
@@ -62,11 +67,20 @@ class SoupTicks final : public meshes::Ticks {
     for (const Triangle* triangle : rest.r.star->triangles()) largest = std::max(largest, stiffness_[triangle->number]);
     return largest;
   }
+  damping::Limits damping_at(const Rest& rest) const {
+    damping::Limits largest{0, 0};
+    for (const Triangle* triangle : rest.r.star->triangles()) {
+      largest.damping = std::max(largest.damping, damping_[triangle->number].damping);
+      largest.drag = std::max(largest.drag, damping_[triangle->number].drag);
+    }
+    return largest;
+  }
 
   bool has_friction_;
   Soup soup_;
   mesh::CornerNormals normals_;   // none: the force is not shaded
   std::vector<float> stiffness_;  // of each triangle of the file, N/mm
+  std::vector<damping::Limits> damping_;
 };
 
 using Direction = std::optional<Vector>;

@@ -24,6 +24,12 @@ void add_materials(const mesh::Materials& materials, Digest& digest) {
     digest.number(one.static_friction);
     digest.number(one.dynamic_friction);
   }
+  if (has_own_damping(materials))
+    for (const mesh::Material& one : materials.list) {
+      digest.line("with damping");
+      digest.number(one.damping.damping);
+      digest.number(one.damping.drag);
+    }
   digest.line("triangles with a material " + std::to_string(materials.of_triangle.size()));
   for (const std::uint32_t material : materials.of_triangle) digest.whole(material);
 }
@@ -70,7 +76,7 @@ Identity identity_of(const std::string& name, const MeshRendering& rendering) {
   if (!is_regular) identity.parameters.push_back({"triangles", std::string("any set")});
   if (has_own_contact) identity.parameters.push_back({"contact", std::string(name_of(rendering.contact))});
   if (has_friction(rendering.materials)) identity.parameters.push_back({"friction", words_of_friction(materials)});
-  if (has_own_stiffness(rendering.materials) || (has_materials && materials.size() > 1))
+  if (has_own_stiffness(rendering.materials) || has_own_damping(rendering.materials) || (has_materials && materials.size() > 1))
     identity.parameters.push_back({"materials", std::to_string(materials.size())});
   return identity;
 }

@@ -61,6 +61,12 @@ TEST(hello, is_not_applicable_to_a_scene_with_materials_that_it_does_not_declare
   EXPECT_EQ(stiff.at("mesh").at("material_of_triangle").dump(), "[0,1,0,1]");
   EXPECT_EQ(hello_on(stiff, {"friction"}).refusal, R"(it declares materials ["friction"] and not "stiffness")");
   EXPECT_EQ(hello_on(stiff, {"friction", "stiffness"}).refusal, std::nullopt);
+  const Json dry = scene_with({{{}, {.damping = {0, HUGE_VALF}}}, {0, 1, 0, 1}}, mesh::Contact::direct);
+  EXPECT_EQ(dry.at("mesh").at("materials")[1].dump(),
+            R"({"stiffness_N_per_mm":null,"static_friction":"0x0p+0","dynamic_friction":"0x0p+0",)"
+            R"("damping_N_s_per_mm":"0x0p+0","drag_N_s_per_mm":null})");
+  EXPECT_EQ(hello_on(dry, {"friction"}).refusal, R"(it declares materials ["friction"] and not "damping")");
+  EXPECT_EQ(hello_on(dry, {"damping"}).refusal, std::nullopt);
 }
 
 TEST(hello, is_not_applicable_to_any_set_of_triangles_unless_it_declares_them) {

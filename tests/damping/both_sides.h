@@ -41,12 +41,13 @@ struct DampingOfBothSides {
 
   // The answer of both to a spring's force.
   fast::Evaluation tick(const Eigen::Vector3f& position, std::uint32_t periods, const Eigen::Vector3f& spring,
-                        Status status = Status::contact) {
+                        Status status = Status::contact, const damping::Limits& limits = {}) {
     reference::Rounded exact;
     exact.force = spring;
     exact.status = status;
+    exact.damping = limits;
     exact = reference.tick(position, periods, exact);
-    const fast::Evaluation found = fast.tick(position, periods, {spring, status});
+    const fast::Evaluation found = fast.tick(position, periods, {spring, status, fast::Stage::binary64, limits});
     const damping::State state = fast.state();
     EXPECT_TRUE(same_bits(found.force, exact.force) && found.status == exact.status && state == reference.state())
         << "at " << shown(position) << " mm, after " << periods << " periods, spring " << shown(spring) << " N, velocity "

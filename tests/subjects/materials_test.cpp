@@ -79,6 +79,23 @@ TEST_F(Materials, of_a_file_are_found_by_groups_and_faces) {
   EXPECT_EQ(stiff.contact, mesh::Contact::direct) << "no coefficient is above 0";
 }
 
+TEST_F(Materials, of_a_file_limit_a_paths_damping) {
+  const MeshRendering its = of_file(
+      "[default]\ndamping = 0\n[[material]]\nname = \"oiled\"\ndamping = \"2Ns/m\"\ndrag = 0.001\nfaces = [1]\n"
+      "[[material]]\nname = \"rubber\"\ndamping = \"inf\"\ndrag = inf\nfaces = [2]\n");
+  EXPECT_EQ(its.materials.list, (std::vector<mesh::Material>{{.damping = {0, HUGE_VALF}}, {.damping = {0.002F, 0.001F}}, {}}));
+  EXPECT_EQ(its.contact, mesh::Contact::direct);
+  EXPECT_EQ(of_file("[default]\ndamping = inf\n").materials, mesh::Materials{}) << "they change nothing";
+  const auto expect = [&](const std::string& keys, const std::string& words) {
+    expect_refusal("materials.toml: line 2: " + words, [&] { of_file("[default]\n" + keys); });
+  };
+  expect("damping = 20\n", "damping is 20 N·s/mm; expected 0 or inf, or ");
+  expect("drag = -1\n", "drag is -1 N·s/mm; expected 0 or inf, or ");
+  expect("drag = 1e-7\n", "drag is ");
+  expect("damping = true\n", "damping: expected a number such as \"2Ns/m\", got true");
+  expect("damping = \"2kg\"\n", "damping: ");
+}
+
 TEST_F(Materials, are_rendered_with_the_largest_of_their_stiffnesses_known) {
   const auto largest = [&](const MeshRendering& its) { return std::get<Rendering>(rendering_of("its.obj", its)).stiffness; };
   const std::string hard = "[[material]]\nname = \"hard\"\nfaces = [1]\nstiffness = 4\n";
@@ -106,7 +123,11 @@ TEST_F(Materials, are_part_of_the_identity) {
   digests.insert(identity(of_file(soft + "faces = [\"0-2\"]\n")).digest);
   digests.insert(identity(of_file("[default]\nstiffness = 0.25\n")).digest);
   digests.insert(identity(of_file("[default]\nstiffness = 0.5\n")).digest);
-  EXPECT_EQ(digests.size(), 8U);
+  digests.insert(identity(of_file("[default]\ndamping = 0.5\n")).digest);
+  digests.insert(identity(of_file("[default]\ndrag = 0.5\n")).digest);
+  digests.insert(identity(of_file("[default]\ndrag = 0.25\n")).digest);
+  EXPECT_EQ(digests.size(), 11U);
+  EXPECT_EQ(text_of(*identity(of_file("[default]\ndrag = 0.5\n")).parameter("materials")), "1");
 }
 
 TEST_F(Materials, are_written_as_they_are_read) {

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The surface of a mesh: friction and stiffness."""
+"""The surface of a mesh: friction, stiffness and damping."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from math import inf
 from typing import Any, Union
 
 import numpy as np
@@ -23,8 +24,8 @@ def words_of_friction(friction: Friction) -> str:
 
 def materials_of(
     friction: Friction | None, materials: File | Materials | None
-) -> tuple[list[tuple[float | None, float, float]], list[int]]:
-    """A list of (stiffness, static, dynamic), and the number in it of each triangle; no numbers where all have the first."""
+) -> tuple[list[tuple[float | None, float, float, float, float]], list[int]]:
+    """A list of (stiffness, static, dynamic, damping, drag), and the number in it of each triangle; none where all have the first."""
     if materials is not None and (not isinstance(materials, (tuple, list)) or len(materials) != 2):
         raise TypeError("a file of materials is for a mesh file; expected a pair (list, numbers) for arrays")
     listed: Sequence[Mapping[str, Any]] = [] if friction is None else [{"friction": friction}]
@@ -37,9 +38,10 @@ def materials_of(
         numbers = array.tolist()
     made = []
     for i, material in enumerate(listed):
-        if unknown := set(material) - {"friction", "stiffness"}:
-            raise ValueError(f"materials[{i}] has {sorted(unknown)}; expected friction, stiffness or neither")
+        if unknown := set(material) - {"friction", "stiffness", "damping", "drag"}:
+            raise ValueError(f"materials[{i}] has {sorted(unknown)}; expected friction, stiffness, damping, drag or none")
         own = material.get("stiffness")
         static, dynamic = _forceshade.friction("friction", words_of_friction(material.get("friction", 0)))
-        made.append((None if own is None else stiffness_of(own), static, dynamic))
+        damping, drag = (float(material.get(key, inf)) for key in ("damping", "drag"))
+        made.append((None if own is None else stiffness_of(own), static, dynamic, damping, drag))
     return made, numbers

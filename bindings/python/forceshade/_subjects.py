@@ -232,7 +232,8 @@ class Mesh(Subject):
     "friction", which is usual where a coefficient of friction is above 0.
     friction: a coefficient of friction, or a pair (static, dynamic), for the whole mesh: 0, inf, or 2**-10 to 1024.
     materials: instead, of a mesh file, a TOML file; of arrays a pair (list, numbers): a list of dictionaries with "friction",
-    "stiffness" or neither, and for each triangle the number of its material (docs/meshes.md, "Materials and friction").
+    "stiffness", "damping", "drag" or none of these, and for each triangle the number of its material (docs/meshes.md,
+    "Materials and friction").
     crease: degrees, 0 to 180 (no creases), for the normals.
     self_intersecting: deprecated and without effect, since every set of triangles is taken.
 

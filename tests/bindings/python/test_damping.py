@@ -60,6 +60,21 @@ def test_a_damped_session_is_the_definition(name):
     assert dense(alone[0]) == session.damping_state and bare.damping is None and bare.damping_state is None
 
 
+def test_materials_limit_damping():
+    at, periods = walk(500)
+    forces = {}
+    for name, material in {"all": {}, "some": {"damping": 0.005, "drag": 0.001}, "none": {"damping": 0, "drag": 0.0}}.items():
+        mesh = forceshade.Mesh(*TETRAHEDRON, stiffness=0.5, materials=([material], [0] * 4))
+        forces[name] = forceshade.Session(mesh, damping=OIL).steps(at, periods=periods)
+    less = dataclasses.replace(OIL, damping=0.005, drag=0.001)
+    assert same_bits(forces["all"], forceshade.Session(SUBJECTS["mesh"], damping=OIL).steps(at, periods=periods))
+    assert same_bits(forces["some"], forceshade.Session(SUBJECTS["mesh"], damping=less).steps(at, periods=periods))
+    assert same_bits(forces["none"], forceshade.Session(SUBJECTS["mesh"]).steps(at))
+    assert not same_bits(forces["some"], forces["all"]) and not same_bits(forces["some"], forces["none"])
+    with pytest.raises(ValueError, match="damping of a material is 20 N·s/mm; expected 0 or inf, or "):
+        forceshade.Mesh(*TETRAHEDRON, materials=([{"damping": 20}], [0] * 4))
+
+
 def test_a_step_is_one_period_and_steps_are_its_sum():
     one, many = (forceshade.Session(SUBJECTS["mesh"], damping=OIL) for _ in range(2))
     at, _ = walk(500)
