@@ -36,6 +36,11 @@ sed -i 's/kLargestStiffness = 1e3F/kLargestStiffness = 2e3F/' "$copy/fast/law.cp
 cmp -s "$copy/fast/law.cpp" "$source/fast/law.cpp" && fail "fast/law.cpp: expected a constant kLargestStiffness = 1e3F"
 build "$copy" "$copy/build" -O0
 expect another "a constant" "$copy/build"
+sed -i 's/kLargestStiffness = 2e3F/kLargestStiffness = 1e3F/' "$copy/fast/law.cpp"
+sed -i 's/poses_\[i\] = motions_\[i\]/poses_[i] = motions_[0]/' "$copy/subjects/renderer/moving_renderer.cpp"
+cmp -s "$copy/subjects/renderer/moving_renderer.cpp" "$source/subjects/renderer/moving_renderer.cpp" && fail "expected motions_[i] there"
+build "$copy" "$copy/build" -O0
+expect another "the way from a description to the library" "$copy/build"
 
 strip -o "$scratch/stripped" "$command"
 digest_of() { "$1" --version | grep -o '[0-9a-f]\{64\}'; }
