@@ -148,11 +148,14 @@ void draw(const std::vector<PlannedView>& views, const std::vector<Kind>& kinds,
 // The fast path's ticks at the positions of a CSV, in their order; "-" is standard input.
 std::vector<Ticked> path_of(const std::string& input, fast::TickSession& session) {
   InputFile positions(input);
-  files::Reader rows(positions.stream(), positions.name(), {"x_mm", "y_mm", "z_mm"});
+  constexpr std::size_t kReset = 3;
+  files::Reader rows(positions.stream(), positions.name(), {"x_mm", "y_mm", "z_mm"}, {"reset"});
   std::vector<Ticked> path;
   while (rows.next()) {
     if (interrupted()) throw Interrupted("no picture was drawn");
     const std::array<float, 3> position{rows.binary32(0), rows.binary32(1), rows.binary32(2)};
+    if (rows.has(kReset) && rows.text(kReset) != "0" && !(path.empty() && rows.text(kReset) == "1"))
+      throw rows.unexpected(kReset, "0, because a picture has one path");
     path.push_back({position, session.tick(position)});
   }
   return path;

@@ -37,6 +37,8 @@ nlohmann::json json_from(std::string_view text) {
       throw Error("the key " + shown(value) + " stands twice in one object");
     return true;
   };
+  // The parser would end at a zero byte, and leave what follows it unread.
+  if (const std::size_t zero = text.find('\0'); zero != text.npos) throw Error(files::json_fault(text, zero + 1));
   try {
     return nlohmann::json::parse(text, check);
   } catch (const nlohmann::json::parse_error& error) {

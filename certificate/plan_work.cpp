@@ -126,9 +126,10 @@ void add_runs(Certificate& certificate, const OpenedPlan& opened, const fs::path
   std::set<std::string> processors;
   std::error_code missing;
   for (fs::directory_iterator entry(folder, missing), end; !missing && entry != end; entry.increment(missing)) {
+    if (!entry->is_regular_file(missing)) continue;
     std::ifstream stream(entry->path());
-    const nlohmann::json run = nlohmann::json::parse(stream, nullptr, false);
-    if (!run.is_object() || run.value("plan", "") != opened.digest) continue;
+    nlohmann::json run = nlohmann::json::parse(stream, nullptr, false);
+    if (!run.is_object() || run["plan"] != opened.digest) continue;
     if (!run["seconds"].is_number() || !run["date"].is_string() || !run["processor"].is_string()) continue;
     certificate.seconds += run["seconds"].get<double>();
     certificate.date = std::max(certificate.date, run["date"].get<std::string>());

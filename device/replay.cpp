@@ -30,7 +30,7 @@ Replay::Replay(std::vector<Reading> recording) : recording_(std::move(recording)
 }
 
 Replay Replay::load(const std::string& path) {
-  auto file = files::open_input(path);
+  auto file = files::open_file(path);
   files::Reader rows(file, path, {"t_s", "x_mm", "y_mm", "z_mm"});
   std::vector<Reading> recording;
   while (rows.next()) {

@@ -97,6 +97,13 @@ std::string separator_of(const std::vector<std::string>& header) {
   return "";
 }
 
+// A name in small letters and without blanks.
+std::string plain_name(std::string text) {
+  std::erase(text, ' ');
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
 // 1,5 for 1.5
 bool has_decimal_comma(std::string text) {
   if (std::ranges::count(text, ',') != 1) return false;
@@ -134,9 +141,12 @@ void Reader::on_row(int, void* self) noexcept {
   static_cast<Reader*>(self)->row_complete_ = true;
 }
 
-// The error of the line that was read last, whose next byte is not of a text.
+// The error of the line that was read last, whose next byte is not of a text. The bytes that are there behind it tell some
+// kinds.
 Error Reader::no_text(unsigned char byte, std::size_t at, std::string_view words) const {
-  const std::string kind = line_ == 1 ? binary_kind(line_text_ + static_cast<char>(byte)) : "";
+  std::string behind(static_cast<std::size_t>(std::clamp<std::streamsize>(in_.in_avail(), 0, 16)), '\0');
+  if (line_ == 1) in_.sgetn(behind.data(), static_cast<std::streamsize>(behind.size()));
+  const std::string kind = line_ == 1 ? binary_kind(line_text_ + static_cast<char>(byte) + behind) : "";
   if (!kind.empty()) return Error(file_ + ": expected a CSV file, got " + kind);
   return error(line_, "byte " + std::to_string(at + 1) + ": " + std::string(words) + hex(byte));
 }
@@ -167,8 +177,11 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
   const std::size_t required = columns_.size();
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   for (const std::string& column : columns_) {
-    const auto found = std::find(header_.begin(), header_.end(), column);
-    if (found == header_.end() && place_.size() >= required) {
+    const bool is_optional = place_.size() >= required;
+    auto found = std::find(header_.begin(), header_.end(), column);
+    // Reset is reset: nothing would tell that it was left out.
+    if (found == header_.end() && is_optional) found = std::ranges::find(header_, column, plain_name);
+    if (found == header_.end() && is_optional) {
       place_.push_back(kNowhere);
       continue;
     }
@@ -178,17 +191,17 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
     if (found == header_.end())
       throw error(row_line_,
                   "no column " + column + ": expected columns " + listed(columns_) + ", got " + in_quotes(listed(header_)));
-    const auto again = std::find(found + 1, header_.end(), column);
+    const auto again = std::find(found + 1, header_.end(), *found);
     const auto number = [&](auto at) { return std::to_string(at - header_.begin() + 1); };
     if (again != header_.end())
-      throw error(row_line_, "columns " + number(found) + " and " + number(again) + " are both called " + column);
+      throw error(row_line_, "columns " + number(found) + " and " + number(again) + " are both called " + *found);
     place_.push_back(static_cast<std::size_t>(found - header_.begin()));
   }
 }
 
 void Reader::expect_no_other_column() const {
   for (std::size_t i = 0; i < header_.size(); ++i)
-    if (std::find(place_.begin(), place_.end(), i) == place_.end())
+    if (std::find(columns_.begin(), columns_.end(), header_[i]) == columns_.end())
       throw error(row_line_, "column " + std::to_string(i + 1) + ": expected one of " + listed(columns_) + ", got " +
                                  in_quotes(header_[i]));
 }

@@ -21,10 +21,14 @@ constexpr std::array kSignatures{Signature{kLfsBeginning, kLfsPointer},
                                  Signature{"GIF8"sv, "a GIF picture"},
                                  Signature{"II*\0"sv, "a TIFF picture"},
                                  Signature{"MM\0*"sv, "a TIFF picture"},
+                                 Signature{"II+\0"sv, "a TIFF picture"},
+                                 Signature{"MM\0+"sv, "a TIFF picture"},
                                  Signature{"\x93NUMPY"sv, "an NPY array"},
                                  Signature{"SQLite format 3\0"sv, "a recording or another SQLite database"},
                                  Signature{"PK\x03\x04"sv, "a ZIP archive"},
                                  Signature{"\x1f\x8b"sv, "a gzip archive"},
+                                 Signature{"\x89HDF"sv, "an HDF5 file"},
+                                 Signature{"\xd0\xcf\x11\xe0"sv, "an Excel or another Office file"},
                                  Signature{"%PDF-"sv, "a PDF document"},
                                  Signature{"\x7f"
                                            "ELF"sv,
@@ -55,7 +59,9 @@ bool begins_as_json(std::string_view text) {
 bool begins_as_toml(std::string_view line) {
   const std::size_t key = line.find_first_of(" \t=");
   if (line.starts_with('[')) return line.find(']') != std::string_view::npos;
-  return key != 0 && key != std::string_view::npos && line.substr(line.find_first_not_of(" \t", key)).starts_with('=');
+  if (key == 0 || key == std::string_view::npos) return false;
+  const std::size_t sign = line.find_first_not_of(" \t", key);
+  return sign != std::string_view::npos && line[sign] == '=';
 }
 
 // Columns in the first line, and as many in the second if there is one.
@@ -74,7 +80,7 @@ bool begins_as_csv(std::string_view text) {
 std::string binary_kind(std::string_view bytes) {
   for (const Signature& signature : kSignatures)
     if (bytes.starts_with(signature.beginning)) return std::string(signature.kind);
-  return bytes.find('\0') == std::string_view::npos ? "" : "a binary file";
+  return bytes.find('\0') == std::string_view::npos ? "" : std::string(kBinaryFile);
 }
 
 std::string text_kind(std::string_view text) {
@@ -83,7 +89,7 @@ std::string text_kind(std::string_view text) {
   if (text.find_first_not_of(kBlank) == std::string_view::npos) return "an empty file";
   text = from_first_line(text);
   if (begins_as_json(text)) return std::string(kJsonFile);
-  if (text.starts_with('<')) return "an XML or HTML file";
+  if (text.starts_with('<')) return std::string(kXmlFile);
   if (begins_as_toml(text.substr(0, text.find('\n')))) return std::string(kTomlFile);
   return begins_as_csv(text) ? std::string(kCsvFile) : "";
 }

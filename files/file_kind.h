@@ -7,14 +7,15 @@
 
 namespace forceshade::files {
 
-// "a PNG picture", "a recording (SQLite)" and so on by how the bytes begin, "a binary file" where they hold a zero byte; empty
-// for what may be a text.
+// "a PNG picture", "a recording (SQLite)" and so on by how the bytes begin, kBinaryFile where they hold a zero byte; empty for
+// what may be a text.
 std::string binary_kind(std::string_view bytes);
 
 // The names of these kinds in messages.
-inline constexpr std::string_view kCsvFile = "a CSV file", kJsonFile = "a JSON file", kTomlFile = "a TOML file";
+inline constexpr std::string_view kCsvFile = "a CSV file", kJsonFile = "a JSON file", kTomlFile = "a TOML file",
+                                  kXmlFile = "an XML or HTML file", kBinaryFile = "a binary file";
 
-// One of these three, "an XML or HTML file" or "an empty file" by how the text begins, whatever is wrong further on; empty for
+// One of these but the last, or "an empty file", by how the text begins, whatever is wrong further on; empty for
 // another text.
 std::string text_kind(std::string_view text);
 

@@ -23,6 +23,8 @@ constexpr int kDeepest = 100;
 // The value of the text, discarded if it is no JSON or too large; and a key that one of its objects has twice, of which a
 // reader would have to guess one.
 std::pair<Json, std::optional<std::string>> parsed(const std::string& text) {
+  // The parser would end at a zero byte, and leave what follows it unread.
+  if (text.find('\0') != std::string::npos) return {Json(Json::value_t::discarded), std::nullopt};
   struct TooMuch {};
   std::size_t values = 0;
   std::optional<std::string> twice;

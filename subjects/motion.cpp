@@ -41,7 +41,7 @@ void expect_all_or_none(const files::Reader& rows, const std::string& file) {
 }
 
 std::vector<TimedPose> read(const std::string& file, double rate) {
-  std::ifstream in = files::open_input(file);
+  std::ifstream in = files::open_file(file);
   files::Reader rows(in, file, {"time_s", "x_mm", "y_mm", "z_mm"}, {"qw", "qx", "qy", "qz"});
   rows.expect_no_other_column();
   expect_all_or_none(rows, file);

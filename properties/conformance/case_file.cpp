@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/case_file.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <cstring>
 #include <map>
@@ -86,13 +88,19 @@ std::optional<Record> record_of(std::string_view list) {
   }
   Record record;
   if (words.size() % 2 != 0) return std::nullopt;
+  // As in CSV, Reset is reset.
+  const auto is_letter = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+  for (std::size_t i = 0; i < words.size(); i += 2)
+    for (const std::string& other : kOthers)
+      if (std::ranges::equal(words[i], other, is_letter)) words[i] = other;
   for (std::size_t i = 0; i < words.size(); i += 2) {
     const std::string& type = words[i + 1];
     if (type.size() < 3 || type.find_first_not_of("0123456789", 2) != std::string::npos || type.size() > 6) return std::nullopt;
     Field field{record.bytes, std::stoul(type.substr(2)), type};
     if (type[1] == 'U') field.bytes *= 4;
     record.bytes += field.bytes;
-    if (!record.fields.emplace(words[i], field).second) return std::nullopt;
+    // NumPy fills a gap between fields with one that has no name.
+    if (!words[i].empty() && !record.fields.emplace(words[i], field).second) return std::nullopt;
   }
   return record;
 }
@@ -156,7 +164,12 @@ std::uint64_t read_npy(std::istream& in, const std::string& file, const std::fun
       std::memcpy(&number, &bytes[fields[i]->offset], sizeof number);
       put(its, i, number);
     }
-    if (fields[kReset] != nullptr) its.is_reset = bytes[fields[kReset]->offset] != 0;
+    if (fields[kReset] != nullptr) {
+      const int reset = static_cast<unsigned char>(bytes[fields[kReset]->offset]);
+      if (reset > 1)
+        throw Error(file + ", row " + std::to_string(row) + ": reset: expected 0 or 1, got " + std::to_string(reset));
+      its.is_reset = reset == 1;
+    }
     if (fields[kAim] != nullptr && (fields[kAim]->type[1] == 'S' || fields[kAim]->type[1] == 'U'))
       its.aim = text_in(&bytes[fields[kAim]->offset], *fields[kAim]);
     if (fields[kPeriods] != nullptr) std::memcpy(&its.periods, &bytes[fields[kPeriods]->offset], sizeof its.periods);

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "files/file_kind.h"
 #include "forceshade/heights.h"
@@ -15,20 +16,26 @@
 namespace forceshade::heights {
 namespace {
 
+using namespace std::string_view_literals;
+
 constexpr float kLargest = 1e4F, kSmallest = 0x1p-30F;  // mm: docs/height-maps.md; below the smallest is 0
 
 Samples read(const Source& source) {
   const std::filesystem::path& file = source.file;
+  if (files::is_named_pipe(file.string())) throw Error(file, "is a named pipe; expected a file");  // which would be waited on
   std::ifstream in(file, std::ios::binary);
   if (!in) throw Error(file, "cannot be opened");
-  std::string head(files::kLfsBeginning.size(), '\0');
+  std::string head(1024, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (head == files::kLfsBeginning) throw Error(file, "is " + std::string(files::kLfsPointer));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  if (head.starts_with(files::kLfsBeginning)) throw Error(file, "is " + std::string(files::kLfsPointer));
   if (head.starts_with("\x89PNG\r\n\x1a\n")) return read_png(source);
-  if (head.starts_with(std::string("II*\0", 4)) || head.starts_with(std::string("MM\0*", 4))) return read_tiff(source);
+  // The second two are those of BigTIFF.
+  for (const std::string_view tiff : {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv})
+    if (head.starts_with(tiff)) return read_tiff(source);
   if (head.starts_with("Pf")) return read_pfm(source);
   if (head.starts_with("\x93NUMPY")) return read_npy(source);
-  throw Error(file, "expected a PNG, TIFF, greyscale PFM or NPY file");
+  throw Error(file, "expected a PNG, TIFF, greyscale PFM or NPY file, got " + files::kind_of_file(head));
 }
 
 std::uint32_t largest_prime_factor(std::uint32_t n) {

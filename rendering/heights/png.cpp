@@ -5,10 +5,12 @@
 
 #include <cstdio>
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "files/decimal.h"
 #include "rendering/heights/samples.h"
+#include "rendering/heights/xml.h"
 
 namespace forceshade::heights {
 namespace {
@@ -37,7 +39,7 @@ class Reader {
     // A chunk that was changed, or left over, is an error: its content may have mattered.
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_benign_errors(png_, 0);
-    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, reinterpret_cast<png_const_bytep>("acTL"), 1);
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, reinterpret_cast<png_const_bytep>("acTL\0sTER"), 2);
   }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -81,7 +83,19 @@ class Reader {
     if (png_get_sCAL_s(png_, info_, &unit, &width, &height) != 0 && !are_equal(width, height))
       refuse("has pixels that are not square (sCAL); expected one size");
     png_unknown_chunkp other = nullptr;
-    if (png_get_unknown_chunks(png_, info_, &other) > 0) refuse("is animated (acTL); expected one picture");
+    if (png_get_unknown_chunks(png_, info_, &other) > 0)
+      refuse("is animated (acTL) or a pair for two eyes (sTER); expected one picture");
+    png_textp texts = nullptr;
+    int count = 0;
+    png_get_text(png_, info_, &texts, &count);
+    for (const png_text& text : std::span(texts, static_cast<std::size_t>(count))) {
+      const std::string_view key = text.key;
+      // The Exif data of programs that are older than eXIf.
+      if (key == "Raw profile type exif" || key == "Raw profile type APP1")
+        refuse("has Exif data (Raw profile), which may turn it; expected none");
+      if (key == "XML:com.adobe.xmp" && is_turned_by_xmp(text.text))
+        refuse("is turned by its XMP (tiff:Orientation); expected 1, the first row on top");
+    }
   }
 
   bool read_header() {

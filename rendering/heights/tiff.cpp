@@ -19,6 +19,7 @@
 
 #include "files/printable.h"
 #include "rendering/heights/samples.h"
+#include "rendering/heights/xml.h"
 
 namespace forceshade::heights {
 namespace {
@@ -93,9 +94,9 @@ const Kind& kind_of(TIFF* tiff, const std::filesystem::path& file) {
 
 // Tags of GDAL and GeoTIFF, which are no names of libtiff's: the number that stands for "no data" as text, other text in XML,
 // the sizes of a pixel, the places of some, the matrix that stands in their place where a picture is turned, and what they are
-// measured in.
+// measured in. One of MetaMorph's.
 constexpr std::uint32_t kNoData = 42113, kMetadata = 42112, kPixelScale = 33550, kTiePoints = 33922, kTransformation = 34264,
-                        kGeoKeys = 34735;
+                        kGeoKeys = 34735, kUic2 = 33629;
 
 bool has_tag(TIFF* tiff, std::uint32_t tag) {
   for (int i = 0; i < TIFFGetTagListCount(tiff); ++i)
@@ -121,20 +122,6 @@ std::string_view text_of(TIFF* tiff, std::uint32_t tag, const std::filesystem::p
   return {text.data(), std::min(std::string_view(text.data(), text.size()).find('\0'), text.size())};
 }
 
-// The words role="scale" in XML, however they are quoted and spaced.
-bool has_role(std::string_view text, std::string_view role) {
-  constexpr std::string_view kName = "role", kBlank = " \t\r\n";
-  for (std::size_t at = text.find(kName); at < text.size(); at = text.find(kName, at + 1)) {
-    std::string_view rest = text.substr(at + kName.size());
-    for (const std::string_view between : {"", "=", "\"\'"}) {
-      if (!between.empty() && !rest.empty() && between.find(rest.front()) != between.npos) rest.remove_prefix(1);
-      if (between != "\"\'") rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
-    }
-    if (rest.starts_with(role) && rest.substr(role.size()).find_first_of("\"\'") == 0) return true;
-  }
-  return false;
-}
-
 // A height that GeoTIFF declares for a number of 1: neither 0, which stands for none, nor 1.
 bool is_scale(double number) {
   return number != 0 && number != 1;
@@ -156,23 +143,30 @@ void expect_square_pixels(TIFF* tiff, const std::filesystem::path& file) {
   if (points.size() > 6 && scale.empty() && matrix.empty())
     throw Error(file, "is placed by " + std::to_string(points.size() / 6) +
                           " points (ModelTiepoint), between which a pixel may have any size; expected ModelPixelScale");
+  // A point of the picture at a height: z of the model for k of the picture.
+  if (points.size() >= 6 && matrix.empty() && points[5] - points[2] * (scale.size() >= 3 ? scale[2] : 0) != 0)
+    throw Error(file, "moves (ModelTiepoint)" + scaled);
   // Rows of four: a key, where its value is (0: in the row), how many, and the value. Key 1024 says what the model is: 2 is
-  // degrees of longitude and latitude.
+  // degrees of longitude and latitude, 3 is places around the middle of the earth. Where it is missing, key 2048 names degrees
+  // and key 3072 a projection.
   const std::span<const std::uint16_t> keys = numbers_of<std::uint16_t>(tiff, kGeoKeys, TIFF_SHORT, file);
-  for (std::size_t at = 4; at + 4 <= keys.size(); at += 4)
-    if (keys[at] == 1024 && keys[at + 1] == 0 && keys[at + 3] == 2)
-      throw Error(file,
-                  "has pixels in degrees of longitude and latitude (GTModelTypeGeoKey), which are not square; expected a "
-                  "projection, in a unit of length");
+  const auto key = [&](std::uint16_t name) {
+    for (std::size_t at = 4; at + 4 <= keys.size(); at += 4)
+      if (keys[at] == name && keys[at + 1] == 0) return keys[at + 3];
+    return std::uint16_t{0};
+  };
+  const std::uint16_t model = key(1024);
+  if (model == 2 || model == 3 || (model == 0 && key(2048) != 0 && key(3072) == 0))
+    throw Error(file,
+                "has pixels in degrees of longitude and latitude (GTModelTypeGeoKey), which are not square; expected a "
+                "projection, in a unit of length");
 }
+
+constexpr const char* kStack = "has a stack of pictures (";
 
 // ImageJ's text: a line for each of its numbers. It writes a stack of pictures behind the page of the first, and what a number
 // of the file means: cf=0 is c0 + c1 number.
-void expect_no_calibration(TIFF* tiff, const std::filesystem::path& file) {
-  const char* description = nullptr;
-  if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &description) != 1 || description == nullptr) return;
-  const std::string_view text = description;
-  if (!text.starts_with("ImageJ=")) return;
+void expect_no_calibration(std::string_view text, const std::filesystem::path& file) {
   if (text.find("\ncf=") != text.npos)
     throw Error(file, "declares a calibration of its numbers (ImageJ's cf); expected heights, which scale_mm scales");
   constexpr std::string_view kImages = "\nimages=";
@@ -180,7 +174,71 @@ void expect_no_calibration(TIFF* tiff, const std::filesystem::path& file) {
   if (at == text.npos) return;
   std::string_view images = text.substr(at + kImages.size());
   images = images.substr(0, images.find_first_of("\r\n"));
-  if (images != "1") throw Error(file, "has a stack of pictures (ImageJ's images); expected one");
+  if (images != "1") throw Error(file, kStack + std::string("ImageJ's images); expected one"));
+}
+
+// The description of OME-TIFF, in XML: two sizes of a pixel, in units of their own.
+void expect_square_pixels_of_ome(std::string_view text, const std::filesystem::path& file) {
+  for (const auto& [across, along] : {std::pair{"PhysicalSizeX", "PhysicalSizeY"}, {"PhysicalSizeXUnit", "PhysicalSizeYUnit"}})
+    if (has_value(text, across, [&, y = along](std::string_view size) {
+          return !has_value(text, y, [&](std::string_view other) { return other == size; });
+        }))
+      throw Error(file, "has pixels that are not square (OME's PhysicalSizeX and PhysicalSizeY); expected one size");
+}
+
+// tifffile writes a stack behind the page of the first picture, too, and its sizes as JSON: {"shape": [pictures, rows,
+// columns]}.
+void expect_one_shape(std::string_view text, std::uint64_t samples, const std::filesystem::path& file) {
+  double all = 1, size = 0;
+  for (;;) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+    if (error != std::errc()) break;
+    all *= size;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    text.remove_prefix(std::min(text.find_first_not_of(", "), text.size()));
+  }
+  if (all > static_cast<double>(samples)) throw Error(file, kStack + std::string("tifffile's shape); expected one"));
+}
+
+void expect_plain_description(TIFF* tiff, const std::filesystem::path& file) {
+  const char* description = nullptr;
+  if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &description) != 1 || description == nullptr) return;
+  const std::string_view text = description;
+  std::uint32_t columns = 0, rows = 0;
+  TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &columns);
+  TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &rows);
+  constexpr std::string_view kShape = "{\"shape\": [";
+  if (text.starts_with("ImageJ=")) expect_no_calibration(text, file);
+  if (text.starts_with(kShape)) expect_one_shape(text.substr(kShape.size()), std::uint64_t{columns} * rows, file);
+  if (text.find("<OME") != text.npos) expect_square_pixels_of_ome(text, file);
+}
+
+// Tags that change what a number means, or where it stands, in ways of their own.
+struct OtherTag {
+  std::uint32_t tag;
+  const char* name;
+};
+constexpr std::array kOtherTags{OtherTag{33920, "IntergraphMatrix"}, OtherTag{50844, "RPCCoefficient"},
+                                OtherTag{50712, "LinearizationTable"}, OtherTag{50714, "BlackLevel"},
+                                OtherTag{50717, "WhiteLevel"}};
+
+void expect_no_other_tag(TIFF* tiff, const std::filesystem::path& file) {
+  for (const OtherTag& other : kOtherTags)
+    if (has_tag(tiff, other.tag))
+      throw Error(file, "has the tag " + std::string(other.name) +
+                            ", by which a number is no height or stands elsewhere; expected heights alone");
+  std::uint32_t count = 0, kind = 0, depth = 1;
+  const unsigned char* xmp = nullptr;
+  const void* planes = nullptr;
+  if (TIFFGetField(tiff, TIFFTAG_XMLPACKET, &count, &xmp) == 1 && is_turned_by_xmp({reinterpret_cast<const char*>(xmp), count}))
+    throw Error(file, "is turned by its XMP (tiff:Orientation); expected 1, the first row on top");
+  TIFFGetField(tiff, TIFFTAG_SUBFILETYPE, &kind);
+  if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0)
+    throw Error(file, "is a smaller copy or a mask of a picture (NewSubfileType); expected the picture");
+  TIFFGetField(tiff, TIFFTAG_IMAGEDEPTH, &depth);
+  // MetaMorph's UIC2 has numbers for each picture of the stack behind the page of the first.
+  if (depth > 1 || (has_tag(tiff, kUic2) && (TIFFGetField(tiff, kUic2, &count, &planes) != 1 || count > 1)))
+    throw Error(file, kStack + std::string(depth > 1 ? "ImageDepth" : "MetaMorph's UIC2") + "); expected one");
 }
 
 // Refuses whatever says that the numbers are no heights, or not where they stand.
@@ -203,10 +261,11 @@ void expect_heights_alone(TIFF* tiff, const std::filesystem::path& file) {
       across != along)
     throw Error(file, "has pixels that are not square; expected one resolution");
   expect_square_pixels(tiff, file);
-  expect_no_calibration(tiff, file);
-  for (const char* role : {"scale", "offset"})
-    if (has_role(text_of(tiff, kMetadata, file), role))
-      throw Error(file, "declares a" + std::string(role[0] == 'o' ? "n " : " ") + role +
+  expect_plain_description(tiff, file);
+  expect_no_other_tag(tiff, file);
+  for (const std::string_view role : {"scale", "offset"})
+    if (has_value(text_of(tiff, kMetadata, file), "role", [&](std::string_view value) { return value == role; }))
+      throw Error(file, std::string(role == "offset" ? "declares an " : "declares a ") + std::string(role) +
                             " of its numbers (GDAL_METADATA); expected heights, which scale_mm scales");
   if (TIFFLastDirectory(tiff) == 0 || TIFFGetField(tiff, TIFFTAG_SUBIFD, &below, &places) == 1)
     throw Error(file, "has more than one page; expected one");

@@ -20,10 +20,19 @@ struct Format {
 constexpr std::array kFormats{Format{".obj", &read_obj}, Format{".off", &read_off}, Format{".ply", &read_ply},
                               Format{".stl", &read_stl}};
 
-void expect_no_pointer(const std::filesystem::path& file) {
-  std::string beginning(files::kLfsBeginning.size(), '\0');
-  std::ifstream(file, std::ios::binary).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  if (beginning == files::kLfsBeginning) throw Error(file, "is " + std::string(files::kLfsPointer));
+std::string beginning_of(const std::filesystem::path& file) {
+  std::string beginning(1024, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  return beginning;
+}
+
+// The kind of the file, where that is plainly no mesh; else nothing.
+std::string other_kind_of(const std::string& beginning) {
+  std::string kind = files::binary_kind(beginning);
+  if (kind.empty() && files::text_kind(beginning) == files::kXmlFile) kind = files::kXmlFile;
+  return kind == files::kBinaryFile ? "" : kind;
 }
 
 }  // namespace
@@ -34,8 +43,15 @@ LoadedMesh load_in_units(const std::filesystem::path& file, const FileUnits& uni
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const Format& format : kFormats)
     if (format.ending == ending) {
-      if (std::filesystem::is_regular_file(file)) expect_no_pointer(file);
-      return format.read(file, units);
+      const std::string beginning = std::filesystem::is_regular_file(file) ? beginning_of(file) : "";
+      if (beginning.starts_with(files::kLfsBeginning)) throw Error(file, "is " + std::string(files::kLfsPointer));
+      // The text in front of a binary STL file may begin like anything.
+      try {
+        return format.read(file, units);
+      } catch (const Error&) {
+        if (const std::string kind = other_kind_of(beginning); !kind.empty()) throw Error(file, "expected a mesh, got " + kind);
+        throw;
+      }
     }
   throw Error(file, "has a name of no known format; expected a name that ends in .obj, .off, .ply or .stl");
 }

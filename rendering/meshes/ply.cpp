@@ -15,29 +15,31 @@ namespace {
 
 using namespace ply;
 
+// An element has a line; wrapped, it begins a line, and may go on in others.
+enum class PlyLayout { lines, wrapped };
+
 // The numbers of the body, of which those of both kinds are read in the same order.
 class TextBody {
  public:
-  TextBody(Lines& lines, const FileUnits& units) : lines_(lines), units_(units) {}
+  TextBody(Lines& lines, const FileUnits& units, PlyLayout layout) : lines_(lines), units_(units), layout_(layout) {}
 
   void begin(const Element& element, std::uint64_t i) {
-    if (!lines_.next()) throw lines_.ended(element.name + ' ' + std::to_string(i) + " of " + std::to_string(element.count));
-    words_ = Words(lines_.line());
+    if (!next_line()) throw lines_.ended(element.name + ' ' + std::to_string(i) + " of " + std::to_string(element.count));
   }
   void end() {
     if (const std::string_view more = words_.next(); !more.empty()) throw lines_.unexpected("the end of the line", more);
   }
-  float coordinate(const Type&) { return coordinate_of(lines_, words_.next(), units_.length); }
-  float component(const Type&, const files::Decimal& unit = 1) { return component_of(lines_, words_.next(), unit); }
+  float coordinate(const Type&) { return coordinate_of(lines_, next(), units_.length); }
+  float component(const Type&, const files::Decimal& unit = 1) { return component_of(lines_, next(), unit); }
   float texture(const Type& type) { return component(type, units_.texture); }
   std::uint64_t whole(const Type&, std::uint64_t most, const std::string& what) {
-    const std::string_view word = words_.next();
+    const std::string_view word = next();
     const auto number = whole_number(word);
     if (!number || *number > most) throw lines_.unexpected(what + ", " + std::to_string(most) + " at most", word);
     return *number;
   }
   std::int64_t integer(const Type&, const char* what) {
-    const std::string_view word = words_.next();
+    const std::string_view word = next();
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (word.empty() || error != std::errc{} || end != word.data() + word.size()) throw lines_.unexpected(what, word);
@@ -45,20 +47,32 @@ class TextBody {
   }
   void skip(const Type&, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i)
-      if (words_.next().empty()) throw lines_.unexpected("a number", "");
+      if (next().empty()) throw lines_.unexpected("a number", "");
   }
   void expect_numbers(std::uint64_t, const Type&) const {}
   void expect_end() {
-    while (lines_.next())
-      if (!Words(lines_.line()).next().empty())
-        throw lines_.unexpected("the end of the file after the last element", lines_.line());
+    if (next_line()) throw lines_.unexpected("the end of the file after the last element", lines_.line());
   }
   Error error(const std::string& reason) const { return lines_.error(reason); }
   std::uint64_t line() const { return lines_.number(); }
 
  private:
+  // Goes to the next line that has a word; false after the last one.
+  bool next_line() {
+    do
+      if (!lines_.next()) return false;
+    while (Words(lines_.line()).next().empty());
+    words_ = Words(lines_.line());
+    return true;
+  }
+  std::string_view next() {
+    const std::string_view word = words_.next();
+    return !word.empty() || layout_ == PlyLayout::lines || !next_line() ? word : words_.next();
+  }
+
   Lines& lines_;
   const FileUnits& units_;
+  PlyLayout layout_;
   Words words_{""};
 };
 
@@ -278,12 +292,22 @@ LoadedMesh read_body(Body& body, const PlyHeader& header, const std::filesystem:
 LoadedMesh read_ply(const std::filesystem::path& file, const FileUnits& units) {
   Lines lines(file);
   const PlyHeader header = read_header(lines, file);
-  if (header.is_text) {
-    TextBody body(lines, units);
+  if (!header.is_text) {
+    BinaryBody body(file, lines.position(), header.order, units);
     return read_body(body, header, file);
   }
-  BinaryBody body(file, lines.position(), header.order, units);
-  return read_body(body, header, file);
+  try {
+    TextBody body(lines, units, PlyLayout::lines);
+    return read_body(body, header, file);
+  } catch (const Error&) {
+    try {
+      Lines again(file);
+      TextBody body(again, units, PlyLayout::wrapped);
+      return read_body(body, read_header(again, file), file);
+    } catch (const Error&) {
+    }
+    throw;  // a text that can be read in no layout is wrong as lines, in which most are written
+  }
 }
 
 }  // namespace forceshade::mesh

@@ -55,34 +55,46 @@ LoadedMesh read_binary(const std::filesystem::path& file, Unit unit, std::uint64
   return taken(builder, welder, file, triangles);
 }
 
+// Lines: each begins with its keyword, and what a line has more is not read, but for that of a vertex. Words: line ends mean
+// nothing, but that a name ends with its line, unless "facet normal" ends it.
+enum class StlLayout { lines, words };
+
 class StlText {
  public:
-  StlText(const std::filesystem::path& file, Unit unit) : file_(file), unit_(unit), lines_(file) {}
+  StlText(const std::filesystem::path& file, Unit unit, StlLayout layout)
+      : file_(file), unit_(unit), lines_(file), layout_(layout) {}
 
   LoadedMesh read() {
     std::uint64_t triangles = 0;
     while (lines_.next_with_words()) {
-      Words words = after("solid");
+      words_ = Words(lines_.line());
+      expect_word("solid");
+      skip_name();
       next("facet or endsolid");
       for (; is("facet"); next("facet or endsolid"), ++triangles) {
         const std::uint64_t line = lines_.number();
+        expect_word("facet");
+        skip_normal();
         next("outer loop");
-        words = after("outer");
-        expect_word(words, "loop");
+        expect_word("outer");
+        expect_word("loop");
         std::array<Vertex, 3> vertices;
         for (Vertex& vertex : vertices) {
           next("vertex");
-          words = after("vertex");
-          for (float& x : vertex) x = coordinate_of(lines_, words.next(), unit_);
-          if (const std::string_view more = words.next(); !more.empty()) throw lines_.unexpected("the end of the line", more);
+          expect_word("vertex");
+          for (float& x : vertex) x = coordinate_of(lines_, word(), unit_);
+          if (layout_ == StlLayout::words) continue;
+          if (const std::string_view more = word(); !more.empty()) throw lines_.unexpected("the end of the line", more);
         }
         next("endloop");
-        after("endloop");
+        expect_word("endloop");
         next("endfacet");
-        after("endfacet");
+        expect_word("endfacet");
         add_triangle(builder_, welder_, vertices, line);
       }
-      after("endsolid");
+      expect_word("endsolid");
+      skip_name();
+      if (layout_ == StlLayout::words && is("facet")) throw lines_.unexpected("the end of the line behind a solid", "facet");
     }
     if (triangles == 0) throw lines_.ended("at least one face");
     return taken(builder_, welder_, file_, triangles);
@@ -94,27 +106,57 @@ class StlText {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
   }
+  // Goes to where the next keyword stands.
   void next(const char* expected) {
+    if (layout_ == StlLayout::words && !Words(words_).next().empty()) return;
     if (!lines_.next_with_words()) throw lines_.ended(expected);
+    words_ = Words(lines_.line());
   }
-  bool is(const char* keyword) const { return lower(Words(lines_.line()).next()) == keyword; }
-  void expect_word(Words& words, const char* expected) const {
-    const std::string_view word = words.next();
-    if (lower(word) != expected) throw lines_.unexpected(expected, word);
+  // Empty at the end of a line where those count, and of the file.
+  std::string_view word() {
+    const std::string_view word = words_.next();
+    if (!word.empty() || layout_ == StlLayout::lines || !lines_.next_with_words()) return word;
+    words_ = Words(lines_.line());
+    return words_.next();
   }
-  // The words behind the keyword with which the line begins.
-  Words after(const char* keyword) const {
-    Words words(lines_.line());
-    expect_word(words, keyword);
-    return words;
+  bool is(const char* keyword) const { return lower(Words(words_).next()) == keyword; }
+  void expect_word(const char* expected) {
+    const std::string_view found = word();
+    if (lower(found) != expected) throw lines_.unexpected(expected, found);
+  }
+  void skip_name() {
+    for (Words rest = words_; !Words(words_).next().empty(); rest = words_)
+      if (lower(words_.next()) == "facet" && is("normal")) {
+        words_ = rest;
+        return;
+      }
+  }
+  // The word normal and three numbers, in whose place anything may stand.
+  void skip_normal() {
+    for (int i = 0; layout_ == StlLayout::words && i < 4 && !is("outer"); ++i) word();
   }
 
   std::filesystem::path file_;
   Unit unit_;
   Lines lines_;
+  StlLayout layout_;
+  Words words_{""};
   Builder builder_;
   Welder welder_;
 };
+
+// A text that can be read in no layout is wrong as lines, in which most are written.
+LoadedMesh read_text(const std::filesystem::path& file, Unit unit) {
+  try {
+    return StlText(file, unit, StlLayout::lines).read();
+  } catch (const Error&) {
+    try {
+      return StlText(file, unit, StlLayout::words).read();
+    } catch (const Error&) {
+    }
+    throw;
+  }
+}
 
 // The first bytes of a file behind blanks, up to the end of its first triangle, if it is binary.
 std::string head_of(const std::filesystem::path& file) {
@@ -149,7 +191,7 @@ LoadedMesh read_stl(const std::filesystem::path& file, const FileUnits& units) {
   }
   const std::string head = head_of(file);
   const bool is_text = head.find('\0') == head.npos;
-  if (is_text && begins_with_solid(head)) return StlText(file, units.length).read();
+  if (is_text && begins_with_solid(head)) return read_text(file, units.length);
   if (is_text && std::ranges::all_of(head, [](unsigned char c) { return c >= 0x80 || std::isprint(c) || std::isspace(c); }))
     throw Error(file, "is no STL file: expected the word solid" +
                           std::string(size < kHead ? ", or 84 bytes and more" : ", got another text"));

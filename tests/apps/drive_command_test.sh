@@ -44,6 +44,9 @@ same "5.005,0.5,0,-1" "$(sed -n 7p slow_run.csv | cut -d, -f3-6)"
 printf '5.02,3,0,-1\n' >> slow.csv
 expect 2 'slow.csv:5: column 1 (t_s): expected a time after 5.02, got "5.02"' -- \
   "$forceshade" drive --law wall --certificate none --pace none --device replay:slow.csv
+mkfifo pipe.csv
+expect 2 "pipe.csv: cannot open: it is a named pipe; expected a file" -- \
+  "$forceshade" drive --law wall --certificate none --device replay:pipe.csv
 expect 1 "refused to drive: here/certificate.json: the certificate covers bump-1p-shaded with other parameters" -- \
   drive --law bump-1p-shaded --stiffness 0.6 --certificate here/certificate.json
 expect 1 "does not cover the law wall" -- drive --law wall --certificate here/certificate.json

@@ -107,6 +107,8 @@ TEST(force_rows, that_cannot_be_read_end_it) {
 TEST(force_rows, begin_another_path_where_the_column_reset_says_so) {
   EXPECT_EQ(answered("x_mm,y_mm,z_mm,reset,aim\n1,2,3,1,surface\n1,2,3,0,surface\n1,2,3,1,any\n").begun, "baaba");
   EXPECT_EQ(answered("x_mm,y_mm,z_mm\n1,2,3\n1,2,3\n").begun, "aa");
+  for (const std::string name : {"Reset", "RESET", "\" reset \""})
+    EXPECT_EQ(answered("x_mm,y_mm,z_mm," + name + "\n1,2,3,0\n1,2,3,1\n").begun, "aba") << name;
 }
 
 }  // namespace

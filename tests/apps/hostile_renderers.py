@@ -100,6 +100,7 @@ answers("key twice", 'the key "answers" twice', lambda asked: b'{"answers":[],' 
 for name, said in {"an empty line": b"\n", "a word": b"ok\n", "a list": b"[]\n", "not UTF-8": b'{"answers":["\xff"]}\n', "a million brackets": b'{"answers":' + b"[" * 1_000_000 + b"\n",
                    "NaN": b'{"answers":[NaN]}\n'}.items():  # fmt: skip
     answers("a line that is " + name, NO_OBJECT, lambda asked, said=said: said)
+answers("a right line, a zero byte and more", NO_OBJECT, lambda asked: text(right(asked))[:-1] + b"\0more\n")
 answers("accepts false, later", NO_LIST, lambda asked: HELLO | {"accepts": False, "reason": "no"})
 answers("twice", UNASKED, lambda asked: text(right(asked)) * 2)
 answers("and an empty line", UNASKED, lambda asked: text(right(asked)) + b"\n")

@@ -56,6 +56,11 @@ expect 2 "--out: expected" -- "$forceshade" plot path.csv $mesh --out drawn
 expect 0 "drawn/cube-mesh.png" -- "$forceshade" plot path.csv $mesh --view=-40,0.5rad --out drawn --overwrite
 grep -q "ticks: 2 free, 3 touching" drawn/cube-mesh.svg || { echo "FAILED: the picture does not say what came of the path"; exit 1; }
 grep -q "azimuth -40°, elevation 28.6478" drawn/cube-mesh.svg || { echo "FAILED: the picture does not say from where it is seen"; exit 1; }
+printf 'x_mm,y_mm,z_mm,Reset\n0,0,11,1\n0,0,9,0\n' > begun.csv
+expect 0 "drawn/cube-mesh.png" -- "$forceshade" plot begun.csv $mesh --out drawn --overwrite
+printf '0,0,11,1\n' >> begun.csv
+expect 2 "begun.csv:4: column 4 (reset): expected 0, because a picture has one path, got \"1\"" -- \
+  "$forceshade" plot begun.csv $mesh --out drawn --overwrite
 expect 2 "plot: expected one of force" -- "$forceshade" plot path.csv --law wall --out drawn
 expect 2 "--view: expected --mesh or --scene beside it" -- "$forceshade" plot --law wall --view 3,0 --out drawn
 expect 2 "--view: expected an angle from -90 to 90 degrees" -- "$forceshade" plot $mesh --view 0,91 --out drawn

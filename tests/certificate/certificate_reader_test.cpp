@@ -108,6 +108,12 @@ TEST(certificate_reader, refuses_a_key_that_stands_twice) {
   EXPECT_GT(faults, 60);
 }
 
+TEST(certificate_reader, refuses_what_stands_behind_a_zero_byte) {
+  for (const std::string& text : texts())
+    for (const std::string behind : {"", "}", "{\"held\": false}"})
+      EXPECT_NE(message(text + '\0' + behind).find("expected JSON, got a binary file"), std::string::npos) << behind;
+}
+
 TEST(certificate_reader, refuses_a_value_of_another_type) {
   const std::vector<Json> others{
       nullptr, true, 1U, -1, 0.5, "text", Json::array(), Json::object(), Json::array({Json::array()})};

@@ -93,6 +93,13 @@ rm -f wrong/results/0/3.json; cp one/results/0/3.json wrong/results/0/3.differs-
 expect 1 "ALARM" -- certify merge wrong
 expect 1 "3.differs-0123456789abcdef.json differs from the result of the same unit" -- certify merge wrong --out no
 
+# Files that are no run among the runs are left out.
+cp -r one odd; mkfifo odd/runs/pipe
+for text in '{"plan": 1}' '{"plan": null}' '[' ''; do
+  echo "$text" > odd/runs/odd.json
+  expect 0 "" -- certify merge odd --out odd-out --overwrite
+done
+
 # Another build, another plan, no plan.
 plan other
 sed -i 's/"instruction_set": "[a-z0-9]*"/"instruction_set": "scalar"/' other/plan.json

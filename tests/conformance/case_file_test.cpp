@@ -91,6 +91,23 @@ TEST(case_file, is_an_array_of_records_or_of_six_numbers) {
   EXPECT_TRUE(cases_of(files::npy_header(as_byte, 1) + record, "mine.npy").at(0).is_reset);
 }
 
+// As NumPy writes records whose fields are aligned; and a reset is never left out.
+TEST(case_file, is_an_array_whose_fields_have_gaps) {
+  const std::string layout =
+      "[('Reset', '|u1'), ('', '|V3'), ('x_mm', '<f4'), ('s', '|u1'), ('', '|V3'), ('y_mm', '<f4'), ('z_mm', '<f4'), "
+      "('fx_N', '<f4'), ('fy_N', '<f4'), ('fz_N', '<f4')]";
+  const auto row = [](char reset) {
+    return std::string{reset, 9, 9, 9} + bytes_of({1}) + std::string(4, 9) + bytes_of({2, 3, 4, 5, 6});
+  };
+  const auto all = cases_of(files::npy_header(layout, 2) + row(0) + row(1), "mine.npy");
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_TRUE(!all[0].is_reset && all[1].is_reset);
+  EXPECT_EQ(all[1].position, Eigen::Vector3f(1, 2, 3));
+  EXPECT_EQ(all[1].force, Eigen::Vector3f(4, 5, 6));
+  EXPECT_EQ(fault_of(files::npy_header(layout, 1) + row(2), "mine.npy"), "mine.npy, row 0: reset: expected 0 or 1, got 2");
+  EXPECT_TRUE(cases_of("x_mm,y_mm,z_mm,fx_N,fy_N,fz_N,RESET\n1,2,3,4,5,6,1\n", "mine.csv").at(0).is_reset);
+}
+
 TEST(case_file, is_refused_with_what_was_expected) {
   EXPECT_EQ(fault_of("x_mm,y_mm,z_mm,fx_N,fy_N,fz_N\n", "mine.csv"), "mine.csv: expected positions with forces, got none");
   EXPECT_NE(fault_of("x_mm,y_mm,z_mm,fx_N,fy_N\n", "mine.csv").find("no column fz_N"), std::string::npos);

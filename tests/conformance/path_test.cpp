@@ -112,6 +112,27 @@ TEST(exact_time, is_what_a_recording_counts_from_its_first_sample) {
   EXPECT_EQ(measured.samples[2].interval, 0.000999999);
 }
 
+// As `force` and `conform judge` read them: each is rounded once, in any unit.
+TEST(measurements, are_at_the_nearest_binary32_positions_to_the_numbers_times_their_unit) {
+  const auto last_of = [](const std::string& units, const std::string& number) {
+    std::istringstream in("t,x,y,z,fx,fy,fz\n0,0,0,0,0,0,0\n1,0,0," + number + ",0,0," + number + '\n');
+    const Columns columns = columns_of("t=t,x=x,y=y,z=z,fx=fx,fy=fy,fz=fz,s," + units);
+    const Measured last = read_measurements(in, "a.csv", columns).samples.at(1);
+    return std::pair(static_cast<float>(last.position.z()), static_cast<float>(last.force.z()));
+  };
+  // On either side of the middle of two binary32 numbers, nearer to it than binary64 tells; the middle goes to the even one.
+  const float low = 0x1.000002p+0F, high = 0x1.000004p+0F;
+  EXPECT_EQ(last_of("mm,N", "1.0000001788139343261718749999"), std::pair(low, low));
+  EXPECT_EQ(last_of("mm,N", "+1.000000178813934326171875"), std::pair(high, high));
+  EXPECT_EQ(last_of("mm,N", "1.000000298023223876953125"), std::pair(high, high));
+  EXPECT_EQ(last_of("mm,N", "1.00000029802322387695312501"), std::pair(0x1.000006p+0F, 0x1.000006p+0F));
+  EXPECT_EQ(last_of("m,N", "1.0000001788139343261718749999e-3").first, low);
+  EXPECT_EQ(last_of("mm,mN", "1.0000001788139343261718749999e3").second, low);
+  EXPECT_EQ(last_of("mm,N", "0x1.000004p+0"), std::pair(high, high));
+  EXPECT_EQ(last_of("in,N", "0.1").first, 2.54F);
+  EXPECT_EQ(last_of("mm,N", "1e-400"), std::pair(0.0F, 0.0F));
+}
+
 }  // namespace
 
 }  // namespace forceshade::conformance

@@ -137,9 +137,9 @@ TEST_F(Heights, that_are_not_there_or_not_understood_say_why) {
       "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') + "\nsize 12345\n";
   for (const char* name : {"lfs.png", "lfs.tif", "lfs.pfm", "lfs.npy"})
     EXPECT_EQ(error_of(write(name, pointer)), "is a pointer of Git LFS in the place of a file, which 'git lfs pull' fetches");
-  EXPECT_EQ(error_of(write("empty.png", "")), "expected a PNG, TIFF, greyscale PFM or NPY file");
+  EXPECT_EQ(error_of(write("empty.png", "")), "expected a PNG, TIFF, greyscale PFM or NPY file, got an empty file");
   EXPECT_EQ(error_of(write("colour.pfm", "PF\n2 2\n-1\n" + std::string(48, 'x'))),
-            "expected a PNG, TIFF, greyscale PFM or NPY file");
+            "expected a PNG, TIFF, greyscale PFM or NPY file, got a text");
   EXPECT_EQ(error_of(write("short.pfm", "Pf\n3")), "has no PFM header: expected a number of columns, got \"\"");
   EXPECT_EQ(error_of(write("3d.npy", npy_of("<f4", "(2, 3, 1)", bytes(kNumbers)))),
             "is of shape (2, 3, 1); expected two dimensions");

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace forceshade::tests {
@@ -45,8 +47,12 @@ struct TiffOptions {
   std::array<double, 16> matrix = {};
   std::vector<double> points = {};
   std::vector<std::uint16_t> keys = {};
-  const char* description = nullptr;  // ImageJ's
-  bool other_types = false;           // the scale as FLOAT, the keys as LONG
+  const char* description = nullptr;                                // ImageJ's
+  bool other_types = false;                                         // the scale as FLOAT, the keys as LONG
+  const char* xmp = nullptr;                                        // Adobe's
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> known = {};  // tags of libtiff's with their number
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> others =
+      {};  // tags that it does not know, and how many numbers each has
 };
 
 // The first row is the top one.
@@ -89,6 +95,14 @@ void write_tiff(const std::filesystem::path& file, std::uint32_t columns, std::u
     TIFFSetField(tiff, tags[5].field_tag, longs.size(), other ? static_cast<const void*>(longs.data()) : options.keys.data());
   }
   if (options.description) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, options.description);
+  if (options.xmp) TIFFSetField(tiff, TIFFTAG_XMLPACKET, static_cast<std::uint32_t>(std::strlen(options.xmp)), options.xmp);
+  for (const auto& [tag, number] : options.known) TIFFSetField(tiff, tag, number);
+  for (const auto& [tag, count] : options.others) {
+    const TIFFFieldInfo field{tag, -1, -1, TIFF_LONG, FIELD_CUSTOM, 1, 1, const_cast<char*>("Other")};
+    TIFFMergeFieldInfo(tiff, &field, 1);
+    const std::vector<std::uint32_t> numbers(count, 7);
+    TIFFSetField(tiff, tag, count, numbers.data());
+  }
   const std::uint32_t size = options.tile;
   if (size > 0) {
     TIFFSetField(tiff, TIFFTAG_TILEWIDTH, size);

@@ -104,8 +104,7 @@ TEST(broken_mesh_files, of_obj_are_refused_in_words) {
       {"a.obj", three + "cstype bezier\n",
        "line 4: expected v, vt, vn, f or a keyword without faces, such as o, g, s, l, usemtl, got \"cstype\""},
       {"a.obj", three + "f 1 2 \\", "line 4: the file ends here; expected the line that \\ joins to the one before"},
-      {"a.obj", std::string("\x7F") + "ELF\1\0\0",
-       "line 1: expected v, vt, vn, f or a keyword without faces, such as o, g, s, l, usemtl..."},
+      {"a.obj", std::string("\x7F") + "ELF\1\0\0", "expected a mesh, got a program"},
       {"a.obj", "vt nan\n", "line 1: expected a number within 10000, got \"nan\""},
       {"a.obj", "f " + std::string(2'000'000, '1'), "line 1: is longer than 1048576 bytes"},
   });
@@ -129,6 +128,16 @@ TEST(broken_mesh_files, that_are_pointers_of_git_lfs_are_named_so) {
       "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') + "\nsize 12345\n";
   for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.STL"})
     EXPECT_EQ(of_text(name, pointer).refusal, "is a pointer of Git LFS in the place of a file, which 'git lfs pull' fetches");
+}
+
+TEST(broken_mesh_files, of_another_kind_are_named) {
+  for (const std::string name : {"a.obj", "a.off", "a.ply", "a.stl"})
+    for (const auto& [text, kind] : std::vector<std::pair<std::string, std::string>>{
+             {"\x1f\x8b\x08\x01", "a gzip archive"},
+             {"PK\x03\x04", "a ZIP archive"},
+             {std::string("\xff\xfev\0 \0", 6), "a UTF-16 text"},
+             {"<!DOCTYPE html>\n<title>404: not found</title>", "an XML or HTML file"}})
+      EXPECT_EQ(of_text(name, text).refusal, "expected a mesh, got " + kind) << name;
 }
 
 TEST(broken_mesh_files, of_ply_are_refused_in_words) {

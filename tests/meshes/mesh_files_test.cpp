@@ -222,6 +222,18 @@ TEST(mesh_files, of_ply_may_have_strips_of_triangles) {
     }
 }
 
+// An element begins a line, and may go on in others; one that ends within a line is none.
+TEST(mesh_files, of_ply_may_have_blank_lines_and_elements_over_several) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  for (const std::string body :
+       {"\n0 0 0\n1 0 0\n \n1 1 0\n0 1 0\n\n3 0 1 2\r\n\r\n3 0 2 3\n\n", "0 0 0\n1 0\n0\n1 1 0\n0\n\n1\n0\n3\n0 1 2\n3 0 2\n3"})
+    expect_square_alone(of_text("a.ply", head + body), body);
+  EXPECT_EQ(of_text("a.ply", head + "0 0 0\n1 0\n1 1 0 0\n0 1 0\n3 0 1 2\n3 0 2 3\n").refusal,
+            "line 11: expected a coordinate, got the end of the line");
+}
+
 TEST(mesh_files, of_obj_and_ply_may_name_their_faces) {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n", quad = "f 1 2 3 4\n", three = "f 1 2 3\n";
   using Names = std::vector<std::string>;
@@ -305,6 +317,22 @@ TEST(mesh_files, of_stl_have_vertices_with_equal_coordinates_once) {
   ASSERT_EQ(got.mesh.mesh.triangles.size(), 5000U);
   for (std::size_t i = 0; i < many.size(); ++i)
     EXPECT_EQ(got.mesh.mesh.vertices[got.mesh.mesh.triangles[i / 3][i % 3]], many[i]) << i;
+}
+
+// Line ends mean nothing to STL, but that the name of a solid ends with its line, unless "facet normal" ends it.
+TEST(mesh_files, of_stl_are_words_between_white_space) {
+  const std::string first = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 1 1 0 endloop endfacet",
+                    second = "facet normal\n0 0 1\nouter\nloop vertex 0\n0 0 vertex 1 1\n0\nvertex 0 1 0 endloop\nendfacet";
+  for (const std::string& text :
+       {"solid a " + first + ' ' + second + " endsolid a\n", "solid a\n" + first + "\n" + second + "\nendsolid a",
+        "solid\n" + first + "\nendsolid\nsolid b facet " + second + " endsolid b # last\n"}) {
+    const Loaded got = of_text("a.stl", text);
+    expect_square(got, text);
+    EXPECT_EQ(got.mesh.lines.size(), 2U) << text;
+  }
+  EXPECT_EQ(of_text("a.stl", "solid a " + first + " endsolid a solid b " + first + " endsolid b\n").refusal,
+            "line 1: the file ends here; expected facet or endsolid")
+      << "no solid is left out";
 }
 
 }  // namespace

@@ -15,12 +15,11 @@ namespace forceshade::conformance {
 namespace {
 
 struct FileUnit {
-  std::string_view name;
-  double size;  // in mm or N; of a time, its power of ten in s
+  std::string_view name, size;  // in mm or N; of a time in s
 };
-constexpr std::array kTimes{FileUnit{"s", 0}, FileUnit{"ms", -3}, FileUnit{"us", -6}, FileUnit{"ns", -9}};
-constexpr std::array kLengths{FileUnit{"mm", 1}, FileUnit{"cm", 10}, FileUnit{"m", 1000}, FileUnit{"in", 25.4}};
-constexpr std::array kForces{FileUnit{"N", 1}, FileUnit{"mN", 1e-3}};
+constexpr std::array kTimes{FileUnit{"s", "1"}, FileUnit{"ms", "1e-3"}, FileUnit{"us", "1e-6"}, FileUnit{"ns", "1e-9"}};
+constexpr std::array kLengths{FileUnit{"mm", "1"}, FileUnit{"cm", "10"}, FileUnit{"m", "1000"}, FileUnit{"in", "25.4"}};
+constexpr std::array kForces{FileUnit{"N", "1"}, FileUnit{"mN", "1e-3"}};
 
 const FileUnit* find(std::span<const FileUnit> units, std::string_view name) {
   const auto found = std::ranges::find(units, name, &FileUnit::name);
@@ -28,7 +27,7 @@ const FileUnit* find(std::span<const FileUnit> units, std::string_view name) {
 }
 
 // Takes the unit of these columns, one of `units`, out of the given ones; or that in which each name ends.
-double unit_of(std::span<const std::string> names, std::span<const FileUnit> units, std::vector<std::string>& given) {
+files::Decimal unit_of(std::span<const std::string> names, std::span<const FileUnit> units, std::vector<std::string>& given) {
   std::string choices;
   for (const FileUnit& unit : units) choices += (choices.empty() ? "" : ", ") + std::string(unit.name);
   const auto word = std::ranges::find_if(given, [&](const std::string& name) { return find(units, name) != nullptr; });
@@ -46,7 +45,7 @@ double unit_of(std::span<const std::string> names, std::span<const FileUnit> uni
                   (is_given ? "; expected this unit, got " : "; expected the unit ") + std::string(unit->name));
     unit = its;
   }
-  return unit->size;
+  return *files::Decimal::of(unit->size);
 }
 
 bool is_whole(const std::string& text) {
@@ -88,7 +87,7 @@ Columns columns_of(const std::string& text) {
     columns.names = given;
   }
   const std::span<const std::string> names(columns.names);
-  columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, units));
+  columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, units).exponent());
   columns.millimetres = unit_of(names.subspan(1, 3), kLengths, units);
   columns.newtons = unit_of(names.last(3), kForces, units);
   if (!units.empty())

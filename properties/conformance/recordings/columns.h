@@ -6,14 +6,16 @@
 #include <array>
 #include <string>
 
+#include "files/decimal.h"
+
 namespace forceshade::conformance {
 
 // The columns that hold the numbers. `forceshade recording export` writes these names.
 struct Columns {
   static constexpr std::array<const char*, 7> kWhat{"t", "x", "y", "z", "fx", "fy", "fz"};
   std::array<std::string, 7> names{"t_s", "x_mm", "y_mm", "z_mm", "fx_N", "fy_N", "fz_N"};
-  int power_of_seconds = 0;             // the power of ten that one of the file's unit is in s
-  double millimetres = 1, newtons = 1;  // one of the file's unit
+  int power_of_seconds = 0;                     // the power of ten that one of the file's unit is in s
+  files::Decimal millimetres = 1, newtons = 1;  // one of the file's unit
 
   // True if the columns are called by their numbers, since the file has no header.
   bool are_numbered() const;

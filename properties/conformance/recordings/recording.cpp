@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "files/csv.h"
 #include "forceshade/error.h"
@@ -31,6 +32,20 @@ bool is_short_decimal(const std::string& text) {
 
 cpp_int ten_to(int power) {
   return boost::multiprecision::pow(cpp_int(10), static_cast<unsigned>(power));
+}
+
+// The nearest binary64 number to the field times its unit; or, where the nearest binary32 number to that would not be the one
+// to the exact product, the next towards it. So a force is judged at the position that `force` reads.
+double in_unit(const files::Reader& reader, std::size_t i, const files::Decimal& unit) {
+  const double number = reader.binary64(i);
+  if (!std::isfinite(number)) return number;
+  std::string_view word = reader.text(i);
+  if (word.starts_with('+')) word.remove_prefix(1);
+  const files::Decimal exact = files::Decimal::of(word).value_or(number) * unit;  // a hexadecimal number is in binary64
+  const auto nearest = exact.nearest<double>();
+  const auto as_binary32 = exact.nearest<float>();
+  if (static_cast<float>(nearest) == as_binary32 || !std::isfinite(as_binary32)) return nearest;
+  return std::nextafter(nearest, static_cast<double>(as_binary32));
 }
 
 }  // namespace
@@ -60,8 +75,10 @@ Measurements read_measurements(std::istream& in, const std::string& file, const 
     next.interval = time.seconds_since(before, columns.power_of_seconds);
     before = time;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      next.position[axis] = finite(static_cast<std::size_t>(1 + axis)) * columns.millimetres;
-      next.force[axis] = reader.binary64(static_cast<std::size_t>(4 + axis)) * columns.newtons;
+      const auto place = static_cast<std::size_t>(1 + axis);
+      finite(place);
+      next.position[axis] = in_unit(reader, place, columns.millimetres);
+      next.force[axis] = in_unit(reader, place + 3, columns.newtons);
     }
     next.line = reader.line();
     measured.samples.push_back(next);
