@@ -84,7 +84,8 @@ class Reader {
       refuse("has pixels that are not square (sCAL); expected one size");
     png_unknown_chunkp other = nullptr;
     if (png_get_unknown_chunks(png_, info_, &other) > 0)
-      refuse("is animated (acTL) or a pair for two eyes (sTER); expected one picture");
+      refuse(other->name[0] == 's' ? "is a pair for two eyes (sTER); expected one picture"
+                                   : "is animated (acTL); expected one picture");
     png_textp texts = nullptr;
     int count = 0;
     png_get_text(png_, info_, &texts, &count);

@@ -128,7 +128,7 @@ TEST_F(BesideHeights, of_a_png_that_may_be_turned_or_is_a_pair_are_refused) {
   EXPECT_EQ(with("iTXt", xmp + "<x tiff:Orientation=\"1\"/>"), "");
   EXPECT_EQ(with("iTXt", xmp + "<x tiff:Orientation=\"8\"/>"),
             "is turned by its XMP (tiff:Orientation); expected 1, the first row on top");
-  EXPECT_EQ(with("sTER", std::string(1, '\0')), "is animated (acTL) or a pair for two eyes (sTER); expected one picture");
+  EXPECT_EQ(with("sTER", std::string(1, '\0')), "is a pair for two eyes (sTER); expected one picture");
   EXPECT_EQ(with("tEXt", std::string("Comment\0tiff:Orientation=\"8\"", 28)), "");
 }
 
