@@ -166,6 +166,16 @@ TEST(c_answers, of_a_session_that_was_resumed_or_reset_are_those_of_its_state) {
     ASSERT_EQ(step(first, i), step(second, i)) << i;
   }
   EXPECT_GT(slipping, 50);
+  // A program that was built with a newer header has a longer struct.
+  struct Newer {
+    forceshade_state known;
+    std::uint64_t more;
+  } newer{beginning(sizeof(Newer)), 7};
+  ASSERT_EQ(forceshade_session_state(first, &newer.known), FORCESHADE_OK) << forceshade_message();
+  ASSERT_EQ(forceshade_session_resume(second, &newer.known), FORCESHADE_OK) << forceshade_message();
+  EXPECT_EQ(newer.known.size, sizeof newer);
+  EXPECT_EQ(newer.more, 7U);
+  ASSERT_EQ(step(first, 0), step(second, 0));
   ASSERT_EQ(forceshade_session_reset(first), FORCESHADE_OK);
   expect_nowhere();
   for (std::size_t i = 1; i < 100; ++i) ASSERT_EQ(step(first, i), step(fresh, i)) << i;

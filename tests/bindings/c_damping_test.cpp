@@ -191,6 +191,39 @@ TEST_F(CDamping, of_each_path_is_its_own_whatever_was_damped_before) {
   }
 }
 
+// After a tick of another path that has left all numbers but one as they are in this state.
+TEST_F(CDamping, of_a_state_that_differs_in_one_number_from_the_last_one_is_its_own) {
+  struct Case {
+    const char* what;
+    void (*change)(forceshade_damping_state& its);
+  };
+  for (const Case& its : {Case{"position", [](forceshade_damping_state& state) { state.position[0] -= 0.125F; }},
+                          {"velocity", [](forceshade_damping_state& state) { state.velocity[2] += 5; }},
+                          {"periods", [](forceshade_damping_state& state) { state.periods += 3; }},
+                          {"no position", [](forceshade_damping_state& state) { state.has_position = 0; }}}) {
+    forceshade_damping_state last = kBegin;
+    std::array<float, 3> force{};
+    for (const float z : {0.0F, -0.25F}) {
+      const std::array<float, 3> hand{0, 0, z};
+      force = {1, 2, 3};
+      ASSERT_EQ(forceshade_damping_step(&kOil, &last, 1, hand.data(), force.data(), nullptr), FORCESHADE_OK);
+    }
+    const std::array<float, 3> next{0.125F, 0, -0.5F};
+    const auto expected_of = [&](const forceshade_damping_state& from) {
+      fast::Damping stage = built();
+      stage.resume(numbers_of(from));
+      return stage.tick(Eigen::Vector3f(next.data()), 1, {Eigen::Vector3f(1, 2, 3), Status::contact});
+    };
+    forceshade_damping_state changed = last;
+    its.change(changed);
+    const Eigen::Vector3f expected = expected_of(changed).force;
+    EXPECT_NE(tests::bits_of(expected.data()), tests::bits_of(expected_of(last).force.data())) << its.what;
+    force = {1, 2, 3};
+    ASSERT_EQ(forceshade_damping_step(&kOil, &changed, 1, next.data(), force.data(), nullptr), FORCESHADE_OK);
+    EXPECT_EQ(tests::bits_of(force.data()), tests::bits_of(expected.data())) << its.what;
+  }
+}
+
 TEST_F(CDamping, of_a_subjects_file_is_that_of_its_table_at_a_rate) {
   const auto read = [](const std::string& text) {
     forceshade_subject made{};

@@ -5,17 +5,34 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <stdio.h>  // NOLINT(modernize-deprecated-headers): rename
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <fstream>
+#include <functional>
+#include <utility>
 
 #include "certificate/plan.h"
 #include "certificate/worker.h"
 #include "forceshade/certificate.h"
 #include "tests/certificate/made_certificate.h"
 #include "tests/support/words.h"
+
+namespace {
+
+// Happens once, before the next file gets another name.
+std::function<void()> before_rename;
+
+}  // namespace
+
+// Stands before that of the C library in this program.
+extern "C" int rename(const char* from, const char* to) noexcept {
+  if (const auto happens = std::exchange(before_rename, nullptr)) happens();
+  return static_cast<int>(::syscall(SYS_rename, from, to));
+}
 
 namespace forceshade::properties {
 namespace {
@@ -64,6 +81,21 @@ TEST_F(plan_folder, gives_a_unit_to_another_when_the_lease_has_run_out) {
   lost.give_back(1);  // the claim is no longer its own, and stays
   Claims third(folder, 300, "third");
   EXPECT_FALSE(third.take(1));
+}
+
+// Two find that the lease of a third has run out, and the slower one takes away the claim of the quicker one.
+TEST_F(plan_folder, gives_a_new_claim_back_that_was_taken_away_for_an_old_one) {
+  const PlanFolder folder(path_, 3);
+  Claims lost(folder, 300, "lost"), quick(folder, 300, "quick"), slow(folder, 300, "slow");
+  ASSERT_TRUE(lost.take(1));
+  age(1, 302);
+  before_rename = [&] { EXPECT_TRUE(quick.take_over(1)); };
+  EXPECT_FALSE(slow.take_over(1));
+  EXPECT_FALSE(before_rename);
+  EXPECT_FALSE(slow.take(1)) << "it is the quick one's";
+  ASSERT_EQ(folder.claims().size(), 1U) << "nothing else is left";
+  quick.give_back(1);
+  EXPECT_TRUE(slow.take(1));
 }
 
 TEST_F(plan_folder, touches_what_it_has_taken_while_it_lives) {

@@ -114,7 +114,10 @@ TEST(standing, of_sweeps_alone_or_of_some_of_their_units_is_insufficient) {
       part.sweeps.next = --part.sweeps.end;
     EXPECT_TRUE(part.sweeps.is_finished());
     EXPECT_EQ(assessed(part).standing, Standing::insufficient);
-    EXPECT_TRUE(assessed(part).lacks.starts_with("the sweeps are not complete: units ")) << assessed(part).lacks;
+    for (const std::uint64_t points : {part.subjects[0].points, std::uint64_t{1}}) {  // whatever else is missing
+      part.subjects[0].points = points;
+      EXPECT_TRUE(assessed(part).lacks.starts_with("the sweeps are not complete: units ")) << assessed(part).lacks;
+    }
   }
 }
 

@@ -141,6 +141,12 @@ TEST(csv, names_the_place_of_what_is_wrong) {
             "2: column 2 (b): expected a number, got \"\\xc2\\x9b31mred\""}})
     EXPECT_EQ(error_of(text), "f.csv:" + words);
   EXPECT_EQ(error_of("a,b,c,c\n"), "");
+  // A mark of the order of bytes is none behind the first line, as where two files were joined.
+  const std::string joined = error_of(
+      "\xEF\xBB\xBF"
+      "a,b\n1,2\n\xEF\xBB\xBF"
+      "3,4\n");
+  EXPECT_TRUE(joined.starts_with("f.csv:3: column 1 (a): expected a number, got ")) << joined;
   for (const char* text : {"\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\x80", "\xF0\x8F\xBF\xBF"})
     EXPECT_NE(error_of("a,b,c\n1,2," + std::string(text) + "\n").find("expected UTF-8 text"), std::string::npos);
   EXPECT_EQ(error_of("a,b,c\n1,2,\xC2\xB5 \xE2\x82\xAC \xF0\x9F\x98\x80\n"), "");

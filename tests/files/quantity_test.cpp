@@ -79,6 +79,12 @@ TEST(decimal, is_exact) {
   EXPECT_TRUE(Decimal(1).is_one() && of("1").is_one());
   EXPECT_FALSE(Decimal(10).is_one() || of("-1").is_one() || of("0.1").is_one());
   EXPECT_EQ(Decimal(0.375).text(), "0.375");
+  // About the number from which on not every whole one is in binary64.
+  for (const auto& [number, text] : {std::pair{0x1p52, "4503599627370496"},
+                                     {0x1p53, "9007199254740992"},
+                                     {0x1p53 + 2, "9007199254740994"},
+                                     {0x1p54, "18014398509481984"}})
+    EXPECT_EQ(Decimal(number), of(text)) << text;
   std::mt19937_64 random(3);
   for (int i = 0; i < 20000; ++i) {
     const double number = std::bit_cast<double>(random());

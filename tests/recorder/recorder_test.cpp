@@ -3,10 +3,12 @@
 
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "forceshade/recording.h"
 #include "run/recorder/layout.h"
 #include "run/recorder/parts.h"
+#include "run/recorder/sqlite.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/recorder/numbered_samples.h"
 #include "tests/support/allocations.h"
@@ -57,6 +59,18 @@ TEST_IN_THE_WORLD(recorder, gives_back_every_sample_to_the_bit) {
   EXPECT_EQ(metadata.at("device"), std::string("null\0, of no kind", 17));
   EXPECT_EQ(metadata.at("end_reason"), "time up");
   EXPECT_EQ(metadata.at("started").size(), std::strlen("2026-01-31T12:00:00Z"));
+}
+
+// A program from before damping refuses what it would misread.
+TEST_IN_THE_WORLD(recorder, says_by_its_format_whether_forces_were_damped) {
+  const TemporaryDirectory directory;
+  const std::string path = directory.file("run.fsr");
+  for (const auto& [metadata, format] :
+       {std::pair{Metadata{{"law", "wall"}}, kFormatVersion}, {Metadata{{kDampingKey, "1000"}}, kFormatOfDamping}}) {
+    Recorder(path, metadata).close("time up");
+    EXPECT_EQ(Database(path, Database::Access::read).integer("PRAGMA user_version"), format);
+    std::filesystem::remove(path);
+  }
 }
 
 TEST_IN_THE_WORLD(recorder, allocates_nothing_in_push) {

@@ -282,6 +282,38 @@ TEST(framed_device, that_breaks_while_it_starts_says_so_in_its_own_words) {
   });
 }
 
+TEST(framed_device, that_has_not_answered_yet_is_not_said_to_wait_for_its_calibration) {
+  in_world([] {
+    Listener attendant(false);
+    Journal journal;
+    const auto device = opened({.takes = [](int frame) { return frame == 0 ? 20 : 0.05; }}, journal, attendant);
+    EXPECT_FALSE(device->start(1000));
+    EXPECT_EQ(attendant.heard.find("calibration"), std::string::npos) << attendant.heard;
+  });
+}
+
+TEST(framed_device, that_breaks_later_is_known_to_be_broken_at_once) {
+  in_world([] {
+    Listener attendant(false);
+    Journal journal;
+    const auto device = opened({.change =
+                                    [](int frame, FrameState&) {
+                                      if (frame == 700) throw std::runtime_error("the arm was unplugged");
+                                    }},
+                               journal, attendant);
+    ASSERT_FALSE(device->start(1000));
+    ReadResult read = device->read();
+    for (std::int64_t frame = 0, last = 0; !std::holds_alternative<Fault>(read); last = frame) {
+      const std::int64_t deadline = system::now() + system::kSecond;  // until which a servo loop waits
+      while (frame == last && system::now() < deadline) frame = device->wait_for_frame(deadline);
+      read = device->read();
+      device->command({0, 0, 0});
+    }
+    EXPECT_STREQ(std::get<Fault>(read).words, "the arm was unplugged");
+    EXPECT_LT(system::now() - journal.begins.back(), 5'000'000);
+  });
+}
+
 TEST(framed_device, says_at_its_end_how_far_the_force_was_from_what_it_was_told) {
   for (const bool says : {false, true})
     in_world([says] {
@@ -330,6 +362,7 @@ TEST(framed_device, sends_no_more_than_its_highest_force) {
     Listener attendant(false);
     Journal journal;
     const auto device = opened({}, journal, attendant);
+    EXPECT_TRUE(device->capabilities().latency && device->capabilities().paces) << "of its frames";
     ASSERT_FALSE(device->start(1000));
     for (int tick = 0; tick < 1000; ++tick) {
       device->command({0, 0, 5});

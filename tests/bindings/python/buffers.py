@@ -57,6 +57,8 @@ def test_arrays_of_every_kind_are_read_and_written_where_they_lie():
     at, out, status = floats(AT), floats([7] * 12), array.array("B", [9] * 4)
     assert bump._forces(rows(at), rows(out), status) == 1
     assert out.tolist() == EXPECTED and status.tolist() == [1, 1, 1, 2]
+    many = floats([float("inf")] * 3 + [1] * (3 << 18))  # in more than one part
+    assert bump._forces(rows(many), rows(floats(many))) == 1
     of_ctypes = (ctypes.c_float * 3 * 4)()
     bump._forces(rows(at), of_ctypes)
     assert [component for row in of_ctypes for component in row] == EXPECTED

@@ -9,9 +9,12 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "device/command/command.h"
+#include "device/command/command_messages.h"
+#include "files/lines.h"
 #include "tests/device/framed_device.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/words.h"
@@ -209,6 +212,21 @@ TEST(command_device, allocates_nothing_once_started) {
   EXPECT_TRUE(device->capabilities().paces);
   ASSERT_FALSE(device->start(kRate));
   expect_ticks_without_allocation(*device);
+}
+
+TEST(command_device, has_answers_of_which_each_is_later_than_the_one_before) {
+  command::Answers answers(0);
+  for (const auto& [time, is_later] :
+       {std::pair{"-5", true}, {"-5", false}, {"-6", false}, {"1", true}, {"1.0", false}, {"1.0000001", true}}) {
+    const std::string line = std::string(R"({"time_s":)") + time + R"(,"position_mm":[0,0,0],"buttons":0})";
+    const std::string words = tests::thrown_by<files::ProcessFailed>([&] { answers.state_of(line); });
+    EXPECT_EQ(words.find("expected a later time than ") == std::string::npos, is_later) << time << ": " << words;
+  }
+}
+
+TEST(command_device, has_a_second_or_what_its_options_say_to_end) {
+  for (const auto& [said, grace] : {std::pair{10ms, 1000ms}, {3000ms, 3000ms}})
+    EXPECT_EQ(command::limits_of({.end = said}).grace, grace);
 }
 
 }  // namespace
