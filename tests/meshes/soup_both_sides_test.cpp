@@ -2,6 +2,8 @@
 // The real-time side on drawn sets of triangles, in every column against the exact side. Most sets lie on a lattice and most
 // positions, too, so that triangles meet in all ways and ties are common.
 
+#include "tests/meshes/soup_both_sides.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,10 +13,7 @@
 #include <random>
 #include <string>
 
-#include "reference/soups/god_object.h"
 #include "tests/meshes/costly_meshes.h"
-#include "tests/meshes/soup_words.h"
-#include "tests/meshes/uncut.h"
 #include "tests/support/drawn.h"
 
 namespace forceshade {
@@ -22,7 +21,10 @@ namespace {
 
 namespace exact = reference::soups;
 
-using Position = std::array<float, 3>;
+using tests::last_place;
+using tests::last_state;
+using tests::Position;
+using tests::text_of;
 
 struct Drawn {
   mesh::TriangleMesh mesh;
@@ -122,51 +124,6 @@ class Draw {
   std::mt19937_64 random_;
 };
 
-std::string words(const exact::Place& place) {
-  std::string text = std::to_string(static_cast<int>(place.kind)) + '/' + std::to_string(static_cast<int>(place.of_foot));
-  for (const std::size_t number : place.numbers) text += ' ' + std::to_string(number);
-  return text;
-}
-// The same of the real-time side, whose list begins with `nowhere`.
-std::string words(const fast::soups::Place& place) {
-  using fast::soups::PlaceKind;
-  const auto kind = [](PlaceKind its) { return std::to_string(its == PlaceKind::nowhere ? 0 : static_cast<int>(its) - 1); };
-  std::string text = kind(place.kind) + '/' + kind(place.of_foot);
-  const std::string all = tests::words(place);
-  std::istringstream in(all);
-  for (std::string word; in >> word;)
-    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) text += ' ' + word;
-  return text;
-}
-
-std::string numbers(const Position& force) {
-  return tests::words(force);
-}
-Position rounded(const std::array<reference::meshes::RootSum, 3>& force) {
-  using reference::meshes::nearest_binary32;
-  return {nearest_binary32(force[0]), nearest_binary32(force[1]), nearest_binary32(force[2])};
-}
-
-std::string text_of(const exact::Tick& tick, float stiffness, const mesh::CornerNormals& normals) {
-  std::string text = std::to_string(static_cast<int>(tick.status)) + ' ' + std::to_string(tick.moves) + ' ' +
-                     (tick.after.is_slipping ? "slips " : "") + words(*tick.after.place) + ' ' +
-                     tests::words(tick.after.place->position);
-  if (!tick.rest) return text;
-  const auto& [triangle, is_behind, piece] = tick.after.cell;
-  return text + " | " + std::to_string(triangle) + (is_behind ? "b" : "f") + std::to_string(piece) + " | " +
-         numbers(rounded(exact::exact_force(*tick.rest, stiffness))) + " | " +
-         numbers(rounded(exact::exact_force(*tick.rest, stiffness, normals)));
-}
-std::string text_of(const fast::soups::Tick& tick, const fast::soups::Tick& shaded) {
-  std::string text = std::to_string(static_cast<int>(tick.status)) + ' ' + std::to_string(tick.moves) + ' ' +
-                     (tick.after.is_slipping ? "slips " : "") + words(tick.after.place) + ' ' +
-                     tests::words(tick.after.place.position);
-  if (tick.status == Status::free) return text;
-  const auto& cell = tick.after.cell;
-  return text + " | " + std::to_string(cell.triangle) + (cell.is_behind ? "b" : "f") + std::to_string(cell.piece) + " | " +
-         numbers(tick.force) + " | " + numbers(shaded.force);
-}
-
 TEST(soups_on_both_sides, every_column_of_drawn_paths_is_the_same) {
   constexpr float kStiffness = 0.3F;
   constexpr int kTicks = 40;
@@ -213,75 +170,6 @@ TEST(soups_on_both_sides, every_column_of_drawn_paths_is_the_same) {
   std::printf("  %zu ticks on %zu sets, %zu touching\n", ticks, sets, touching);
   for (const auto& [kind, count] : places) std::printf("  %7zu of kind %d\n", count, kind);
   EXPECT_GT(touching, ticks / 8);
-}
-
-// The state at the end of a path that both sides go.
-fast::soups::State last_state(const mesh::TriangleMesh& mesh, const std::vector<Position>& path,
-                              const std::vector<mesh::Sides>& sides = {mesh::Sides::both}) {
-  const exact::Soup exact_soup(mesh, sides);
-  const auto soup = std::make_shared<const fast::soups::Soup>(mesh, sides);
-  fast::soups::Session session(soup, 1, false);
-  exact::State state;
-  for (const Position& p : path) {
-    const exact::Tick made = exact::tick(exact_soup, state, p);
-    state = made.after;
-    const fast::soups::Tick its = session.tick(p);
-    EXPECT_EQ(text_of(its, its), text_of(made, 1, {}));
-  }
-  return session.state();
-}
-std::string last_place(const mesh::TriangleMesh& mesh, const std::vector<Position>& path) {
-  return tests::words(last_state(mesh, path).place);
-}
-
-// Two valleys lead down from a vertex, with a ridge between them: of their edges, which lead to the hand alike, the one with
-// the lower names counts, and not the one whose wall comes first.
-TEST(soups_on_both_sides, of_two_edges_alike_the_lower_names_count) {
-  const std::vector<mesh::Vertex> vertices{{0, 0, 0}, {4, -4, -4}, {4, 4, -4}, {4, 0, 0}, {0, -8, 8}, {0, 8, 8}};
-  const mesh::Triangle left{0, 1, 3}, right{0, 3, 2}, left_wall{0, 4, 1}, right_wall{0, 2, 5}, back{0, 5, 4};
-  const std::vector<Position> path{{0, 0, 0}, {2, 0, -5}};
-  EXPECT_EQ(last_place({vertices, {left, right, left_wall, right_wall, back}}, path).substr(0, 5), "e 0 1");
-  EXPECT_EQ(last_place({vertices, {right, right_wall, left, left_wall, back}}, path).substr(0, 5), "e 0 1");
-}
-
-// The right one of these valleys is a line in which triangles cross. Edges come before it, though its triangles are lower than
-// the edge's vertices.
-TEST(soups_on_both_sides, of_an_edge_and_a_crossing_alike_the_edge_counts) {
-  const std::vector<mesh::Vertex> vertices{{4, 0, 0}, {0, -8, 8}, {0, 8, 8}, {4, 8, -8}, {8, 4, -12}, {4, -4, -4}, {0, 0, 0}};
-  const std::vector<mesh::Triangle> triangles{{6, 0, 3}, {6, 4, 2}, {6, 5, 0}, {6, 1, 5}, {6, 2, 1}};
-  EXPECT_EQ(last_place({vertices, triangles}, {{0, 0, 0}, {2, 0, -5}}).substr(0, 5), "e 5 6");
-}
-
-// A line in which two triangles cross, and a third one that lies in the first one's plane and begins between two points of the
-// line's grid: the point at which it begins is where its side meets the other one's plane.
-TEST(soups_on_both_sides, a_line_may_be_met_by_a_triangle_in_the_plane_of_either_side) {
-  const std::vector<mesh::Vertex> vertices{{-8192, -8192, 0}, {8192, -8192, 0},  {0, 8192, 0},      {-8192, 0, -8192},
-                                           {8192, 0, -8192},  {0, 0, 8192},      {0x1p-11F, -1, 0}, {0x1p-11F, 1, 0},
-                                           {5, 0, 0},         {0x1p-11F, 0, -1}, {0x1p-11F, 0, 1}};
-  const mesh::Triangle level{0, 1, 2}, upright{3, 4, 5}, in_level{6, 8, 7}, in_upright{9, 8, 10};
-  const std::vector<Position> path{
-      {0x1p-13F, 0.5F, 0.5F}, {0x1p-11F + 0x1p-13F, -0.5F, -0.5F}, {0x1p-11F + 0x1p-13F, -0.5F, -0.5F}};
-  for (const mesh::Triangle& third : {in_level, in_upright}) {
-    EXPECT_NE(last_place({vertices, {level, upright, third}}, path), "");
-    EXPECT_NE(last_place({vertices, {upright, level, third}}, path), "");
-  }
-}
-
-// The ray in which they cross is in the middle of one, far from its sides.
-TEST(soups_on_both_sides, triangles_may_cross_from_a_common_corner) {
-  const std::vector<mesh::Vertex> vertices{{0, 0, 0}, {4, 3, 0}, {4, -3, 0}, {4, 0, 1}, {4, 0, -1}};
-  const std::vector<Position> path{{0, 0, 0},        {2, 0.25F, -0.5F}, {2, -0.25F, -0.5F},
-                                   {2, 0.5F, 0.25F}, {0, 0, 0},         {1, -0.25F, 0.125F}};
-  EXPECT_NE(last_place({vertices, {{0, 1, 2}, {0, 3, 4}}}, path), "");
-}
-
-// A flight in the plane of a level triangle ends at its border. An upright one there lets it go above the level one, whose
-// front that is; but below it is where the flight came from.
-TEST(soups_on_both_sides, a_flight_along_the_surface_ends_on_the_side_that_it_came_from) {
-  const mesh::TriangleMesh mesh{{{0, -4, 0}, {8, 0, 0}, {0, 4, 0}, {0, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}};
-  const fast::soups::State state = last_state(mesh, {{-1, 0.5F, 0}, {2, 0.5F, 0}}, {mesh::Sides::both, mesh::Sides::front});
-  EXPECT_EQ(state.cell.triangle, 0U);
-  EXPECT_TRUE(state.cell.is_behind);
 }
 
 // Along the bottom of a valley each move ends at a vertex, until too much was looked at. The vertex has the numbers of the

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bound of a quotient of two balls (fast/soups/numbers.h) holds below the least normal number, too.
+// The bound of a quotient of two balls (fast/soups/numbers.h) holds below the least normal number, too; and points are told
+// apart where binary64 cannot.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "fast/soups/numbers.h"
+#include "fast/soups/points.h"
 
 namespace forceshade::fast::soups {
 namespace {
@@ -29,6 +30,16 @@ TEST(soup_quotients, what_is_lost_below_the_least_normal_number_is_in_the_bound)
 TEST(soup_quotients, a_divisor_that_may_be_zero_decides_nothing) {
   EXPECT_FALSE((Ball::exactly(1) / Ball{1, 1}).is_sure());
   EXPECT_FALSE((Ball::exactly(1) / Ball{0x1p-1074, 0x1p-1000}).is_sure());
+}
+
+// Points that binary64 does not tell apart, a unit from each other along one axis.
+TEST(soup_points, are_the_same_only_if_all_coordinates_are) {
+  const Whole far = Whole::scaled(1, 62), farther = far + Whole(1);
+  const Point a(Scaled<Whole>{{far, far, far}, Whole(1)});
+  EXPECT_TRUE(is_same(a, a));
+  EXPECT_FALSE(is_same(a, Point(Scaled<Whole>{{farther, far, far}, Whole(1)})));
+  EXPECT_FALSE(is_same(a, Point(Scaled<Whole>{{far, farther, far}, Whole(1)})));
+  EXPECT_FALSE(is_same(a, Point(Scaled<Whole>{{far, far, farther}, Whole(1)})));
 }
 
 }  // namespace
