@@ -99,6 +99,16 @@ TEST(soup_rules, of_two_crossings_alike_the_lower_triangles_count) {
   EXPECT_EQ(last_place({vertices, {under_other_wall, under_wall, wall, other_wall, floor}}, path).substr(0, 5), "c 0 3");
 }
 
+// An upright triangle begins inside of a level one, whose directions begin and end at the line in which they cross. Of the two
+// wedges beside the level wall that one counts which follows it counter-clockwise.
+TEST(soup_rules, of_two_wedges_beside_one_wall_the_one_that_follows_counts) {
+  const std::vector<mesh::Vertex> vertices{{-8, -8, 0}, {8, -8, 0}, {0, 8, 0}, {0, 0, 0}, {4, 0, 4}, {4, 0, -4}};
+  const std::vector<Position> path{{-1, 0, 1}, {0, 0, 0}, {2, 0, -1}};
+  for (const mesh::Triangle& level : {mesh::Triangle{0, 1, 2}, {0, 2, 1}})
+    for (const mesh::Triangle& upright : {mesh::Triangle{3, 4, 5}, {3, 5, 4}})
+      EXPECT_EQ(last_place({vertices, {level, upright}}, path).substr(0, 7), "c 0 1 0");
+}
+
 // The two valleys again. Along the right one lie two edges, of which the lower pair counts; and one ends at the vertex from
 // behind, which is no edge of the valley.
 TEST(soup_rules, of_the_edges_along_a_ray_the_lower_names_count) {
