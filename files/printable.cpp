@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "text/beginning.h"
+
 namespace forceshade::files {
 namespace {
 
@@ -72,7 +74,7 @@ bool is_printable(std::string_view text, bool may_have_lines) {
 }
 
 std::string shown(std::string_view text, std::size_t length) {
-  return '"' + printable(std::string(text.substr(0, length))) + (text.size() > length ? "...\"" : "\"");
+  return '"' + printable(beginning_of(text, length)) + (text.size() > length ? "...\"" : "\"");
 }
 
 }  // namespace forceshade::files

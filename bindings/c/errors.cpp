@@ -9,6 +9,7 @@
 #include "files/output_file.h"
 #include "forceshade/error.h"
 #include "rendering/left_out.h"
+#include "text/beginning.h"
 
 namespace forceshade::c {
 namespace {
@@ -18,11 +19,8 @@ thread_local std::array<char, 4096> message{};
 }  // namespace
 
 forceshade_result fail(forceshade_result result, std::string_view words) noexcept {
-  std::size_t length = std::min(words.size(), message.size() - 1);
-  // Not in the middle of a character.
-  while (length < words.size() && length > 0 && (static_cast<unsigned char>(words[length]) & 0xC0U) == 0x80U) --length;
-  std::copy_n(words.begin(), length, message.begin());
-  message[length] = '\0';
+  const std::string_view kept = beginning_of(words.substr(0, words.find_last_not_of('\n') + 1), message.size() - 1);
+  *std::ranges::copy(kept, message.begin()).out = '\0';
   return result;
 }
 

@@ -2,6 +2,7 @@
 // Scenes of the C interface: one path of the hand each, through objects that move, for one thread at a time.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bindings/c/batch.h"
@@ -33,6 +34,9 @@ using namespace forceshade::c;
 forceshade_result forceshade_scene_open(const forceshade_subject* objects, size_t count, forceshade_scene* made) {
   return guarded([&]() -> forceshade_result {
     if (objects == nullptr || made == nullptr) return fail(FORCESHADE_NULL_POINTER, "objects or made is NULL");
+    if (count > scene::kMostObjects)  // before any of them is read
+      return fail(FORCESHADE_BAD_VALUE,
+                  "number of objects is " + std::to_string(count) + "; expected 1 to " + std::to_string(scene::kMostObjects));
     std::vector<std::unique_ptr<fast::Session>> sessions;
     for (std::size_t i = 0; i < count; ++i) {
       const Subject* const its = subject_of(objects[i]);
@@ -41,8 +45,8 @@ forceshade_result forceshade_scene_open(const forceshade_subject* objects, size_
     }
     auto built = fast::SceneSession::build(std::move(sessions));
     if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);
-    const auto scene = [&] { return std::make_unique<Scene>(std::get<fast::SceneSession>(std::move(built))); };
-    return open(scenes.table, scene, made->handle);
+    const auto opened = [&] { return std::make_unique<Scene>(std::get<fast::SceneSession>(std::move(built))); };
+    return open(scenes.table, opened, made->handle);
   });
 }
 

@@ -14,7 +14,10 @@
 #include "bindings/c/subject.h"
 #include "forceshade/meshes.h"
 #include "rendering/mesh_rendering.h"
+#include "rendering/meshes/readers.h"
 #include "subjects/options.h"
+#include "text/beginning.h"
+#include "text/number_text.h"
 
 namespace forceshade::c {
 namespace {
@@ -28,7 +31,8 @@ std::optional<std::size_t> choice(const char* what, const char* word, const Name
     if (names[i] == word) return i;
     expected += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
   }
-  fail(FORCESHADE_BAD_VALUE, std::string(what) + ": expected " + expected + ", got \"" + std::string(word).substr(0, 64) + '"');
+  fail(FORCESHADE_BAD_VALUE,
+       std::string(what) + ": expected " + expected + ", got \"" + std::string(beginning_of(word, 64)) + '"');
   return std::nullopt;
 }
 
@@ -59,7 +63,7 @@ forceshade_result read_grid(const forceshade_height_map& map, height::Grid& grid
       const float height = *at(map.heights, row, map.row_stride, column, map.column_stride);
       if (!(std::fabs(height) <= kLargestHeight))
         return fail(FORCESHADE_BAD_VALUE, "the height of column " + std::to_string(column) + ", row " + std::to_string(row) +
-                                              " is " + std::to_string(height) + "; expected -10000 to 10000 mm");
+                                              " is " + forceshade::shortest(height) + "; expected -10000 to 10000 mm");
       grid.values.push_back(height);
     }
   return FORCESHADE_OK;
@@ -105,8 +109,10 @@ forceshade_result read_materials(const forceshade_mesh& its, mesh::Materials& al
 
 forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made) {
   mesh::TriangleMesh triangles;
-  if (its.vertex_count > UINT32_MAX || its.triangle_count > UINT32_MAX)
-    return fail(FORCESHADE_BAD_SIZE, "vertex_count or triangle_count is over 2^32");
+  if (its.vertex_count > mesh::kMost || its.triangle_count > mesh::kMost)  // before any of them is read
+    return fail(FORCESHADE_BAD_SIZE, "vertex_count and triangle_count are " + std::to_string(its.vertex_count) + " and " +
+                                         std::to_string(its.triangle_count) + "; expected " + std::to_string(mesh::kMost) +
+                                         " at most");
   triangles.vertices.resize(its.vertex_count);
   for (std::size_t i = 0; i < its.vertex_count; ++i) std::copy_n(its.vertices + 3 * i, 3, triangles.vertices[i].begin());
   triangles.triangles.resize(its.triangle_count);
@@ -121,7 +127,7 @@ forceshade_result new_mesh(const forceshade_mesh& its, forceshade_subject* made)
   const auto sides = choice("sides", its.sides, mesh::kSidesNames, 0);
   if (!shading || !sides) return FORCESHADE_BAD_VALUE;
   if (!(its.crease >= 0 && its.crease <= 180))
-    return fail(FORCESHADE_BAD_VALUE, "crease is " + std::to_string(its.crease) + "; expected 0 to 180 degrees");
+    return fail(FORCESHADE_BAD_VALUE, "crease is " + forceshade::shortest(its.crease) + "; expected 0 to 180 degrees");
   const auto checked = mesh::check_any(std::move(triangles));
   if (const auto* findings = std::get_if<mesh::Findings>(&checked))
     return fail(FORCESHADE_BAD_VALUE, "the mesh cannot be rendered: " + findings->words());
@@ -145,7 +151,7 @@ forceshade_result forceshade_law_new(const char* law, const forceshade_law* para
     const auto id = forceshade::law_named(law);
     if (!id)
       return fail(FORCESHADE_BAD_VALUE, "law: expected " + forceshade::subjects::expected_law(forceshade::subjects::Laws::one) +
-                                            ", got \"" + std::string(law).substr(0, 64) + '"');
+                                            ", got \"" + std::string(forceshade::beginning_of(law, 64)) + '"');
     return add_subject({law, forceshade::DescribedLaw{*id, {parameters->radius, parameters->width, parameters->stiffness}}},
                        made);
   });

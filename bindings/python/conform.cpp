@@ -10,6 +10,7 @@
 #include "bindings/python/arrays.h"
 #include "bindings/python/interruptible.h"
 #include "bindings/python/subject.h"
+#include "files/json_line.h"
 #include "files/printable.h"
 #include "forceshade/certificate.h"
 #include "properties/conformance/judgement_text.h"
@@ -19,6 +20,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Its words. An error may raise another one when it is asked for them, and may say what UTF-8 does not have.
+std::string words_of(const py::error_already_set& error) {
+  try {
+    return py::bytes(py::str(error.value()).attr("encode")("utf-8", "backslashreplace"));
+  } catch (const py::error_already_set&) {
+    return "(it does not say why)";
+  }
+}
+
 // Turns an error that Python raises in the call into words, while the GIL is held.
 template <class Call>
 auto words_for_errors(const Call& call) {
@@ -27,7 +37,7 @@ auto words_for_errors(const Call& call) {
     return call();
   } catch (const py::error_already_set& error) {
     throw files::ProcessFailed("the renderer raised " + error.type().attr("__name__").cast<std::string>() + ": " +
-                               files::printable(py::str(error.value()).cast<std::string>()));
+                               files::printable(words_of(error)));
   }
 }
 
@@ -54,7 +64,7 @@ class PythonRenderer final : public conformance::RendererUnderTest {
       answers_.its = opened[1];
       return opened[0].cast<std::string>();
     });
-    hello_ = conformance::hello_of(Json::parse(hello), scene);
+    hello_ = conformance::hello_of(files::object_in(hello, "renderer"), scene);
   }
 
   const conformance::Hello& hello() const override { return hello_; }

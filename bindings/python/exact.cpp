@@ -12,6 +12,7 @@
 #include "bindings/reference/rational.h"
 #include "forceshade/error.h"
 #include "reference/surface_height.h"
+#include "text/beginning.h"
 
 namespace forceshade::python {
 namespace {
@@ -42,7 +43,7 @@ class Reference {
 
   int compare(const Position& position, std::size_t axis, const std::string& rational) const {
     const auto number = exact::rational_of(rational);
-    if (!number) throw py::value_error("expected a rational number, got \"" + rational.substr(0, 64) + '"');
+    if (!number) throw py::value_error("expected a rational number, got \"" + std::string(beginning_of(rational, 64)) + '"');
     return definition_.compare(vector_of(position), axis, *number);
   }
 

@@ -4,6 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -15,6 +16,24 @@
 namespace py = pybind11;
 using namespace forceshade;
 
+namespace {
+
+// Sets it with its words, in which a name or a line of a file may be no UTF-8.
+void set_error(PyObject* kind, const std::exception& error) {
+  const auto words = py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(error.what(), static_cast<py::ssize_t>(std::strlen(error.what())), "backslashreplace"));
+  if (words) PyErr_SetObject(kind, words.ptr());
+}
+
+// An object whose __init__ has not run, as that of Law.__new__(Law), has no room that has to be made: it is refused.
+void expect_made(py::handle type) {
+  py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(type.ptr()))->operator_new = [](std::size_t) -> void* {
+    throw py::type_error("expected an object whose __init__ has run");
+  };
+}
+
+}  // namespace
+
 PYBIND11_MODULE(_forceshade, module) {
   module.doc() = "The compiled part of forceshade.";
   static py::exception<Error> error(module, "Error");
@@ -25,12 +44,16 @@ PYBIND11_MODULE(_forceshade, module) {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
+    } catch (const py::value_error& wrong) {
+      set_error(PyExc_ValueError, wrong);
+    } catch (const py::type_error& wrong) {
+      set_error(PyExc_TypeError, wrong);
     } catch (const py::builtin_exception&) {
       throw;
     } catch (const std::domain_error& undecided) {
-      PyErr_SetString(error.ptr(), undecided.what());
+      set_error(error.ptr(), undecided);
     } catch (const std::runtime_error& refused) {
-      PyErr_SetString(error.ptr(), refused.what());
+      set_error(error.ptr(), refused);
     }
   });
   module.attr("version") = FORCESHADE_VERSION;
@@ -48,4 +71,5 @@ PYBIND11_MODULE(_forceshade, module) {
   python::add_recordings(module);
   python::add_checks(module);
   python::add_conform(module);
+  for (const char* const type : {"Subject", "Session", "Scene"}) expect_made(module.attr(type));
 }

@@ -2,9 +2,12 @@
 // Numbers of Python as binary32; where they are rounded unasked, a warning says so.
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <iterator>
+#include <string_view>
 
 #include "bindings/python/subject.h"
 
@@ -27,11 +30,44 @@ bool narrowed(double number, bool is_rounded, float& read) noexcept {
   return PyErr_WarnEx(rounding_warning, kRounded, 1) == 0;
 }
 
+// True for NumPy's scalars that binary64 holds. A further look would take microseconds.
+bool is_held(PyObject* number) noexcept {
+  const std::string_view type = Py_TYPE(number)->tp_name;
+  return type == "numpy.float32" || type == "numpy.float16" || type.starts_with("numpy.int") || type.starts_with("numpy.uint");
+}
+
+// True for NumPy's complex numbers, too, of which float() takes a part.
+bool is_complex(PyObject* number) {
+  if (PyComplex_Check(number)) return true;
+  if (PyObject_HasAttrString(number, "__complex__") == 0) return false;
+  return !py::isinstance(number, py::module_::import("numbers").attr("Real"));
+}
+
+// Turns the binary64 number that is nearest to a Fraction or a long double into the one beside it whose last digit is odd,
+// unless it is the very number. Rounded to binary32, either is as the number is. One that says its float and has no order is
+// that. False and a Python error where there is no memory.
+bool rounded_to_odd(PyObject* number, double& value) noexcept {
+  if (std::isnan(value)) return true;
+  PyObject* const nearest = PyFloat_FromDouble(value);
+  if (nearest == nullptr) return false;
+  const int is_same = PyObject_RichCompareBool(number, nearest, Py_EQ);
+  const int is_above = is_same == 0 ? PyObject_RichCompareBool(number, nearest, Py_GT) : is_same;
+  Py_DECREF(nearest);
+  if (is_above < 0) PyErr_Clear();
+  if (is_same == 0 && is_above >= 0 && (std::bit_cast<std::uint64_t>(value) & 1U) == 0)
+    value = std::nextafter(value, is_above == 1 ? HUGE_VAL : -HUGE_VAL);
+  return true;
+}
+
 }  // namespace
 
 bool read_float(PyObject* number, const char* name, const char* unit, bool is_rounded, float& read) noexcept {
   if (PyFloat_Check(number)) return narrowed(PyFloat_AS_DOUBLE(number), is_rounded, read);
-  if (PyBool_Check(number) || PyUnicode_Check(number) || PyComplex_Check(number))
+  if (is_held(number)) {
+    const double value = PyFloat_AsDouble(number);
+    return (value != -1 || PyErr_Occurred() == nullptr) && narrowed(value, is_rounded, read);
+  }
+  if (PyBool_Check(number) || PyUnicode_Check(number) || is_complex(number))
     return fail(PyExc_TypeError, name, unit, "a number in ", number);
   if (PyLong_Check(number)) {
     int beyond = 0;
@@ -42,8 +78,8 @@ bool read_float(PyObject* number, const char* name, const char* unit, bool is_ro
     if (beyond != 0 || integer > kMost || integer < -kMost) return fail(PyExc_ValueError, name, unit, "-2^53 to 2^53 ", number);
     return narrowed(static_cast<double>(integer), is_rounded, read);
   }
-  const double value = PyFloat_AsDouble(number);
-  if (value == -1 && PyErr_Occurred() != nullptr) {
+  double value = PyFloat_AsDouble(number);
+  if ((value == -1 && PyErr_Occurred() != nullptr) || !rounded_to_odd(number, value)) {
     if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) return false;
     PyErr_Clear();
     return fail(PyExc_TypeError, name, unit, "a number in ", number);
@@ -115,6 +151,11 @@ void add_numbers(py::module_& module) {
   if (rounding_warning == nullptr) throw py::error_already_set();
   module.attr("RoundingWarning") = py::handle(rounding_warning);
   module.attr("rounded") = kRounded;
+  module.def("nearest", [](const py::object& number) {
+    float read = 0;
+    if (!read_float(number.ptr(), "number", "binary32", true, read)) throw py::error_already_set();
+    return read;
+  });
 }
 
 void add_method(py::handle type, PyMethodDef& method) {

@@ -15,6 +15,7 @@
 #include "bindings/python/arrays.h"
 #include "bindings/python/interruptible.h"
 #include "bindings/python/subject.h"
+#include "files/printable.h"
 #include "files/quantity.h"
 #include "forceshade/error.h"
 #include "forceshade/heights.h"
@@ -25,6 +26,8 @@
 #include "subjects/materials.h"
 #include "subjects/options.h"
 #include "subjects/read.h"
+#include "text/beginning.h"
+#include "text/number_text.h"
 
 namespace forceshade::python {
 namespace {
@@ -46,14 +49,14 @@ std::size_t choice(const char* what, const std::string& word, const Names& names
     if (names[i] == word) return i;
     expected += (i == 0 ? "\"" : i + 1 == names.size() ? " or \"" : ", \"") + std::string(names[i]) + '"';
   }
-  throw py::value_error(std::string(what) + ": expected " + expected + ", got \"" + word.substr(0, 64) + '"');
+  throw py::value_error(std::string(what) + ": expected " + expected + ", got \"" + std::string(beginning_of(word, 64)) + '"');
 }
 
 Description law_of(const std::string& name, float radius, float width, float stiffness) {
   const auto id = law_named(name);
   if (!id)
-    throw py::value_error("law: expected " + subjects::expected_law(subjects::Laws::one) + ", got \"" + name.substr(0, 64) +
-                          '"');
+    throw py::value_error("law: expected " + subjects::expected_law(subjects::Laws::one) + ", got \"" +
+                          std::string(beginning_of(name, 64)) + '"');
   return {name, DescribedLaw{*id, {radius, width, stiffness}}};
 }
 
@@ -78,8 +81,8 @@ Description map_of_samples(const py::buffer& heights, float pitch, const std::st
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const float value = at<float>(samples, row, column);
       if (!(std::fabs(value) <= c::kLargestHeight))
-        throw py::value_error("heights[" + std::to_string(row) + ", " + std::to_string(column) + "] is " +
-                              std::to_string(value) + "; expected -10000 to 10000 mm");
+        throw py::value_error("heights[" + std::to_string(row) + ", " + std::to_string(column) + "] is " + shortest(value) +
+                              "; expected -10000 to 10000 mm");
       grid.values.push_back(value);
     }
   const py::gil_scoped_release released;
@@ -125,8 +128,7 @@ Description mesh_of_arrays(const py::buffer& vertices, const py::buffer& triangl
   const std::size_t scheme = shading ? choice("shading", *shading, c::shading_names()) : has_corner_normals(rule) ? 0 : 1;
   const auto blocked =
       sides ? std::optional(static_cast<mesh::Sides>(choice("sides", *sides, mesh::kSidesNames))) : std::nullopt;
-  if (!(crease >= 0 && crease <= 180))
-    throw py::value_error("crease is " + std::to_string(crease) + "; expected 0 to 180 degrees");
+  if (!(crease >= 0 && crease <= 180)) throw py::value_error("crease is " + shortest(crease) + "; expected 0 to 180 degrees");
   const auto checked =
       interruptible([&](const std::atomic<bool>& stop) { return mesh::check_any(std::move(all), Monitor({}, stop)); });
   const py::gil_scoped_release released;
@@ -257,7 +259,7 @@ void add_subjects(py::module_& module) {
   py::class_<Subject, std::shared_ptr<Subject>> subject(module, "Subject");
   subject.def(py::init<Description>());
   subject.def_property_readonly("_kind", [](const Subject& its) { return its.identity.kind; });
-  subject.def_property_readonly("_name", [](const Subject& its) { return its.identity.name; });
+  subject.def_property_readonly("_name", [](const Subject& its) { return files::printable(its.identity.name); });
   subject.def_property_readonly("_digest", [](const Subject& its) { return its.identity.digest; });
   subject.def_property_readonly("_words", [](const Subject& its) { return parameters_in_words(its.identity); });
   subject.def_property_readonly("_parameters", [](const Subject& its) { return parameters_of(its.identity); });

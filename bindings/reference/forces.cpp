@@ -11,6 +11,7 @@
 #include "bindings/c/strided.h"
 #include "bindings/reference/handles.h"
 #include "bindings/reference/rational.h"
+#include "text/beginning.h"
 
 namespace forceshade::exact {
 namespace {
@@ -90,7 +91,7 @@ forceshade_result forceshade_reference_compare(forceshade_reference reference, c
     const std::optional<std::string> number = rational_of(rational);
     if (!number)
       return c::fail(FORCESHADE_BAD_VALUE, "rational: expected a number such as -3/4, -0.75 or 7.5e-1, got \"" +
-                                               std::string(rational).substr(0, 64) + '"');
+                                               std::string(beginning_of(rational, 64)) + '"');
     *sign = its->compare(*c::as_vectors(position), axis, *number);
     return FORCESHADE_OK;
   });

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "files/file_kind.h"
+#include "text/beginning.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -130,7 +131,7 @@ Error Lines::ended(const std::string& expected) const {
 std::string in_quotes(std::string_view word) {
   constexpr std::size_t kMost = 40;
   std::string shown = "\"";
-  for (const char c : word.substr(0, kMost)) c == '\0' ? shown += "\\x00" : shown += c;
+  for (const char c : beginning_of(word, kMost)) c == '\0' ? shown += "\\x00" : shown += c;
   return shown + (word.size() > kMost ? "...\"" : "\"");
 }
 

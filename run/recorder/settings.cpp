@@ -16,6 +16,7 @@
 #include "forceshade/fast.h"
 #include "forceshade/servo_loop.h"
 #include "run/recorder/layout.h"
+#include "text/beginning.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -92,7 +93,7 @@ class Reader {
     return words == "yes";
   }
   [[noreturn]] void refuse(const std::string& key, const std::string& expected) const {
-    throw Error(path_ + ": " + key + " is " + text(key).substr(0, 100) + "; expected " + expected);
+    throw Error(path_ + ": " + key + " is " + std::string(beginning_of(text(key), 100)) + "; expected " + expected);
   }
 
  private:

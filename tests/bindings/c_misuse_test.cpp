@@ -143,8 +143,30 @@ class CMisuse : public testing::Test {
   forceshade_session of_bump{}, of_mesh{}, closed{};
 };
 
+// A word of characters of four bytes each is shortened to 64 bytes at most.
+TEST_F(CMisuse, cuts_no_character) {
+  for (const std::string before : {"", "a", "ab", "abc"}) {
+    std::string word = before;
+    for (int i = 0; i < 30; ++i) word += "\xF0\x9F\x99\x82";
+    const std::string kept = word.substr(0, before.size() + (before.empty() ? 64U : 60U));
+    forceshade_subject made{};
+    EXPECT_EQ(forceshade_law_new(word.c_str(), &law, &made), FORCESHADE_BAD_VALUE);
+    EXPECT_TRUE(std::string(forceshade_message()).ends_with(", got \"" + kept + '"')) << forceshade_message();
+    forceshade_mesh its = mesh;
+    its.sides = word.c_str();
+    EXPECT_EQ(forceshade_mesh_new(&its, &made), FORCESHADE_BAD_VALUE);
+    EXPECT_TRUE(std::string(forceshade_message()).ends_with(", got \"" + kept + '"')) << forceshade_message();
+  }
+  forceshade_mesh none = mesh;
+  none.triangle_count = 0;
+  forceshade_subject made{};
+  EXPECT_EQ(forceshade_mesh_new(&none, &made), FORCESHADE_BAD_VALUE);
+  EXPECT_TRUE(std::string(forceshade_message()).ends_with("vertices")) << "no line feed at the end of a sentence";
+}
+
 TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
   forceshade_subject made{};
+  forceshade_scene scene{};
   std::array<float, 3> position{}, force{};
   std::array<std::uint32_t, 12> other{};
   std::copy_n(mesh.triangles, 12, other.begin());
@@ -186,7 +208,8 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"map row stride", new_map([](auto& its) { its.row_stride = 17; }), size, "multiples of 4"},
       {"map pitch 0", new_map([](auto& its) { its.pitch = 0; }), value, "pitch"},
       {"map pitch NaN", new_map([](auto& its) { its.pitch = kNan; }), value, "pitch"},
-      {"map height NaN", new_map([&](auto& its) { its.heights = steep.data(); }), value, "column 1, row 1 is nan"},
+      {"map height NaN", new_map([&](auto& its) { its.heights = steep.data(); }), value,
+       "column 1, row 1 is nan; expected -10000"},
       {"map interpolant", new_map([](auto& its) { its.interpolant = "linear"; }), value, "interpolant: expected bilinear or"},
       {"map edge", new_map([](auto& its) { its.edge = ""; }), value, "edge: expected clamp or tile, got \"\""},
       {"map render", new_map([](auto& its) { its.render = "shaded"; }), value, "render: expected height-map, "},
@@ -197,7 +220,11 @@ TEST_F(CMisuse, of_every_kind_has_its_result_and_its_sentence) {
       {"mesh vertices null", new_mesh([](auto& its) { its.vertices = nullptr; }), null, "vertices"},
       {"mesh triangles null", new_mesh([](auto& its) { its.triangles = nullptr; }), null, "triangles"},
       {"mesh size", new_mesh([](auto& its) { its.size = 0; }), size, "forceshade_mesh.size is 0"},
-      {"mesh too many", new_mesh([](auto& its) { its.triangle_count = std::size_t{1} << 40U; }), size, "over 2^32"},
+      {"mesh too many", new_mesh([](auto& its) { its.triangle_count = std::size_t{1} << 40U; }), size,
+       "expected 268435456 at most"},
+      {"mesh too many vertices", new_mesh([](auto& its) { its.vertex_count = (std::size_t{1} << 28U) + 1; }), size,
+       "268435457"},
+      {"scene of too many", [&] { return forceshade_scene_open(&bump, SIZE_MAX, &scene); }, value, "expected 1 to 32"},
       {"mesh empty", new_mesh([](auto& its) { its.triangle_count = 0; }), value, "cannot be rendered"},
       {"mesh index", new_mesh([&](auto& its) { its.triangles = other.data(); }), value, "cannot be rendered"},
       {"mesh flat", new_mesh([&](auto& its) { its.vertices = flat.data(); }), value, "cannot be rendered"},

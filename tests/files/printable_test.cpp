@@ -7,6 +7,9 @@
 
 #include <array>
 #include <random>
+#include <string>
+
+#include "text/beginning.h"
 
 namespace forceshade::files {
 namespace {
@@ -38,6 +41,19 @@ TEST(printable, is_what_a_terminal_may_show_as_it_is) {
   EXPECT_TRUE(is_printable("", true));
   EXPECT_FALSE(is_printable("two\nli\tnes", true));
   EXPECT_FALSE(is_printable("two\nlines\x1b", true));
+}
+
+// Characters of four bytes: 20 go into the 80 that are shown, and the next is left out as a whole.
+TEST(printable, of_a_long_text_is_cut_behind_a_character) {
+  for (const std::string before : {"", "a", "ab", "abc"}) {
+    std::string text = before;
+    for (int i = 0; i < 30; ++i) text += "\xF0\x9F\x99\x82";
+    const std::size_t whole = before.empty() ? 20 : 19;
+    EXPECT_EQ(shown(text), '"' + text.substr(0, before.size() + 4 * whole) + "...\"");
+    EXPECT_EQ(beginning_of(text, before.size() + 3), before);
+    EXPECT_EQ(beginning_of(text, 1000), text);
+  }
+  EXPECT_EQ(beginning_of(std::string(100, '\x85'), 80), std::string(80, '\x85')) << "no UTF-8";
 }
 
 TEST(printable, of_any_bytes_is_safe) {

@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+import numbers
 import operator
 import os
 import sys
 import warnings
+from decimal import ROUND_05UP, Context, Decimal
+from fractions import Fraction
+from math import isfinite
 from typing import Any, Literal, Optional
 
 import numpy as np
@@ -28,6 +32,34 @@ def expect_rounding(rounding: Rounding) -> bool:
     if rounding != "nearest":
         raise ValueError(f'rounding: expected "nearest" or None, got {rounding!r}')
     return True
+
+
+_DIGITS = Context(prec=800, rounding=ROUND_05UP)  # so that a number which is rounded again was rounded once
+
+
+def nearest_of(value: Any) -> float:
+    """The binary32 number nearest to a real one. Raises OverflowError beyond binary64."""
+    return _forceshade.nearest(float(value) if isinstance(value, numbers.Integral) else value)
+
+
+def decimal_of(value: Any) -> str:
+    """A real number as it would be typed: in the fewest digits, unless these lie on another side of a tie of binary32, as they may of
+    binary64, which does not hold every Fraction or long double either. Raises OverflowError beyond binary64."""
+    short = repr(float(value))
+    if not isfinite(float(value)) or nearest_of(Fraction(short)) == nearest_of(value):
+        return short
+    if isinstance(value, numbers.Rational):
+        over, under = int(value.numerator), int(value.denominator)
+    else:
+        over, under = (value if hasattr(value, "as_integer_ratio") else float(value)).as_integer_ratio()
+    return str(_DIGITS.divide(Decimal(over), Decimal(under)))
+
+
+def expect_no_mask(values: object, name: str) -> None:
+    """Refuses masks, which numpy.asarray() drops without a word."""
+    rows = values if isinstance(values, (list, tuple)) else ()
+    if any(isinstance(one, np.ma.MaskedArray) for one in (values, *rows)):
+        raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.compressed()")
 
 
 def _is_changed(array: npt.NDArray[Any], narrow: Floats) -> bool:
@@ -52,8 +84,7 @@ def as_floats(values: object, name: str, rounding: Rounding) -> Floats:
     """The values as binary32, the same memory where it can be, else rounded, with a warning where that was not asked for and
     changed one. `name` is plural: "positions"."""
     may_round = expect_rounding(rounding)
-    if isinstance(values, np.ma.MaskedArray):
-        raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.compressed()")
+    expect_no_mask(values, name)
     try:
         array = np.asarray(values)
     except ValueError:
@@ -104,8 +135,11 @@ def _expect_writable(array: object, name: str, dtype: npt.DTypeLike, shape: tupl
         raise ValueError(f"{name} is read-only; expected an array that can be written")
     if not array.flags.aligned:
         raise ValueError(f"{name} is not aligned; expected numbers that lie at multiples of their size")
-    if any(stride == 0 and length > 1 for stride, length in zip(array.strides, array.shape)):
-        raise ValueError(f"{name} has several elements in one place; expected one for each")
+    extent = array.itemsize  # in bytes, of the axes so far, from the one with the smallest stride
+    for stride, length in sorted((abs(stride), length) for stride, length in zip(array.strides, array.shape) if length > 1):
+        if stride < extent:
+            raise ValueError(f"{name} has several elements in one place; expected one for each")
+        extent += stride * (length - 1)
 
 
 def count_of_threads(threads: object) -> int:

@@ -10,7 +10,7 @@ import os
 from typing import Any, Mapping, NamedTuple, Sequence
 
 from . import _forceshade
-from ._subject import File, Subject, path_of
+from ._subject import File, Subject, path_of, word_of
 
 
 class PropertyResult(NamedTuple):
@@ -42,7 +42,7 @@ class Certificate(NamedTuple):
     def read(cls, file: File) -> Certificate:
         """That of a file, which certify() or the command wrote. Raises OSError where it cannot be opened, and Error, with the key
         and what was expected, where it is no certificate."""
-        return _certificate(*_forceshade.read_certificate(path_of(file)))
+        return _certificate(*_forceshade.read_certificate(os.fsencode(path_of(file))))
 
     def __repr__(self) -> str:
         names = ", ".join(subject["name"] for subject in self.contents["subjects"])
@@ -131,7 +131,7 @@ def certify(
         _count(len(os.sched_getaffinity(0)) if threads is None else threads, "threads", 1, 1024),
     )
     if path is not None:
-        _forceshade.write_file(path, made[0])
+        _forceshade.write_file(os.fsencode(path), made[0])
     return _certificate(*made)
 
 
@@ -150,10 +150,6 @@ class PlanState(NamedTuple):
     """Files that differ from the result of the same unit: one machine computes wrongly."""
 
 
-def _path(folder: File) -> str:
-    return os.fsdecode(os.fspath(folder))
-
-
 def make_plan(
     folder: File,
     subject: Mapping[str, str],
@@ -168,8 +164,8 @@ def make_plan(
     subject: options of docs/subjects.md, such as {"law": "all"}. points: of each subject; 0: as many as forceshade drive requires.
     """
     made = _forceshade.make_plan(
-        _path(folder),
-        list(subject.items()),
+        os.fsencode(folder),
+        [(word_of(key, "subject"), word_of(value, key)) for key, value in subject.items()],
         _count(points, "points", 0, 10**12),
         _count(cases, "cases", 1, 10**9),
         _count(seed, "seed", 0, 2**64 - 1),
@@ -180,21 +176,21 @@ def make_plan(
 
 def plan_state(folder: File) -> PlanState:
     """The state of the plan in a folder, whoever made it."""
-    return PlanState(**_forceshade.plan_state(_path(folder)))
+    return PlanState(**_forceshade.plan_state(os.fsencode(folder)))
 
 
 def work_on_plan(folder: File, *, threads: int | None = None, wait: bool = True) -> PlanState:
     """Does units until all are done, beside any number of other processes; without wait, until the others have taken the rest.
     Ctrl-C ends it, and what is done stays."""
     count = len(os.sched_getaffinity(0)) if threads is None else threads
-    _forceshade.work_on_plan(_path(folder), _count(count, "threads", 1, 1024), wait)
+    _forceshade.work_on_plan(os.fsencode(folder), _count(count, "threads", 1, 1024), wait)
     return plan_state(folder)
 
 
 def merged_plan(folder: File) -> Certificate:
     """The certificate of a plan whose units are all done. Raises Error where units are missing or two results differ."""
-    certificate, state = _forceshade.merged_plan(_path(folder))
+    certificate, state = _forceshade.merged_plan(os.fsencode(folder))
     if state["missing"] or state["alarms"]:
         why = ", ".join(state["alarms"]) + " differ from the results beside them" if state["alarms"] else "missing: " + state["missing"]
-        raise _forceshade.Error(f"{_path(folder)}: there is no certificate; {why}")
+        raise _forceshade.Error(f"{os.fsdecode(folder)}: there is no certificate; {why}")
     return _certificate(*certificate)

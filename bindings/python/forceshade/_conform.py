@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from . import _forceshade
 from ._checks import _count, _expect_subject
-from ._subject import Subject
+from ._subject import Subject, word_of
 
 Floats = npt.NDArray[np.float32]
 Counts = npt.NDArray[np.uint32]
@@ -159,6 +159,6 @@ def conform(
     if "damping" in declares and not hasattr(renderer, "open"):
         raise TypeError("expected an object with a method open for a renderer that declares damping, got a function")
     held, applicable, words, text = _forceshade.conform(
-        checked, opened, _count(points, "points", 1, 10**9), _count(seed, "seed", 0, 2**64 - 1), tolerance
+        checked, opened, _count(points, "points", 1, 10**9), _count(seed, "seed", 0, 2**64 - 1), word_of(tolerance, "tolerance")
     )
     return Conformance(held, applicable, words, json.loads(text))

@@ -7,7 +7,7 @@ import numbers
 import operator
 from dataclasses import InitVar, dataclass, fields
 from fractions import Fraction
-from math import frexp, inf
+from math import frexp, inf, isinf
 from typing import Optional
 
 import numpy as np
@@ -35,6 +35,7 @@ def periods_of(periods: Periods, shape: tuple[int, ...]) -> npt.NDArray[np.uint3
     """One for each position."""
     if periods is None:
         return None
+    _arrays.expect_no_mask(periods, "periods")
     array = np.asarray(periods)
     if array.dtype.kind not in "iu":
         raise TypeError(f"periods are of type {array.dtype}; expected integers")
@@ -94,8 +95,8 @@ class Damping:
 
     def __post_init__(self, time: float | None) -> None:
         given = {field.name: getattr(self, field.name) for field in fields(self)}
-        for name, value in {**given, "time": time or 0.0}.items():
-            if isinstance(value, bool) or not isinstance(value, (numbers.Real, np.number)):
+        for name, value in {**given, "time": 0.0 if time is None else time}.items():
+            if isinstance(value, bool) or not isinstance(value, numbers.Real):
                 raise TypeError(f"{name}: expected a number, got {value!r}")
         if time is not None:
             if given["share"] != 1:
@@ -105,8 +106,13 @@ class Damping:
             if 1 <= given["rate"] < inf:  # any other is refused below
                 given["share"] = share_of(float(time), float(given["rate"]))
         for name, value in given.items():
-            with np.errstate(over="ignore"):
-                object.__setattr__(self, name, float(str(np.float32(value))))
+            try:
+                narrow = _arrays.nearest_of(value)
+            except OverflowError:
+                narrow = inf
+            if isinf(narrow) and abs(value) != inf:  # most may be infinite, which this is not
+                raise ValueError(f"{name} is {value}; expected a number that binary32 holds")
+            object.__setattr__(self, name, float(str(np.float32(narrow))))
         _forceshade.check_damping(self._numbers())
 
     def _numbers(self) -> tuple[float, ...]:

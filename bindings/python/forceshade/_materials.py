@@ -11,7 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _forceshade
-from ._subject import File, stiffness_of
+from ._arrays import expect_no_mask
+from ._subject import File, stiffness_of, text_of
 
 Friction = Union[float, tuple[float, float]]  # a coefficient, or a static and a dynamic one
 Materials = tuple[Sequence[Mapping[str, Any]], npt.ArrayLike]  # a list, and the number in it of each triangle
@@ -19,7 +20,7 @@ Materials = tuple[Sequence[Mapping[str, Any]], npt.ArrayLike]  # a list, and the
 
 def words_of_friction(friction: Friction) -> str:
     parts = friction if isinstance(friction, (tuple, list)) else (friction,)
-    return ",".join(str(part) for part in parts)
+    return ",".join(text_of(part, "friction", '"0.5"') for part in parts)
 
 
 def materials_of(
@@ -32,6 +33,7 @@ def materials_of(
     numbers: list[int] = []
     if materials is not None:
         listed, given = materials
+        expect_no_mask(given, "materials")
         array = np.asarray(given)
         if array.ndim != 1 or array.dtype.kind not in "iu" or (array < 0).any() or (array >= len(listed)).any():
             raise ValueError(f"materials: expected for each triangle the number of its material, 0 to {len(listed) - 1}")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -39,7 +40,7 @@ def read_recording(file: File, *, frame: bool = False) -> Recording:
     """
     from ._subject import path_of
 
-    data, columns, metadata, problems = _forceshade.read_recording(path_of(file))
+    data, columns, metadata, problems = _forceshade.read_recording(os.fsencode(path_of(file)))
     layout = np.dtype(columns)
     samples: npt.NDArray[np.void] = np.ndarray(len(data) // layout.itemsize, layout, data)
     if frame:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import enum
+import operator
 from dataclasses import astuple, dataclass
 from fractions import Fraction
 
@@ -185,8 +186,8 @@ class Session(_forceshade.Session):
         place, side, position, index, parameter, slipping, meeting, further, cell = astuple(state)
         speed = numbers_of_state(damping_state, self._damping)
         try:
-            numbers = list(position), list(index), list(parameter), int(meeting), list(further), list(cell)
-            self._resume((int(place), int(side), bool(slipping), *numbers))
+            numbers = list(position), list(index), list(parameter), operator.index(meeting), list(further), list(cell)
+            self._resume((operator.index(place), operator.index(side), bool(slipping), *numbers))
         except TypeError:
             raise TypeError(f"state: expected one that a session gave, got {state}") from None
         if speed is not None:

@@ -68,11 +68,11 @@ class Identity(NamedTuple):
 
 def text_of(value: object, name: str, what: str) -> str:
     if isinstance(value, str):
-        return value
-    if isinstance(value, bool) or not isinstance(value, (numbers.Real, np.number)):
+        return word_of(value, name)
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name}: expected a number or a text such as {what}, got {value!r}")
     try:
-        return repr(float(value))
+        return _arrays.decimal_of(value)
     except OverflowError:
         raise ValueError(f"{name}: expected a number that binary64 holds, got one of more than 300 digits") from None
 
@@ -95,6 +95,8 @@ def expect_damping(subjects: Iterable[Subject], damping: Damping | None) -> None
 def word_of(value: object, name: str) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected a word, got {value!r}")
+    if not value.isascii() and value.encode("utf-8", "ignore").decode() != value:
+        raise ValueError(f"{name}: expected characters that UTF-8 has, got {value!r}")
     return value
 
 

@@ -27,6 +27,9 @@ Sides = Literal["front", "both"]
 Contact = Literal["direct", "sub-goal", "friction"]
 
 
+_TEXTURE = "texture:"  # before the name of its file
+
+
 def _short(number: float) -> str:
     return str(np.float32(number))
 
@@ -146,21 +149,24 @@ class HeightMap(Subject):
                     if value is not None:
                         raise TypeError(f"{path} says {key} itself; expected the stiffness alone, or pitch and scale too")
                 text = text_of(stiffness, "stiffness", '"500N/m"')
-                description = _forceshade.of_options([("height-map", path), ("stiffness", text)])
+                description = _forceshade.of_options([("height-map", os.fsencode(path)), ("stiffness", text)])
             elif pitch is None or scale is None:
                 raise TypeError("a picture needs pitch and scale, both in mm")
             else:
                 mm = length_of(pitch, "pitch"), length_of(scale, "scale")
-                description = _forceshade.map_of_picture(path, *mm, through, beyond, as_what, stiffness_of(stiffness))
+                description = _forceshade.map_of_picture(
+                    os.fsencode(path), *mm, through, beyond, as_what, stiffness_of(stiffness)
+                )
         else:
             if pitch is None:
                 raise TypeError("heights need their pitch, mm between samples")
             if scale is not None:
                 raise TypeError("scale is that of a picture; heights are in mm")
-            samples = source = _arrays.as_floats(heights, "heights", rounding).copy()
-            if samples.ndim != 2:
-                raise ValueError(f"heights have the shape {samples.shape}; expected (rows, columns)")
-            samples.flags.writeable = False
+            given_heights = _arrays.as_floats(heights, "heights", rounding)
+            if given_heights.ndim != 2:
+                raise ValueError(f"heights have the shape {given_heights.shape}; expected (rows, columns)")
+            # In the memory of bytes, which nobody can make writable.
+            samples = source = np.frombuffer(given_heights.tobytes(), np.float32).reshape(given_heights.shape)
             description = _forceshade.map_of_samples(
                 samples, length_of(pitch, "pitch"), through, beyond, as_what, stiffness_of(stiffness)
             )
@@ -180,7 +186,7 @@ class HeightMap(Subject):
         if self._read_heights is None:
             pitch, scale = (self._made_by[2][key] for key in ("pitch", "scale"))
             mm = (None, None) if pitch is None else (length_of(pitch, "pitch"), length_of(scale, "scale"))
-            lying = self._heights_of(source, *mm)
+            lying = self._heights_of(os.fsencode(source), *mm)
             self._read_heights = None if lying is None else np.asarray(lying)
         return self._read_heights
 
@@ -208,6 +214,7 @@ class HeightMap(Subject):
 
 
 def _indices(triangles: npt.ArrayLike, count: int) -> npt.NDArray[np.uint32]:
+    _arrays.expect_no_mask(triangles, "triangles")
     array: npt.NDArray[Any] = np.asarray(triangles)
     if array.dtype.kind not in "iu":
         raise TypeError(f"triangles are of type {array.dtype}; expected integers, the numbers of vertices from 0")
@@ -302,7 +309,10 @@ class Mesh(Subject):
                 if not isinstance(materials, (str, os.PathLike)):
                     raise TypeError("the materials of a mesh file are a TOML file; expected its path")
                 options["materials"] = path_of(materials)
-            description = _forceshade.of_options([(key, value) for key, value in options.items() if value is not None])
+                made_by["materials"] = os.path.abspath(path_of(materials))  # it is made again in another folder, too
+            if shading is not None and shading.startswith(_TEXTURE):
+                made_by["shading"] = _TEXTURE + os.path.abspath(shading[len(_TEXTURE) :])
+            description = _forceshade.of_options([(key, os.fsencode(value)) for key, value in options.items() if value is not None])
         else:
             if triangles is None:
                 raise TypeError("vertices need their triangles; expected Mesh(vertices, triangles, ...) or Mesh(file, ...)")
@@ -353,7 +363,7 @@ def read_subject(file: File) -> Law | HeightMap | Mesh:
 
     Raises OSError where it cannot be opened, and Error with file and line where it is refused.
     """
-    description = _forceshade.of_file(path_of(file))
+    description = _forceshade.of_file(os.fsencode(path_of(file)))
     made: Law | HeightMap | Mesh
     if description.kind == "law":
         made = Law.__new__(Law)

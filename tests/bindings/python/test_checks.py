@@ -87,6 +87,7 @@ def test_what_is_refused(bump, tmp_path):
     refused(TypeError, "expected a Law, HeightMap or Mesh, got int", forceshade.certify, [bump, 3])
     refused(ValueError, "expected one subject at least", forceshade.certify, [])
     refused(ValueError, "threads is 0; expected 1 to 1024", forceshade.certify, bump, threads=0)
+    refused(TypeError, "law: expected a word, got 5", forceshade.make_plan, tmp_path / "plan", {"law": 5})
 
 
 def test_ctrl_c_ends_a_certificate(bump):

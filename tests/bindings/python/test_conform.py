@@ -120,6 +120,22 @@ def test_what_a_wrong_function_does_is_part_of_the_result(renderer, words):
     assert not found and words in found.words
 
 
+def test_an_error_without_words_and_a_hello_that_is_no_json_are_part_of_the_result():
+    class Silent(Exception):
+        def __str__(self):
+            raise ValueError
+
+    for error, words in [(Silent(), "the renderer raised Silent: (it does not say why)"), (ValueError("\udcff"), r"ValueError: \udcff")]:
+
+        def fails(positions):
+            raise error
+
+        assert words in conformed(fails).words
+    for key, value in {"rate_Hz": float("nan"), "\udcff": 1, "x": "\udcff"}.items():
+        found = conformed(wall, declares={**DECLARES, key: value})
+        assert not found and 'the renderer wrote "' in found.words and "expected a JSON object in one line" in found.words
+
+
 def test_what_is_not_declared_is_not_guessed():
     for key in DECLARES:
         rest = {other: value for other, value in DECLARES.items() if other != key}
@@ -138,6 +154,8 @@ def test_a_scene_that_it_does_not_render_never_holds():
 def test_misuse():
     with pytest.raises(ValueError, match='got "3"'):
         conformed(wall, tolerance="3")
+    with pytest.raises(TypeError, match="tolerance: expected a word, got 3"):
+        conformed(wall, tolerance=3)
     with pytest.raises(TypeError, match="expected a function"):
         conformed(3)
     with pytest.raises(TypeError, match="expected a Law"):

@@ -32,6 +32,7 @@ def refused(kind, words, call, *arguments, **keywords):
         (np.zeros((2, 3), bool), TypeError, "positions are of type bool"),
         (None, TypeError, "positions are objects, such as lists of different lengths; expected numbers"),
         (np.ma.zeros((2, 3), F), TypeError, "positions are a masked array"),
+        ([np.ma.zeros(3, F)], TypeError, "positions are a masked array"),
     ],
 )
 def test_positions(bump, at, kind, words):
@@ -55,6 +56,8 @@ def test_out(bump):
         (read_only(np.zeros((100, 3), F)), ValueError, "out is read-only; expected an array that can be written"),
         ([[0, 0, 0]], TypeError, "out: expected a NumPy array, got list"),
         (np.lib.stride_tricks.as_strided(np.zeros(3, F), (100, 3), (0, 4)), ValueError, "out has several elements in one place"),
+        (np.lib.stride_tricks.as_strided(np.zeros(102, F), (100, 3), (4, 4)), ValueError, "out has several elements in one place"),
+        (np.lib.stride_tricks.as_strided(np.zeros(999, F), (100, 3), (8, -4)), ValueError, "out has several elements in one place"),
     ]:
         refused(kind, words, bump.forces, at, out=out)
         refused(kind, words, forceshade.Session(bump).steps, at, out=out)
@@ -165,6 +168,48 @@ def test_exact_forces(bump):
 def test_a_subject_whose_init_has_not_run():
     refused(TypeError, "force() needs a subject whose __init__ has run", forceshade.Law.__new__(forceshade.Law).force, 1, 2, 3)
     refused(TypeError, "step() needs a session whose __init__ has run", forceshade.Session.__new__(forceshade.Session).step, 1, 2, 3)
+
+
+    for subject in (forceshade.Law.__new__(forceshade.Law), forceshade.Mesh.__new__(forceshade.Mesh)):
+        for call in (lambda: subject.forces([[0, 0, 1]]), lambda: subject.digest, lambda: repr(subject), lambda: subject == subject):
+            refused(TypeError, "expected an object whose __init__ has run", call)
+    refused(TypeError, "expected an object whose __init__ has run", lambda: forceshade.Session.__new__(forceshade.Session).status)
+
+
+def test_what_is_no_ascii_is_named_and_cut_behind_a_character(tmp_path):
+    for before in ("", "a", "ab", "abc"):
+        word = before + "\N{HOT BEVERAGE}" * 30
+        refused(ValueError, f'got "{before}\N{HOT BEVERAGE}', forceshade.Law, word)
+        (tmp_path / "mesh.off").write_text(f"OFF\n3 1 0\n0 0 {word}\n")
+        refused(forceshade.Error, f'mesh.off: line 3: expected a coordinate, got "{before}\N{HOT BEVERAGE}',
+                forceshade.Mesh, tmp_path / "mesh.off", unit="mm")  # fmt: skip
+    (tmp_path / "mesh.off").write_bytes(b"OFF\n3 1 0\n0 0 \xff\xfe\n" + 30 * b" ")
+    refused(forceshade.Error, r'expected a coordinate, got "\xff\xfe"', forceshade.Mesh, tmp_path / "mesh.off", unit="mm")
+    refused(ValueError, "stiffness: expected characters that UTF-8 has, got '\\udcff'", forceshade.Law, "wall", stiffness="\udcff")
+    refused(ValueError, "law: expected characters that UTF-8 has, got '\\udcff'", forceshade.Law, "\udcff")
+
+
+def test_a_state_has_whole_numbers(bump):
+    for wrong in (forceshade.State(place=1.5), forceshade.State(place="1"), forceshade.State(side=0.5), forceshade.State(meeting=None)):
+        refused(TypeError, "state: expected one that a session gave", forceshade.Session(bump).resume, wrong)
+
+
+def test_masks_are_not_dropped():
+    refused(TypeError, "triangles are a masked array", forceshade.Mesh, TETRAHEDRON[0], np.ma.array(TETRAHEDRON[1]))
+    refused(TypeError, "materials are a masked array",
+            forceshade.Mesh, *TETRAHEDRON, materials=([{"friction": 0.5}], np.ma.zeros(4, int)))  # fmt: skip
+    damped = forceshade.Session(forceshade.Law("wall"), damping=forceshade.Damping(1000, 0.001))
+    refused(TypeError, "periods are a masked array", damped.steps, np.zeros((2, 3), F), periods=np.ma.array([1, 2]))
+
+
+def test_no_complex_number_and_no_truth_is_a_quantity():
+    for number in (np.complex64(0.5), np.complex128(0.5 + 3j), 0.5j):
+        refused(TypeError, "stiffness: expected a number or a text such as", forceshade.Law, "wall", stiffness=number)
+        refused(TypeError, "x: expected a number in mm, got", forceshade.Law("wall").force, number, 0, 0)
+        refused(TypeError, "damping: expected a number, got", forceshade.Damping, 1000, number)
+    refused(TypeError, "time: expected a number, got False", forceshade.Damping, 1000, time=False)
+    for huge in (1e39, 10**39, 10**400):
+        refused(ValueError, f"most is {huge}; expected a number that binary32 holds", forceshade.Damping, 1000, most=huge)
 
 
 def test_copies(bump):

@@ -43,6 +43,43 @@ def test_a_pickled_subject_goes_to_another_process(tmp_path):
     assert ran.stdout.strip() == str(forceshade.HeightMap(MILD, **TILES).force(0, 0, 0)), ran.stderr
 
 
+def test_a_pickled_mesh_finds_its_materials_and_its_texture_from_another_folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mesh.obj").write_text("v 0 0 0\nv 9 0 0\nv 0 9 0\nvt 0 0\nvt 1 0\nvt 0 1\ng rough\nf 1/1 2/2 3/3\n")
+    (tmp_path / "rough.toml").write_text('[[material]]\nname = "rough"\nfaces = ["0"]\nfriction = 0.5\n')
+    (tmp_path / "waves.toml").write_bytes((ROOT / "examples/grating.toml").read_bytes())
+    rough = forceshade.Mesh("mesh.obj", unit="mm", shading="none", materials="rough.toml")
+    waves = forceshade.Mesh("mesh.obj", unit="mm", shading="texture:waves.toml", texture_scale=9)
+    pickled = pickle.dumps([rough, waves])
+    monkeypatch.chdir("/")
+    assert pickle.loads(pickled) == [rough, waves]
+
+
+def test_the_heights_of_a_map_cannot_be_made_writable():
+    heights = forceshade.HeightMap(MILD, pitch=1).heights
+    with pytest.raises(ValueError, match="cannot set WRITEABLE flag"):
+        heights.flags.writeable = True
+
+
+def test_a_name_that_is_no_utf_8_is_read_and_written(tmp_path):
+    name = os.fsdecode(os.fsencode(tmp_path) + b"/\xff")
+    with open(name + ".toml", "w") as file:
+        file.write('law = "wall"\n')
+    assert forceshade.read_subject(name + ".toml") == forceshade.Law("wall")
+    with open(name + ".off", "w") as file:
+        file.write("OFF\n3 1 0\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n")
+    mesh = forceshade.Mesh(name + ".off", unit="mm")
+    assert mesh.identity.name == r"\xff.off" and pickle.loads(pickle.dumps(mesh)) == mesh
+    np.save(name + ".npy", MILD)
+    assert forceshade.HeightMap(name + ".npy", pitch=1, scale=1).heights.shape == MILD.shape
+    made = forceshade.certify(mesh, points=100, cases=1, out=name + ".json")
+    assert forceshade.Certificate.read(name + ".json") == made
+    assert forceshade.make_plan(name, {"law": "wall"}, points=100, cases=1, units=1).units == forceshade.plan_state(name).units
+    with open(name + ".toml", "w") as file:
+        file.write('law = "wal"\n')
+    refused(forceshade.Error, r"\xff.toml: line 1: law: expected one of", forceshade.read_subject, name + ".toml")
+
+
 def test_a_pickled_subject_of_a_file_that_has_changed_is_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     np.save("map.npy", MILD)

@@ -4,6 +4,7 @@
 import subprocess
 import sys
 import warnings
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -66,6 +67,34 @@ def test_the_rounded_number_is_the_nearest(bump):
     assert one == bump.force(np.float32(0.1), 0, np.float32(-0.1))
     with pytest.warns(forceshade.RoundingWarning):
         assert bump.answers([[0, 0, 1e300]])["status"].tolist() == [forceshade.Status.INVALID]
+
+
+TIE = Fraction(1) + Fraction(1, 2**24)  # between 1 and 1 + 2^-23, of which 1 is even
+FAR = Fraction(1, 2**70)  # further than binary64 sees
+
+
+@pytest.mark.parametrize("number, nearest", [(TIE, 1), (TIE - FAR, 1), (TIE + FAR, 1 + 2**-23), (1 + FAR, 1), (1 - FAR, 1)])
+def test_a_number_that_binary64_does_not_hold_is_rounded_once(number, nearest):
+    wall, flat = forceshade.Law("wall", stiffness=1), forceshade.Mesh([[-9, -9, 0], [9, -9, 0], [9, 9, 0]], [[0, 1, 2]], stiffness=1)
+    touching = forceshade.Session(flat)
+    touching.step(1, 0, 1)
+    with pytest.warns(forceshade.RoundingWarning):
+        assert wall.force(0, 0, -number)[2] == nearest
+    with pytest.warns(forceshade.RoundingWarning):
+        assert touching.step(1, 0, -number)[2] == nearest
+    assert forceshade.Law("wall", stiffness=number).stiffness == nearest
+    assert forceshade.Law("cylinder", radius=number, width=1).radius == nearest
+    assert np.float32(forceshade.Damping(1000, damping=number).damping) == nearest
+    assert forceshade.Mesh(*TETRAHEDRON, friction=number) == forceshade.Mesh(*TETRAHEDRON, friction=float(nearest))
+
+
+def test_a_long_double_and_a_binary64_number_at_a_tie_are_rounded_once():
+    above = np.longdouble(1) + np.longdouble(2) ** -24 + np.longdouble(2) ** -60
+    wall = forceshade.Law("wall", stiffness=1)
+    for number, nearest in [(above, 1 + 2**-23), (2 - above, 1 - 2**-24), (1 + 2**-24, 1), (np.float64(1 + 2**-24), 1)]:
+        assert forceshade.Law("wall", stiffness=number).stiffness == nearest
+        assert wall.force(0, 0, -number, rounding="nearest")[2] == nearest
+        assert forceshade.HeightMap(np.zeros((2, 2)), pitch=number) == forceshade.HeightMap(np.zeros((2, 2)), pitch=nearest)
 
 
 def test_what_binary32_holds_is_taken_without_a_word(bump):
