@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -81,7 +82,7 @@ TEST(servo_loop, counts_the_periods_that_passed_for_damping) {
 
 // Tick 100 jumps into the wall.
 TEST(servo_loop, has_no_velocity_to_damp_after_more_than_sixteen_periods) {
-  for (const auto& [late, is_damped] : {std::pair{16.0, true}, std::pair{17.0, false}}) {
+  for (const auto& [late, is_damped] : {std::pair{16.0, true}, {17.0, false}, {40.0, false}}) {
     World clock;
     Timed device(clock, [&, late = late](std::size_t tick) { clock.pass(tick == 99 ? late : 0.1); });
     const Kept run(device, wall(), {.max_seconds = 0.13, .damping = {.damping = 0.001F}});
@@ -89,6 +90,7 @@ TEST(servo_loop, has_no_velocity_to_damp_after_more_than_sixteen_periods) {
     const float spring = wall().evaluate({0, 0, -0.3F}).force.z();
     EXPECT_EQ(run.samples[100].law_force[2] > spring, is_damped) << late;
     EXPECT_GE(run.samples[100].law_force[2], spring) << late;
+    EXPECT_EQ(run.samples[100].periods(), std::min(late, 17.0)) << "17 stands for all above";
   }
 }
 
