@@ -97,9 +97,10 @@ std::string separator_of(const std::vector<std::string>& header) {
   return "";
 }
 
-// A name in small letters and without blanks.
+// A name in small letters, without blanks at its ends.
 std::string plain_name(std::string text) {
-  std::erase(text, ' ');
+  text.erase(text.find_last_not_of(' ') + 1);
+  text.erase(0, text.find_first_not_of(' '));
   for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return text;
 }
@@ -191,10 +192,13 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
     if (found == header_.end())
       throw error(row_line_,
                   "no column " + column + ": expected columns " + listed(columns_) + ", got " + in_quotes(listed(header_)));
-    const auto again = std::find(found + 1, header_.end(), *found);
+    const auto again = std::ranges::find_if(header_, [&](const std::string& name) {
+      return &name != &*found && (name == *found || (is_optional && plain_name(name) == column));
+    });
+    const auto [first, second] = std::minmax(found, again);
     const auto number = [&](auto at) { return std::to_string(at - header_.begin() + 1); };
     if (again != header_.end())
-      throw error(row_line_, "columns " + number(found) + " and " + number(again) + " are both called " + *found);
+      throw error(row_line_, "columns " + number(first) + " and " + number(second) + " are both called " + column);
     place_.push_back(static_cast<std::size_t>(found - header_.begin()));
   }
 }

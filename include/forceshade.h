@@ -331,7 +331,7 @@ typedef struct forceshade_damping {
 } forceshade_damping;
 
 /* That of the subject's file, its table [damping], at a rate (Hz); off without one. damping->size has to be set. The subject's
- * forces are without it: the functions below put it behind them. */
+ * forces are without it: the functions below put it behind them. WRONG_KIND: its materials limit damping, which these do not see. */
 FORCESHADE_API forceshade_result forceshade_subject_damping(forceshade_subject subject, float rate, forceshade_damping* damping);
 
 /* One that is 0 but for its size begins a path, as does one that no tick leaves. */

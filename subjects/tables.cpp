@@ -108,7 +108,7 @@ mesh::Material Tables::material_of(const toml::table& table) const {
   for (const auto& [key, its] : {std::pair{"damping", &made.damping.damping}, std::pair{"drag", &made.damping.drag}})
     if (const toml::node* node = table.get(key)) {
       const std::string name = name_of(*node, key), text = words(key, *node, "a number such as \"2Ns/m\"");
-      *its = text == "inf" ? HUGE_VALF : files::parse_damping(name, text);
+      *its = text == "inf" ? HUGE_VALF : files::parse_damping(name, text) + 0.0F;  // -0 is 0
       if (const auto error = error_of_damping(*its))
         throw Error(name + error->message().substr(std::string_view(error->parameter).size()));
     }

@@ -125,10 +125,17 @@ def names_in(header, table):
     return re.findall(r'"([\w-]+)"', re.search(table + r"\{([^}]*)\}", text_of("include/forceshade/" + header))[1])
 
 
+def height_map_kinds():
+    text = text_of("include/forceshade/height_map.h")
+    kinds = re.findall(r'std::string_view kName = "([\w-]+)";', text)
+    assert len(kinds) == text.count("kName") - 1, "one for each, and their list"
+    return kinds
+
+
 SORTS = [
     Sort("## Adding a law", "<law>", "LawId::", 15, [name for name, _ in laws()], OF_LAWS),
     Sort("## Adding a kind of height map", "<kind>", "LawId::", 8,
-         re.findall(r'std::string_view kName = "([\w-]+)";', text_of("include/forceshade/height_map.h")), OF_KINDS),
+         height_map_kinds(), OF_KINDS),
     Sort("## Adding a shading scheme", "<scheme>", "Shading::", 10,
          [name for name in names_in("mesh.h", "kShadingNames") if name != "none"], OF_SCHEMES, "-scheme"),
     Sort("## Adding a contact rule", "<rule>", "Contact::", 11, names_in("mesh.h", "kContactNames"), OF_RULES),

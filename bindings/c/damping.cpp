@@ -83,6 +83,8 @@ forceshade_result forceshade_subject_damping(forceshade_subject subject, float r
     if (its == nullptr) return bad_subject();
     if (damping == nullptr) return fail(FORCESHADE_NULL_POINTER, "damping is NULL");
     if (damping->size < sizeof *damping) return fail(FORCESHADE_BAD_SIZE, "damping->size: expected sizeof(forceshade_damping)");
+    if (its->limits_damping)
+      return fail(FORCESHADE_WRONG_KIND, "the subject's materials limit damping, which the functions of damping do not see");
     const damping::Parameters numbers = its->damping.at(static_cast<double>(rate));
     const auto built = fast::Damping::build(numbers);
     if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);

@@ -63,7 +63,9 @@ std::variant<Subject, ParameterError> build(const Description& description) {
   if (const auto* map = std::get_if<DescribedHeightMap>(&description.what))
     return subject_of(fast::HeightMapField::build(map->map, map->mode, map->stiffness), description);
   const auto& mesh = std::get<MeshRendering>(description.what);
-  return subject_of(fast::GodObject::build(mesh), description, mesh.checked.is_regular());
+  auto built = subject_of(fast::GodObject::build(mesh), description, mesh.checked.is_regular());
+  if (auto* const its = std::get_if<Subject>(&built)) its->limits_damping = has_own_damping(mesh.materials);
+  return built;
 }
 
 }  // namespace forceshade::c

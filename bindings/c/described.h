@@ -49,6 +49,7 @@ struct Subject {
   Renderer renderer;
   damping::Described damping = {};
   bool is_regular = true;  // false: a mesh that is any set of triangles
+  bool limits_damping = false;
 };
 
 std::variant<Subject, ParameterError> build(const Description& description);

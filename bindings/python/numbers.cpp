@@ -36,16 +36,15 @@ bool is_held(PyObject* number) noexcept {
   return type == "numpy.float32" || type == "numpy.float16" || type.starts_with("numpy.int") || type.starts_with("numpy.uint");
 }
 
-// True for NumPy's complex numbers, too, of which float() takes a part.
-bool is_complex(PyObject* number) {
-  if (PyComplex_Check(number)) return true;
-  if (PyObject_HasAttrString(number, "__complex__") == 0) return false;
-  return !py::isinstance(number, py::module_::import("numbers").attr("Real"));
+// True for NumPy's complex numbers, too, of which float() takes a part. It runs nothing of Python, which could fail.
+bool is_complex(PyObject* number) noexcept {
+  const std::string_view type = Py_TYPE(number)->tp_name;
+  return PyComplex_Check(number) || type.starts_with("numpy.complex") || type == "numpy.clongdouble";
 }
 
 // Turns the binary64 number that is nearest to a Fraction or a long double into the one beside it whose last digit is odd,
 // unless it is the very number. Rounded to binary32, either is as the number is. One that says its float and has no order is
-// that. False and a Python error where there is no memory.
+// that. False and a Python error where there is no memory, or where comparing was interrupted.
 bool rounded_to_odd(PyObject* number, double& value) noexcept {
   if (std::isnan(value)) return true;
   PyObject* const nearest = PyFloat_FromDouble(value);
@@ -53,7 +52,10 @@ bool rounded_to_odd(PyObject* number, double& value) noexcept {
   const int is_same = PyObject_RichCompareBool(number, nearest, Py_EQ);
   const int is_above = is_same == 0 ? PyObject_RichCompareBool(number, nearest, Py_GT) : is_same;
   Py_DECREF(nearest);
-  if (is_above < 0) PyErr_Clear();
+  if (is_above < 0) {
+    if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) return false;
+    PyErr_Clear();
+  }
   if (is_same == 0 && is_above >= 0 && (std::bit_cast<std::uint64_t>(value) & 1U) == 0)
     value = std::nextafter(value, is_above == 1 ? HUGE_VAL : -HUGE_VAL);
   return true;

@@ -16,6 +16,7 @@
 #include "forceshade/certify.h"
 #include "forceshade/fast.h"
 #include "forceshade/properties.h"
+#include "text/beginning.h"
 
 namespace forceshade::exact {
 namespace {
@@ -116,7 +117,7 @@ forceshade_result forceshade_reference_certify(forceshade_reference reference, c
     if (plan == nullptr || file == nullptr) return c::fail(FORCESHADE_NULL_POINTER, "plan or file is NULL");
     if (wrong = check(*plan); wrong != FORCESHADE_OK) return wrong;
     if (files::is_standard_output(file))
-      return c::fail(FORCESHADE_BAD_VALUE, "file: expected the name of a file, got " + std::string(file).substr(0, 64));
+      return c::fail(FORCESHADE_BAD_VALUE, "file: expected the name of a file, got " + std::string(beginning_of(file, 64)));
     files::OutputFile out(file);  // so that a missing folder is reported before the work
     std::atomic<bool> stop = false;
     const auto tell = [&](std::string_view, double done) {

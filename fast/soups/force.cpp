@@ -292,4 +292,13 @@ std::array<float, 3> force_at(const Soup& soup, const At& r, const Point& p, con
           component([](const auto& v) -> const auto& { return v.z; })};
 }
 
+damping::Limits damping_at(const Soup& soup, const At& r) {
+  damping::Limits largest{0, 0};
+  for (const Star::Held& held : r.star->triangles()) {
+    const damping::Limits its = soup.damping(*held.face);
+    largest = {std::max(largest.damping, its.damping), std::max(largest.drag, its.drag)};
+  }
+  return largest;
+}
+
 }  // namespace forceshade::fast::soups

@@ -12,4 +12,7 @@ namespace forceshade::fast::soups {
 // a part, p's foot; otherwise null. stiffness: N/mm, of triangles without one of their own.
 std::array<float, 3> force_at(const Soup& soup, const At& r, const Point& p, const Point* q, float stiffness, bool is_shaded);
 
+// Each the largest of the triangles that hold r.
+damping::Limits damping_at(const Soup& soup, const At& r);
+
 }  // namespace forceshade::fast::soups

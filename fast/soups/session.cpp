@@ -237,16 +237,6 @@ Tick Session::free(unsigned moves) {
   return {Status::free, static_cast<std::uint16_t>(moves), {}, state_};
 }
 
-// Each the largest of the triangles that hold r.
-damping::Limits damping_at(const Soup& soup, const At& r) {
-  damping::Limits largest{0, 0};
-  for (const Star::Held& held : r.star->triangles()) {
-    const damping::Limits its = soup.damping(*held.face);
-    largest = {std::max(largest.damping, its.damping), std::max(largest.drag, its.drag)};
-  }
-  return largest;
-}
-
 // Keeps the state.
 Tick Session::unfinished(unsigned moves, bool is_slipping) {
   if (is_on_) return resting(moves, is_slipping, Status::unfinished);
@@ -318,11 +308,13 @@ void Session::resume(const State& state) {
   state_ = {};
   is_on_ = false;
   kept_.reset();
+  const std::uint64_t cuts = Whole::cuts;
   if (!in_domain(state.place.position)) return;
   const std::optional<Point> x = point_of(*soup_, state.place);
   if (!x) return;
   if (state.place.kind != PlaceKind::free) {
     if (!make_in_cell(*on_, *x, state.cell)) return;
+    if (Whole::cuts != cuts) return;
     is_on_ = true;
     kept_ = state.place;
   }

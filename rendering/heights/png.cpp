@@ -94,6 +94,7 @@ class Reader {
       // The Exif data of programs that are older than eXIf.
       if (key == "Raw profile type exif" || key == "Raw profile type APP1")
         refuse("has Exif data (Raw profile), which may turn it; expected none");
+      if (key == "Raw profile type xmp") refuse("has XMP (Raw profile), which may turn it; expected none");
       if (key == "XML:com.adobe.xmp" && is_turned_by_xmp(text.text))
         refuse("is turned by its XMP (tiff:Orientation); expected 1, the first row on top");
     }

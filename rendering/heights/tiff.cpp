@@ -156,7 +156,10 @@ void expect_square_pixels(TIFF* tiff, const std::filesystem::path& file) {
     return std::uint16_t{0};
   };
   const std::uint16_t model = key(1024);
-  if (model == 2 || model == 3 || (model == 0 && key(2048) != 0 && key(3072) == 0))
+  if (model == 3)
+    throw Error(file,
+                "has places around the middle of the earth (GTModelTypeGeoKey); expected a projection, in a unit of length");
+  if (model == 2 || (model == 0 && key(2048) != 0 && key(3072) == 0))
     throw Error(file,
                 "has pixels in degrees of longitude and latitude (GTModelTypeGeoKey), which are not square; expected a "
                 "projection, in a unit of length");
@@ -177,13 +180,23 @@ void expect_no_calibration(std::string_view text, const std::filesystem::path& f
   if (images != "1") throw Error(file, kStack + std::string("ImageJ's images); expected one"));
 }
 
-// The description of OME-TIFF, in XML: two sizes of a pixel, in units of their own.
+// The description of OME-TIFF, in XML: two sizes of a pixel, each in its own unit, micrometres where none is named.
 void expect_square_pixels_of_ome(std::string_view text, const std::filesystem::path& file) {
-  for (const auto& [across, along] : {std::pair{"PhysicalSizeX", "PhysicalSizeY"}, {"PhysicalSizeXUnit", "PhysicalSizeYUnit"}})
-    if (has_value(text, across, [&, y = along](std::string_view size) {
-          return !has_value(text, y, [&](std::string_view other) { return other == size; });
-        }))
+  for (std::size_t at = text.find("<Pixels"); at < text.size(); at = text.find("<Pixels", at + 1)) {
+    const std::string_view pixels = text.substr(at, text.find('>', at) - at);
+    const auto size = [pixels](std::string_view name, std::string_view otherwise) {
+      has_value(pixels, name, [&otherwise](std::string_view value) {
+        otherwise = value;
+        return true;
+      });
+      return otherwise;
+    };
+    const std::string_view across = size("PhysicalSizeX", ""), along = size("PhysicalSizeY", "");
+    const auto first = files::Decimal::of(across), second = files::Decimal::of(along);
+    if ((first && second ? *first != *second : across != along) ||
+        size("PhysicalSizeXUnit", "µm") != size("PhysicalSizeYUnit", "µm"))
       throw Error(file, "has pixels that are not square (OME's PhysicalSizeX and PhysicalSizeY); expected one size");
+  }
 }
 
 // tifffile writes a stack behind the page of the first picture, too, and its sizes as JSON: {"shape": [pictures, rows,

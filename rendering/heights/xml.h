@@ -13,6 +13,7 @@ template <class Is>
 bool has_value(std::string_view xml, std::string_view name, const Is& is) {
   constexpr std::string_view kBlank = " \t\r\n", kQuotes = "\"'";
   for (std::size_t at = xml.find(name); at < xml.size(); at = xml.find(name, at + 1)) {
+    if (at > 0 && xml[at - 1] == '/') continue;  // the end of an element
     std::string_view rest = xml.substr(at + name.size());
     const auto skip_blanks = [&rest] { rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size())); };
     skip_blanks();
@@ -20,7 +21,9 @@ bool has_value(std::string_view xml, std::string_view name, const Is& is) {
     rest.remove_prefix(1);
     skip_blanks();
     if (!rest.empty() && kQuotes.find(rest.front()) != kQuotes.npos) rest.remove_prefix(1);
-    if (is(rest.substr(0, rest.find_first_of("\"'<")))) return true;
+    std::string_view value = rest.substr(0, rest.find_first_of("\"'<"));
+    value = value.substr(0, value.find_last_not_of(kBlank) + 1);
+    if (is(value)) return true;
   }
   return false;
 }

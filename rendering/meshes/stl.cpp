@@ -70,6 +70,7 @@ class StlText {
       words_ = Words(lines_.line());
       expect_word("solid");
       skip_name();
+      if (layout_ == StlLayout::lines) expect_no_facet();
       next("facet or endsolid");
       for (; is("facet"); next("facet or endsolid"), ++triangles) {
         const std::uint64_t line = lines_.number();
@@ -90,11 +91,12 @@ class StlText {
         expect_word("endloop");
         next("endfacet");
         expect_word("endfacet");
+        if (layout_ == StlLayout::lines) expect_no_facet();
         add_triangle(builder_, welder_, vertices, line);
       }
       expect_word("endsolid");
       skip_name();
-      if (layout_ == StlLayout::words && is("facet")) throw lines_.unexpected("the end of the line behind a solid", "facet");
+      expect_no_facet();
     }
     if (triangles == 0) throw lines_.ended("at least one face");
     return taken(builder_, welder_, file_, triangles);
@@ -123,6 +125,9 @@ class StlText {
   void expect_word(const char* expected) {
     const std::string_view found = word();
     if (lower(found) != expected) throw lines_.unexpected(expected, found);
+  }
+  void expect_no_facet() const {
+    if (is("facet")) throw lines_.unexpected("the end of the line", "facet");
   }
   void skip_name() {
     for (Words rest = words_; !Words(words_).next().empty(); rest = words_)

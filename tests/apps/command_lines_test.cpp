@@ -200,9 +200,11 @@ TEST(command_lines, no_command_is_fine_when_standard_output_is_not) {
 TEST(command_lines, a_command_that_fails_leaves_no_folder) {
   const TemporaryDirectory here;
   std::ofstream(here.file("map.toml")) << "render = \"height-map\"\n";
-  for (const char* line :
-       {"certify --law wall --points x --out a/b/c", "certify plan --exhaustive lines --law wall --out a/b/c",
-        "plot energy --law wall --radius x --out a/b/c", "certify --height-map map.toml --out a/b/c"}) {
+  here.write("bad.csv", "x_mm,y_mm,z_mm\n0,0,a\n");
+  here.write("its.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
+  for (const char* line : {"plot bad.csv --mesh its.obj --unit mm --out a/b/c", "certify --law wall --points x --out a/b/c",
+                           "certify plan --exhaustive lines --law wall --out a/b/c",
+                           "plot energy --law wall --radius x --out a/b/c", "certify --height-map map.toml --out a/b/c"}) {
     EXPECT_EQ(run_command(here, words_of(line)).code, 2) << line;
     EXPECT_FALSE(std::filesystem::exists(here.file("a"))) << line;
   }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# conform_report_test.sh FORCESHADE: what a conformance run writes, and two of them side by side.
+# conform_report_test.sh FORCESHADE: what a conformance run writes.
 python_options=-SE
 . "$(dirname "$0")/expect.sh"
 schema=$examples/../docs/conformance-schema.json

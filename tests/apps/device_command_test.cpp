@@ -117,9 +117,10 @@ TEST(device_check, looks_through_the_drivers_library) {
 TEST(device_try, leads_through_a_first_contact_and_keeps_its_recording) {
   const TemporaryDirectory here;
   ASSERT_EQ(run_command(here, words_of("certify --law wall --stiffness 0.05 --out cert")).code, 0);
-  PseudoTerminal terminal = on_terminal(here,
-                                        "device try simulated --certificate cert/certificate.json --dead-man none "
-                                        "--seconds 2 --json try.json");
+  const std::string tried =
+      "device try simulated --certificate cert/certificate.json --dead-man none --seconds 2 --json try.json";
+  EXPECT_EQ(run_command(here, words_of(tried + " --stiffness 0.1")).code, 1) << "not covered";
+  PseudoTerminal terminal = on_terminal(here, tried);
   expect_holds(terminal.shown_until(kPrompt), {"step 1 of 2", "0.05 N/mm, never more than 0.5 N", "emergency switch"});
   EXPECT_EQ(here.read("try.json"), "");
   terminal.type("\n");

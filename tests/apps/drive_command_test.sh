@@ -84,6 +84,7 @@ expect 3 "the supervisor stopped the run: energy" -- \
   --seconds 6 --pace none --passivity observer
 expect 0 "passivity         tank: account" -- \
   "$forceshade" drive --law wall --certificate none --device simulated --seconds 0.1 --pace none --passivity tank
+expect 2 "none to read from" -- setsid -w "$forceshade" drive --law wall --certificate none --device simulated --dead-man 0
 expect 2 "dead-man button" -- drive --law wall --certificate none --dead-man 1 --out never.fsr
 same "" "$(ls | grep never)"
 expect 0 "not supervised" -- drive --law wall --certificate none

@@ -20,6 +20,7 @@
 #include "tests/bindings/misuse.h"
 #include "tests/bindings/subjects.h"
 #include "tests/support/allocations.h"
+#include "tests/support/temporary_directory.h"
 
 namespace forceshade {
 namespace {
@@ -260,6 +261,20 @@ TEST_F(CDamping, of_a_subjects_file_is_that_of_its_table_at_a_rate) {
   its.size = sizeof its;
   EXPECT_EQ(std::memcmp(&its, &before, sizeof its), 0) << "nothing was written";
   for (const forceshade_subject subject : {plain, oily}) forceshade_subject_free(subject);
+}
+
+TEST_F(CDamping, of_a_subject_whose_materials_limit_it_is_refused) {
+  const tests::TemporaryDirectory folder;
+  folder.write("its.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
+  folder.write("dry.toml", "[default]\ndamping = 0\n");
+  const std::string file = folder.write("subject.toml", "mesh = \"its.obj\"\nunit = \"mm\"\nmaterials = \"dry.toml\"\n");
+  forceshade_subject subject{};
+  ASSERT_EQ(forceshade_subject_read(file.c_str(), &subject), FORCESHADE_OK) << forceshade_message();
+  forceshade_damping its{};
+  its.size = sizeof its;
+  EXPECT_EQ(forceshade_subject_damping(subject, 1000, &its), FORCESHADE_WRONG_KIND);
+  EXPECT_STREQ(forceshade_message(), "the subject's materials limit damping, which the functions of damping do not see");
+  forceshade_subject_free(subject);
 }
 
 TEST_F(CDamping, a_misuse_has_its_result_and_its_sentence) {

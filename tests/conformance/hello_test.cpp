@@ -65,8 +65,14 @@ TEST(hello, is_not_applicable_to_a_scene_with_materials_that_it_does_not_declare
   EXPECT_EQ(dry.at("mesh").at("materials")[1].dump(),
             R"({"stiffness_N_per_mm":null,"static_friction":"0x0p+0","dynamic_friction":"0x0p+0",)"
             R"("damping_N_s_per_mm":"0x0p+0","drag_N_s_per_mm":null})");
-  EXPECT_EQ(hello_on(dry, {"friction"}).refusal, R"(it declares materials ["friction"] and not "damping")");
-  EXPECT_EQ(hello_on(dry, {"damping"}).refusal, std::nullopt);
+  EXPECT_EQ(hello_on(dry, {"friction"}).refusal, std::nullopt) << "it has no damping that they limit";
+  Json damped = plain_hello();
+  damped["damping"] = Json::parse(R"({"damping": 0.002, "share": 1, "most": 2, "drag": 0, "full_at": 0.25})");
+  damped["rate_Hz"] = 1000;
+  damped["materials"] = {"friction"};
+  EXPECT_EQ(hello_of(damped, dry).refusal, R"(it declares materials ["friction"] and not "damping")");
+  damped["materials"] = {"damping"};
+  EXPECT_EQ(hello_of(damped, dry).refusal, std::nullopt);
 }
 
 TEST(hello, is_not_applicable_to_any_set_of_triangles_unless_it_declares_them) {

@@ -20,6 +20,7 @@
 #include "forceshade/meshes.h"
 #include "forceshade/properties.h"
 #include "tests/damping/both_sides.h"
+#include "tests/meshes/uncut.h"
 #include "tests/scenes/random_scene.h"
 #include "tests/support/drawn.h"
 

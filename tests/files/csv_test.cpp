@@ -152,6 +152,17 @@ TEST(csv, names_the_place_of_what_is_wrong) {
   EXPECT_EQ(error_of("a,b,c\n1,2,\xC2\xB5 \xE2\x82\xAC \xF0\x9F\x98\x80\n"), "");
 }
 
+TEST(csv, has_an_optional_column_once_however_it_is_spelled) {
+  const auto refusal_of = [](const std::string& text) {
+    std::istringstream in(text);
+    return tests::thrown_by<Error>([&] { const Reader reader(in, "f.csv", {"a"}, {"reset"}); });
+  };
+  for (const char* text : {"a,Reset,b,RESET\n", "a,Reset,b,reset\n", "a,reset,b, Reset \n"})
+    EXPECT_EQ(refusal_of(text), "f.csv:1: columns 2 and 4 are both called reset") << text;
+  std::istringstream other("a,Re Set\n1,foo\n");
+  EXPECT_FALSE(Reader(other, "f.csv", {"a"}, {"reset"}).has(1)) << "another column";
+}
+
 TEST(csv, refuses_an_endless_row) {
   EXPECT_EQ(error_of("a,b\n" + std::string(Reader::kLongestRow + 1, '1')),
             "f.csv:2: expected at most 1048576 bytes in a row, got more");

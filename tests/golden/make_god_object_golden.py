@@ -17,7 +17,7 @@ The methods are chosen to differ from the formulas of docs/god-object.md:
     point of the surface, and its crossings of the other triangles there are counted;
   - where a flight meets the surface: all vertices are projected along the flight onto a plane, and the signed areas there give
     the place of the crossing;
-  - projections onto triangles: 2 x 2 normal equations;
+  - directions and sub-goals: projections onto triangles by 2 x 2 normal equations;
   - grid points: all neighbours of the point are tried;
   - friction: pull and pressure are both computed as squares of vectors, not by u² = t² + z²; a share is the floor of an integer's
     root;

@@ -51,7 +51,8 @@ TEST_F(BesideHeights, in_degrees_are_refused_by_whichever_key_says_so) {
   const std::string degrees =
       "has pixels in degrees of longitude and latitude (GTModelTypeGeoKey), which are not square; expected a projection, in a "
       "unit of length";
-  EXPECT_EQ(of_tiff({.keys = {1, 1, 0, 1, 1024, 0, 1, 3}}), degrees);
+  EXPECT_EQ(of_tiff({.keys = {1, 1, 0, 1, 1024, 0, 1, 3}}),
+            "has places around the middle of the earth (GTModelTypeGeoKey); expected a projection, in a unit of length");
   EXPECT_EQ(of_tiff({.keys = {1, 1, 0, 1, 2048, 0, 1, 4326}}), degrees);
   EXPECT_EQ(of_tiff({.keys = {1, 1, 0, 2, 2048, 0, 1, 4326, 3072, 0, 1, 32633}}), "");
   EXPECT_EQ(of_tiff({.keys = {1, 1, 0, 2, 1024, 0, 1, 1, 2048, 0, 1, 4326}}), "");
@@ -63,7 +64,9 @@ TEST_F(BesideHeights, of_other_programs_descriptions_are_refused) {
   };
   const std::string not_square = "has pixels that are not square (OME's PhysicalSizeX and PhysicalSizeY); expected one size";
   EXPECT_EQ(ome("PhysicalSizeX=\"0.5\" PhysicalSizeY='0.5'"), "");
+  EXPECT_EQ(ome("PhysicalSizeX=\"0.5\" PhysicalSizeY=\"0.50\" PhysicalSizeXUnit=\"µm\""), "");
   EXPECT_EQ(ome("PhysicalSizeX=\"0.5\" PhysicalSizeY = \"0.25\""), not_square);
+  EXPECT_EQ(ome("PhysicalSizeY=\"0.5\""), not_square);
   EXPECT_EQ(ome("PhysicalSizeX=\"1\" PhysicalSizeXUnit=\"nm\" PhysicalSizeY=\"1\" PhysicalSizeYUnit=\"mm\""), not_square);
   EXPECT_EQ(of_tiff({.description = "{\"shape\": [3, 3]}"}), "");
   EXPECT_EQ(of_tiff({.description = "{\"shape\": [1, 3, 3, 1], \"axes\": \"ZYXS\"}"}), "");
@@ -72,6 +75,7 @@ TEST_F(BesideHeights, of_other_programs_descriptions_are_refused) {
   EXPECT_EQ(of_tiff({.xmp = "<x tiff:Orientation=\"1\"/>"}), "");
   EXPECT_EQ(of_tiff({.xmp = "<x tiff:Orientation = '6'/>"}), turned);
   EXPECT_EQ(of_tiff({.xmp = "<tiff:Orientation>3</tiff:Orientation>"}), turned);
+  EXPECT_EQ(of_tiff({.xmp = "<tiff:Orientation> 1 </tiff:Orientation>\n<x>"}), "");
 }
 
 TEST_F(BesideHeights, with_a_tag_that_changes_them_are_refused) {
@@ -124,6 +128,8 @@ TEST_F(BesideHeights, of_a_png_that_may_be_turned_or_is_a_pair_are_refused) {
   const std::string exif = "has Exif data (Raw profile), which may turn it; expected none";
   EXPECT_EQ(with("tEXt", std::string("Raw profile type exif\0\nexif\n 1\n45", 34)), exif);
   EXPECT_EQ(with("tEXt", std::string("Raw profile type APP1\0\nexif\n 1\n45", 34)), exif);
+  EXPECT_EQ(with("tEXt", std::string("Raw profile type xmp\0\nxmp\n 1\n45", 32)),
+            "has XMP (Raw profile), which may turn it; expected none");
   const std::string xmp("XML:com.adobe.xmp\0\0\0\0\0", 22);
   EXPECT_EQ(with("iTXt", xmp + "<x tiff:Orientation=\"1\"/>"), "");
   EXPECT_EQ(with("iTXt", xmp + "<x tiff:Orientation=\"8\"/>"),

@@ -330,6 +330,12 @@ TEST(mesh_files, of_stl_are_words_between_white_space) {
     expect_square(got, text);
     EXPECT_EQ(got.mesh.lines.size(), 2U) << text;
   }
+  for (const std::string& text :
+       {"solid a " + first + "\n" + second + "\nendsolid\n", "solid a\n" + first + ' ' + second + "\nendsolid\n"}) {
+    const Loaded got = of_text("a.stl", text);
+    expect_square(got, text);
+    EXPECT_EQ(got.mesh.lines.size(), 2U) << text;
+  }
   EXPECT_EQ(of_text("a.stl", "solid a " + first + " endsolid a solid b " + first + " endsolid b\n").refusal,
             "line 1: the file ends here; expected facet or endsolid")
       << "no solid is left out";

@@ -123,6 +123,7 @@ TEST_F(Materials, are_part_of_the_identity) {
   digests.insert(identity(of_file(soft + "faces = [\"0-2\"]\n")).digest);
   digests.insert(identity(of_file("[default]\nstiffness = 0.25\n")).digest);
   digests.insert(identity(of_file("[default]\nstiffness = 0.5\n")).digest);
+  EXPECT_EQ(identity(of_file("[default]\ndamping = -0.0\n")).digest, identity(of_file("[default]\ndamping = 0\n")).digest);
   digests.insert(identity(of_file("[default]\ndamping = 0.5\n")).digest);
   digests.insert(identity(of_file("[default]\ndrag = 0.5\n")).digest);
   digests.insert(identity(of_file("[default]\ndrag = 0.25\n")).digest);

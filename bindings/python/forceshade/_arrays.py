@@ -10,7 +10,7 @@ import sys
 import warnings
 from decimal import ROUND_05UP, Context, Decimal
 from fractions import Fraction
-from math import isfinite
+from math import inf, isfinite, isinf
 from typing import Any, Literal, Optional
 
 import numpy as np
@@ -42,11 +42,27 @@ def nearest_of(value: Any) -> float:
     return _forceshade.nearest(float(value) if isinstance(value, numbers.Integral) else value)
 
 
+def narrow_of(value: object, name: str) -> float:
+    """The same of a number that has to be one which binary32 holds, or infinite."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name}: expected a number, got {value!r}")
+    try:
+        narrow = nearest_of(value)
+    except OverflowError:
+        narrow = inf
+    if isinf(narrow) and abs(value) != inf:
+        raise ValueError(f"{name} is {value}; expected a number that binary32 holds")
+    return narrow
+
+
 def decimal_of(value: Any) -> str:
     """A real number as it would be typed: in the fewest digits, unless these lie on another side of a tie of binary32, as they may of
     binary64, which does not hold every Fraction or long double either. Raises OverflowError beyond binary64."""
-    short = repr(float(value))
-    if not isfinite(float(value)) or nearest_of(Fraction(short)) == nearest_of(value):
+    wide = float(value)
+    if isinf(wide) and value != wide:
+        raise OverflowError
+    short = repr(wide)
+    if not isfinite(wide) or nearest_of(Fraction(short)) == nearest_of(value):
         return short
     if isinstance(value, numbers.Rational):
         over, under = int(value.numerator), int(value.denominator)
@@ -138,7 +154,7 @@ def _expect_writable(array: object, name: str, dtype: npt.DTypeLike, shape: tupl
     extent = array.itemsize  # in bytes, of the axes so far, from the one with the smallest stride
     for stride, length in sorted((abs(stride), length) for stride, length in zip(array.strides, array.shape) if length > 1):
         if stride < extent:
-            raise ValueError(f"{name} has several elements in one place; expected one for each")
+            raise ValueError(f"{name} has axes that overlap or interleave; expected elements apart from each other")
         extent += stride * (length - 1)
 
 

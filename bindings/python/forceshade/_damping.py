@@ -7,7 +7,7 @@ import numbers
 import operator
 from dataclasses import InitVar, dataclass, fields
 from fractions import Fraction
-from math import frexp, inf, isinf
+from math import frexp, inf
 from typing import Optional
 
 import numpy as np
@@ -106,13 +106,7 @@ class Damping:
             if 1 <= given["rate"] < inf:  # any other is refused below
                 given["share"] = share_of(float(time), float(given["rate"]))
         for name, value in given.items():
-            try:
-                narrow = _arrays.nearest_of(value)
-            except OverflowError:
-                narrow = inf
-            if isinf(narrow) and abs(value) != inf:  # most may be infinite, which this is not
-                raise ValueError(f"{name} is {value}; expected a number that binary32 holds")
-            object.__setattr__(self, name, float(str(np.float32(narrow))))
+            object.__setattr__(self, name, float(str(np.float32(_arrays.narrow_of(value, name)))))
         _forceshade.check_damping(self._numbers())
 
     def _numbers(self) -> tuple[float, ...]:

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _forceshade
-from ._arrays import expect_no_mask
+from ._arrays import expect_no_mask, narrow_of
 from ._subject import File, stiffness_of, text_of
 
 Friction = Union[float, tuple[float, float]]  # a coefficient, or a static and a dynamic one
@@ -44,6 +44,6 @@ def materials_of(
             raise ValueError(f"materials[{i}] has {sorted(unknown)}; expected friction, stiffness, damping, drag or none")
         own = material.get("stiffness")
         static, dynamic = _forceshade.friction("friction", words_of_friction(material.get("friction", 0)))
-        damping, drag = (float(material.get(key, inf)) for key in ("damping", "drag"))
+        damping, drag = (narrow_of(material.get(key, inf), f"materials[{i}]: {key}") for key in ("damping", "drag"))
         made.append((None if own is None else stiffness_of(own), static, dynamic, damping, drag))
     return made, numbers

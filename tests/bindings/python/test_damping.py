@@ -5,6 +5,8 @@ import copy
 import dataclasses
 import os
 import pickle
+import re
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -73,6 +75,14 @@ def test_materials_limit_damping():
     assert not same_bits(forces["some"], forces["all"]) and not same_bits(forces["some"], forces["none"])
     with pytest.raises(ValueError, match="damping of a material is 20 N·s/mm; expected 0 or inf, or "):
         forceshade.Mesh(*TETRAHEDRON, materials=([{"damping": 20}], [0] * 4))
+    for number, kind, words in ((1e39, ValueError, "is 1e+39; expected a number that binary32 holds"),
+                                (True, TypeError, ": expected a number, got True"),
+                                (np.complex64(1), TypeError, ": expected a number, got (1+0j)")):  # fmt: skip
+        with pytest.raises(kind, match=re.escape("materials[0]: drag" + (words if words[0] == ":" else " " + words))):
+            forceshade.Mesh(*TETRAHEDRON, materials=([{"drag": number}], [0] * 4))
+    above = Fraction(1) + Fraction(1, 2**24) + Fraction(1, 2**70)
+    fine, near = (forceshade.Mesh(*TETRAHEDRON, materials=([{"drag": it}], [0] * 4)) for it in (above, 1 + 2**-23))
+    assert fine == near, "rounded once"
 
 
 def test_a_step_is_one_period_and_steps_are_its_sum():

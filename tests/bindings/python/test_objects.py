@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Subjects, sessions and results as objects of Python: equal, pickled, printed, read again."""
 
+import os
 import pickle
 import subprocess
 import sys

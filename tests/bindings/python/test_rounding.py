@@ -4,6 +4,7 @@
 import subprocess
 import sys
 import warnings
+from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -140,3 +141,27 @@ def test_the_page_plots_a_bump_in_five_lines():
     with pytest.warns(forceshade.RoundingWarning):
         exec(lines.replace("plt.show()", "shown.append(plt.gca().lines[0].get_ydata())"), {"shown": shown})
     assert abs(shown[0].max() - 6.8) < 0.1
+
+
+def test_whatever_has_a_float_is_a_number_and_what_its_methods_raise_is_raised():
+    wall = forceshade.Law("wall", stiffness=0.5)
+    expected = wall.force(0, 0, -0.5)
+    for number in (Decimal("-0.5"), np.array(-0.5), np.longdouble(-0.5), Fraction(-1, 2)):
+        assert wall.force(0, 0, number) == expected
+
+    class Interrupted:
+        def __float__(self):
+            return -0.5
+
+        def __eq__(self, other):
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        wall.force(0, 0, Interrupted())
+
+    def deeper():
+        wall.force(0, 0, Fraction(1, 3), rounding="nearest")
+        deeper()
+
+    with pytest.raises(RecursionError):
+        deeper()
