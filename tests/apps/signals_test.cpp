@@ -240,13 +240,19 @@ TEST(signals, of_a_fault_in_the_program_keep_the_systems_reaction) {
 // Before the run there is nothing to end in order: here while the device is opened, which waits for a file.
 TEST(signals, before_the_run_leave_nothing_behind) {
   const TemporaryDirectory here;
-  const std::string pipe = here.file("hand.csv");
-  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  Command run(here, {"drive", "--law", "wall", "--certificate", "none", "--device", "replay:hand.csv", "--out", "run.fsr"});
-  std::ofstream hand(pipe);  // opened once the command reads it
+  int ends[2]{};
+  ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);
+  ::fcntl(ends[0], F_SETFD, 0);  // the command inherits this end
+  const int room = ::fcntl(ends[1], F_GETPIPE_SZ);
+  ASSERT_GT(room, 0);
+  Command run(here, {"drive", "--law", "wall", "--certificate", "none", "--device", "replay:/dev/fd/" + std::to_string(ends[0]),
+                     "--out", "run.fsr"});
+  ::close(ends[0]);
+  const std::string hand = "t_s,x_mm,y_mm,z_mm\n0,3,0,-1\n" + std::string(static_cast<std::size_t>(room), ' ') + "\n9,3,0,-1\n";
+  // More than there is room for, so it is written once the command reads it.
+  EXPECT_EQ(::write(ends[1], hand.data(), hand.size()), static_cast<ssize_t>(hand.size()));
   run.send(SIGINT);
-  hand << "t_s,x_mm,y_mm,z_mm\n0,3,0,-1\n9,3,0,-1\n";
-  hand.close();
+  ::close(ends[1]);
   EXPECT_EQ(run.end(), "exit 130: forceshade: interrupted: the run had not begun\n");
   EXPECT_FALSE(std::filesystem::exists(here.file("run.fsr")));
 }

@@ -337,7 +337,7 @@ TEST(mesh_files, of_stl_are_words_between_white_space) {
     EXPECT_EQ(got.mesh.lines.size(), 2U) << text;
   }
   EXPECT_EQ(of_text("a.stl", "solid a " + first + " endsolid a solid b " + first + " endsolid b\n").refusal,
-            "line 1: the file ends here; expected facet or endsolid")
+            "line 1: expected the end of the line, got \"facet\"")
       << "no solid is left out";
 }
 
