@@ -117,7 +117,8 @@ std::vector<std::array<Number, 3>> rows_of_three(const py::buffer& array) {
 
 Description mesh_of_arrays(const py::buffer& vertices, const py::buffer& triangles, const std::optional<std::string>& sides,
                            const std::optional<std::string>& shading, const std::optional<std::string>& contact, double crease,
-                           float stiffness, const std::vector<std::tuple<std::optional<float>, float, float, float, float>>& materials,
+                           float stiffness,
+                           const std::vector<std::tuple<std::optional<float>, float, float, float, float>>& materials,
                            const std::vector<std::uint32_t>& material_of_triangle) {
   mesh::TriangleMesh all{rows_of_three<float>(vertices), rows_of_three<std::uint32_t>(triangles)};
   mesh::Materials surface{{}, material_of_triangle};

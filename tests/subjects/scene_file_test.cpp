@@ -126,8 +126,7 @@ TEST_F(Scenes, let_each_object_feel_as_its_own_material) {
 TEST_F(Scenes, let_each_object_limit_a_paths_damping) {
   const std::string second = "[[object]]\nname = \"dry\"\nmesh = \"plate.off\"\nunit = \"mm\"\ntranslation = [16, 0, 0]\n";
   const MeshRendering its = rendering_in(read_scene_of(kPlate + "drag = 0.001\n" + second + "damping = 0\n"));
-  EXPECT_EQ(its.materials.list,
-            (std::vector<mesh::Material>{{.damping = {HUGE_VALF, 0.001F}}, {.damping = {0, HUGE_VALF}}}));
+  EXPECT_EQ(its.materials.list, (std::vector<mesh::Material>{{.damping = {HUGE_VALF, 0.001F}}, {.damping = {0, HUGE_VALF}}}));
   EXPECT_EQ(its.materials.of_triangle, (std::vector<std::uint32_t>{0, 0, 1, 1}));
   tests::expect_words(tests::thrown_by<Error>([&] { read_scene_of(kPlate + "materials = \"wheel.toml\"\ndrag = 0\n"); }),
                       {"drag: expected without materials, got both"});
