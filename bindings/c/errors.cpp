@@ -20,7 +20,7 @@ thread_local std::array<char, 4096> message{};
 
 forceshade_result fail(forceshade_result result, std::string_view words) noexcept {
   const std::string_view kept = beginning_of(words.substr(0, words.find_last_not_of('\n') + 1), message.size() - 1);
-  *std::ranges::copy(kept, message.begin()).out = '\0';
+  *std::copy(kept.begin(), kept.end(), message.begin()) = '\0';
   return result;
 }
 
