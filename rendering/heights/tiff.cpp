@@ -17,6 +17,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "files/decimal.h"
 #include "files/printable.h"
 #include "rendering/heights/samples.h"
 #include "rendering/heights/xml.h"
