@@ -105,7 +105,7 @@ std::string command_that_gathers(const std::vector<const SubjectResult*>& subjec
   return commands;
 }
 
-// Drive looks for one sufficient entry of a subject, so the others are not missing anything.
+// One sufficient entry of a subject is enough for `drive`, so nothing is missing in the others.
 bool has_sufficient_entry(const Certificate& certificate, const Identity& identity) {
   return std::any_of(certificate.subjects.begin(), certificate.subjects.end(), [&](const SubjectResult& entry) {
     return entry.identity.is_same(identity) && assessed(entry).standing == Standing::sufficient;

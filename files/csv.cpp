@@ -142,8 +142,8 @@ void Reader::on_row(int, void* self) noexcept {
   static_cast<Reader*>(self)->row_complete_ = true;
 }
 
-// The error of the line that was read last, whose next byte is not of a text. The bytes that are there behind it tell some
-// kinds.
+// The error of the line that was read last, whose next byte is not of a text. Some kinds of file show only in the bytes behind
+// it.
 Error Reader::no_text(unsigned char byte, std::size_t at, std::string_view words) const {
   std::string behind(static_cast<std::size_t>(std::clamp<std::streamsize>(in_.in_avail(), 0, 16)), '\0');
   if (line_ == 1) in_.sgetn(behind.data(), static_cast<std::streamsize>(behind.size()));
@@ -180,7 +180,7 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
   for (const std::string& column : columns_) {
     const bool is_optional = place_.size() >= required;
     auto found = std::find(header_.begin(), header_.end(), column);
-    // Reset is reset: nothing would tell that it was left out.
+    // Reset is read as reset, too: nobody would notice that the column was left out.
     if (found == header_.end() && is_optional) found = std::ranges::find(header_, column, plain_name);
     if (found == header_.end() && is_optional) {
       place_.push_back(kNowhere);

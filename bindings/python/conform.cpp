@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Its words. An error may raise another one when it is asked for them, and may say what UTF-8 does not have.
+// The words of an error. Asking for them may raise another error, and they may hold characters that UTF-8 does not have.
 std::string words_of(const py::error_already_set& error) {
   try {
     return py::bytes(py::str(error.value()).attr("encode")("utf-8", "backslashreplace"));

@@ -88,7 +88,7 @@ std::optional<Record> record_of(std::string_view list) {
   }
   Record record;
   if (words.size() % 2 != 0) return std::nullopt;
-  // As in CSV, Reset is reset.
+  // Reset is read as reset, as in CSV.
   const auto is_letter = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
   for (std::size_t i = 0; i < words.size(); i += 2)
     for (const std::string& other : kOthers)

@@ -7,7 +7,7 @@
 
 namespace forceshade::heights {
 
-// That the attribute, or the element without attributes, has a value for which is(value) is true, however it is quoted and
+// True if the attribute, or the element without attributes, has a value for which is(value) is true, however it is quoted and
 // spaced.
 template <class Is>
 bool has_value(std::string_view xml, std::string_view name, const Is& is) {
@@ -28,7 +28,7 @@ bool has_value(std::string_view xml, std::string_view name, const Is& is) {
   return false;
 }
 
-// That Adobe's XMP turns or mirrors the picture.
+// True if Adobe's XMP turns or mirrors the picture.
 inline bool is_turned_by_xmp(std::string_view xml) {
   return has_value(xml, "tiff:Orientation", [](std::string_view value) { return value != "1"; });
 }

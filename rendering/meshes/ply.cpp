@@ -296,18 +296,16 @@ LoadedMesh read_ply(const std::filesystem::path& file, const FileUnits& units) {
     BinaryBody body(file, lines.position(), header.order, units);
     return read_body(body, header, file);
   }
-  try {
-    TextBody body(lines, units, PlyLayout::lines);
-    return read_body(body, header, file);
-  } catch (const Error&) {
-    try {
-      Lines again(file);
-      TextBody body(again, units, PlyLayout::wrapped);
-      return read_body(body, read_header(again, file), file);
-    } catch (const Error&) {
-    }
-    throw;  // a text that can be read in no layout is wrong as lines, in which most are written
-  }
+  return in_either_layout(
+      [&] {
+        TextBody body(lines, units, PlyLayout::lines);
+        return read_body(body, header, file);
+      },
+      [&] {
+        Lines again(file);
+        TextBody body(again, units, PlyLayout::wrapped);
+        return read_body(body, read_header(again, file), file);
+      });
 }
 
 }  // namespace forceshade::mesh

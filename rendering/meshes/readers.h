@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "forceshade/error.h"
 #include "forceshade/meshes.h"
 #include "rendering/meshes/lines.h"
 #include "rendering/meshes/load.h"
@@ -99,6 +100,21 @@ std::string refusal_of_coordinate(const std::string& got, Unit unit);
 std::string refusal_of_component(const std::string& got, const files::Decimal& unit);
 // Decimal digits alone. Nothing where the word is no number below 2^64.
 std::optional<std::uint64_t> whole_number(std::string_view word);
+
+// Reads a text in the first layout, or, where that fails, in the second. Where both fail, the error is that of the first, in
+// which most files are written.
+template <class First, class Second>
+LoadedMesh in_either_layout(const First& first, const Second& second) {
+  try {
+    return first();
+  } catch (const Error&) {
+    try {
+      return second();
+    } catch (const Error&) {
+    }
+    throw;
+  }
+}
 
 // Throws Error where a file of so many bytes cannot hold the number of things, each of so many bytes at least, or where they
 // are more than kMost. `place` is "line 12: " or "byte 84: ".

@@ -150,19 +150,6 @@ class StlText {
   Welder welder_;
 };
 
-// A text that can be read in no layout is wrong as lines, in which most are written.
-LoadedMesh read_text(const std::filesystem::path& file, Unit unit) {
-  try {
-    return StlText(file, unit, StlLayout::lines).read();
-  } catch (const Error&) {
-    try {
-      return StlText(file, unit, StlLayout::words).read();
-    } catch (const Error&) {
-    }
-    throw;
-  }
-}
-
 // The first bytes of a file behind blanks, up to the end of its first triangle, if it is binary.
 std::string head_of(const std::filesystem::path& file) {
   std::string head;
@@ -196,7 +183,9 @@ LoadedMesh read_stl(const std::filesystem::path& file, const FileUnits& units) {
   }
   const std::string head = head_of(file);
   const bool is_text = head.find('\0') == head.npos;
-  if (is_text && begins_with_solid(head)) return read_text(file, units.length);
+  if (is_text && begins_with_solid(head))
+    return in_either_layout([&] { return StlText(file, units.length, StlLayout::lines).read(); },
+                            [&] { return StlText(file, units.length, StlLayout::words).read(); });
   if (is_text && std::ranges::all_of(head, [](unsigned char c) { return c >= 0x80 || std::isprint(c) || std::isspace(c); }))
     throw Error(file, "is no STL file: expected the word solid" +
                           std::string(size < kHead ? ", or 84 bytes and more" : ", got another text"));

@@ -141,7 +141,7 @@ TEST(csv, names_the_place_of_what_is_wrong) {
             "2: column 2 (b): expected a number, got \"\\xc2\\x9b31mred\""}})
     EXPECT_EQ(error_of(text), "f.csv:" + words);
   EXPECT_EQ(error_of("a,b,c,c\n"), "");
-  // A mark of the order of bytes is none behind the first line, as where two files were joined.
+  // A byte order mark behind the first line, as where two files were joined, is an ordinary character.
   const std::string joined = error_of(
       "\xEF\xBB\xBF"
       "a,b\n1,2\n\xEF\xBB\xBF"

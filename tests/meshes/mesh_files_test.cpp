@@ -222,7 +222,7 @@ TEST(mesh_files, of_ply_may_have_strips_of_triangles) {
     }
 }
 
-// An element begins a line, and may go on in others; one that ends within a line is none.
+// An element begins with a line and may go on in others; behind its end the line has nothing.
 TEST(mesh_files, of_ply_may_have_blank_lines_and_elements_over_several) {
   const std::string head =
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"

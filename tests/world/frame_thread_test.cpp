@@ -264,16 +264,19 @@ TEST(framed_device, starts_once_its_frames_are_good_or_says_why_not) {
     });
 }
 
+auto unplugged_at(int last, Journal& journal, Listener& attendant) {
+  const auto change = [last](int frame, FrameState&) {
+    if (frame == last) throw std::runtime_error("the arm was unplugged");
+  };
+  return opened({.change = change}, journal, attendant);
+}
+
 // At once, and not when the time for the start is over.
 TEST(framed_device, that_breaks_while_it_starts_says_so_in_its_own_words) {
   in_world([] {
     Listener attendant(false);
     Journal journal;
-    const auto device = opened({.change =
-                                    [](int frame, FrameState&) {
-                                      if (frame == 100) throw std::runtime_error("the arm was unplugged");
-                                    }},
-                               journal, attendant);
+    const auto device = unplugged_at(100, journal, attendant);
     const auto fault = device->start(1000);
     ASSERT_TRUE(fault);
     EXPECT_STREQ(fault->words, "the arm was unplugged");
@@ -296,11 +299,7 @@ TEST(framed_device, that_breaks_later_is_known_to_be_broken_at_once) {
   in_world([] {
     Listener attendant(false);
     Journal journal;
-    const auto device = opened({.change =
-                                    [](int frame, FrameState&) {
-                                      if (frame == 700) throw std::runtime_error("the arm was unplugged");
-                                    }},
-                               journal, attendant);
+    const auto device = unplugged_at(700, journal, attendant);
     ASSERT_FALSE(device->start(1000));
     ReadResult read = device->read();
     for (std::int64_t frame = 0, last = 0; !std::holds_alternative<Fault>(read); last = frame) {

@@ -42,15 +42,21 @@ def nearest_of(value: Any) -> float:
     return _forceshade.nearest(float(value) if isinstance(value, numbers.Integral) else value)
 
 
-def narrow_of(value: object, name: str) -> float:
-    """The same of a number that has to be one which binary32 holds, or infinite."""
+def real_of(value: object, name: str) -> Any:
+    """The value, which has to be a real number."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name}: expected a number, got {value!r}")
+    return value
+
+
+def narrow_of(value: object, name: str) -> float:
+    """The binary32 number nearest to one that has to be in its range, or infinite."""
+    real = real_of(value, name)
     try:
-        narrow = nearest_of(value)
+        narrow = nearest_of(real)
     except OverflowError:
         narrow = inf
-    if isinf(narrow) and abs(value) != inf:
+    if isinf(narrow) and abs(real) != inf:
         raise ValueError(f"{name} is {value}; expected a number that binary32 holds")
     return narrow
 

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import numbers
 import operator
 from dataclasses import InitVar, dataclass, fields
 from fractions import Fraction
@@ -96,8 +95,7 @@ class Damping:
     def __post_init__(self, time: float | None) -> None:
         given = {field.name: getattr(self, field.name) for field in fields(self)}
         for name, value in {**given, "time": 0.0 if time is None else time}.items():
-            if isinstance(value, bool) or not isinstance(value, numbers.Real):
-                raise TypeError(f"{name}: expected a number, got {value!r}")
+            _arrays.real_of(value, name)
         if time is not None:
             if given["share"] != 1:
                 raise ValueError("share and time: expected one of them")
