@@ -251,7 +251,12 @@ TEST(damping, what_binary64_cannot_know_is_decided_by_integers) {
       Row{{.rate = 1000, .drag = 0x1.8ef6d6p-2F},
           {0, 0, 0x1.655068p+10F},
           {0x1.2520cep-9F, 0, -0x1.8219acp-4F},
-          {-0x1.e041fep+0F, 0, -0x1.1c4fdep-3F}}};
+          {-0x1.e041fep+0F, 0, -0x1.1c4fdep-3F}},
+      // S f is a tie, and drag along f exactly 0: what binary64 makes of it is a rounding in proportion to S.
+      Row{{.rate = 1000, .damping = 16, .most = 513, .drag = 0x1.8p-20F},
+          {0, 0, -0x1.7d7fd4p+6F},
+          {0, 0, 0x1.a652p-1F},
+          {0, 0, 0x1.a72528p+8F}}};
   for (const Row& row : rows) {
     tests::DampingOfBothSides both(row.parameters);
     both.resume({true, {0, 0, 0}, row.velocity, 0});

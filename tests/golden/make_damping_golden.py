@@ -72,8 +72,8 @@ class Damping:
         self.most = None if most == inf else Fraction(most)
         self.position, self.velocity, self.periods = None, (0.0,) * 3, 0
 
-    def tick(self, position, periods, force, is_refused=False):
-        """The damped force; None where the tick is invalid."""
+    def tick(self, position, periods, force, is_refused=False, limits=(inf, inf)):
+        """The damped force; None where the tick is invalid. limits: the most of B and B_t that acts where the force is from."""
         if self.position is not None:
             self.periods = min(self.periods + periods, 17)
         if is_refused or not all(abs(c) <= FARTHEST for c in position):
@@ -83,7 +83,10 @@ class Damping:
             self.move(tuple(Fraction(c) if abs(c) >= QUANTUM else Fraction(0) for c in position))
         else:
             reached["no time has passed"] += 1
-        return self.force(tuple(force))
+        here = [Fraction(min(its, limit)) for its, limit in zip((self.damping, self.drag), limits)]
+        if here != [self.damping, self.drag]:
+            reached["a face damps less" if any(here) else "a face does not damp"] += 1
+        return self.force(tuple(force), *here)
 
     def move(self, x):
         if self.position is None or self.periods > 16:
@@ -103,7 +106,7 @@ class Damping:
             reached["comes to rest"] += 1
         return after if abs(after) >= SLOWEST else 0.0
 
-    def force(self, given):
+    def force(self, given, damping, most_drag):
         if not all(abs(c) < STRONGEST for c in given):
             reached["too strong, or no number"] += 1
             return given
@@ -111,7 +114,7 @@ class Damping:
             return (0.0,) * 3
         f, v = ([Fraction(c) for c in a] for a in (given, self.velocity))
         square, along = sum(c * c for c in f), sum(a * b for a, b in zip(v, f))
-        scale = 1 - self.damping * along / square
+        scale = 1 - damping * along / square
         if scale <= 0:
             reached["s = 0" if scale < 0 else "s is 0 exactly"] += 1
             scale = Fraction(0)
@@ -119,9 +122,9 @@ class Damping:
             reached["s = S" if scale > self.most else "s is S exactly"] += 1
             scale = self.most
         full = scale * square / self.full_at**2
-        if self.drag and any(v):
+        if most_drag and any(v):
             reached["full drag" if full > 1 else "drag is just full" if full == 1 else "part of the drag"] += 1
-        drag = min(Fraction(1), full) * self.drag
+        drag = min(Fraction(1), full) * most_drag
         damped = tuple(nearest(scale * a - drag * (b - along * a / square)) for a, b in zip(f, v))
         if any(0 < abs(c) < 2.0**-126 for c in damped):
             reached["subnormal forces"] += 1
@@ -133,16 +136,17 @@ class Damping:
 PARAMETERS = ["rate_Hz", "alpha", "damping_Ns_mm", "most", "drag_Ns_mm", "drag_from_N"]
 POSITION, SPRING = ["x_mm", "y_mm", "z_mm"], ["fx_N", "fy_N", "fz_N"]
 VELOCITY, FORCE = ["vx_mm_s", "vy_mm_s", "vz_mm_s"], ["Fx_N", "Fy_N", "Fz_N"]
+LIMITS = ["damping_limit_Ns_mm", "drag_limit_Ns_mm"]  # only of a path on faces that have some
 
 
 def rows_of(damping, path):
-    """path: (periods, position, spring force) for each tick."""
-    for periods, position, force in path:
-        damped = damping.tick(position, periods, force)
+    """path: (periods, position, spring force) for each tick, and the limits where it is on faces that have some."""
+    for periods, position, force, *limits in path:
+        damped = damping.tick(position, periods, force, False, *limits)
         status = "invalid" if damped is None else "contact" if any(force) else "free"
         given = (0.0,) * 3 if damped is None else force
         yield [periods, *map(shortest, position), status, *map(shortest, given),
-               *map(shortest, (*damping.velocity, *(damped or (0.0,) * 3)))]
+               *map(shortest, (*damping.velocity, *(damped or (0.0,) * 3), *(limits[0] if limits else ())))]
 
 
 def single_tick(numbers, velocity, force):
@@ -161,7 +165,8 @@ def check(folder):
         damping = Damping(*numbers)
         with open(folder / f"{name}.csv", encoding="ascii") as file:
             for row in csv.DictReader(file):
-                force = damping.tick(values(row, POSITION), int(row["periods"]), values(row, SPRING)) or (0.0,) * 3
+                limits = values(row, LIMITS) if LIMITS[0] in row else (inf, inf)
+                force = damping.tick(values(row, POSITION), int(row["periods"]), values(row, SPRING), False, limits) or (0.0,) * 3
                 rows += 1
                 wrong += list(map(shortest, (*damping.velocity, *force))) != list(map(shortest, values(row, VELOCITY + FORCE)))
     with open(folder / "ticks.csv", encoding="ascii") as file:
@@ -228,6 +233,10 @@ def paths():
         (1, x, ball(x)) for x in smooth(r, 200, 6, 0.5)]
     stop = [(1, (0.0, single(0.02 * min(tick, 20)), -1.0), (single(0.1), 0.0, 0.5)) for tick in range(100)]
     yield "rest", (1000, 0.25, 0.002, 2, 0.002, 0.25), stop
+    numbers = [inf, 0.0, 2.0**-20, single(0.0007), single(0.004), 0.5]
+    yield "faces", (1000, 0.5, 0.004, 2, 0.001, 0.25), [
+        (0 if tick % 50 == 9 else 1, x, ball(x), (r.choice(numbers), r.choice(numbers)))
+        for tick, x in enumerate(smooth(r, 300, 6, 0.5))]
 
 
 def odd(r):
@@ -285,7 +294,8 @@ def write(folder):
     for name, given, path in paths():
         damping = Damping(*map(single, given))
         parameters.append([name, *map(shortest, damping.numbers)])
-        table(name, ["periods", *POSITION, "status", *SPRING, *VELOCITY, *FORCE], rows_of(damping, path))
+        limits = LIMITS if len(path[0]) == 4 else []
+        table(name, ["periods", *POSITION, "status", *SPRING, *VELOCITY, *FORCE, *limits], rows_of(damping, path))
     table("parameters", ["path", *PARAMETERS], parameters)
     table("ticks", [*PARAMETERS[2:], *VELOCITY, *SPRING, *FORCE],
           (single_tick(tuple(map(single, numbers)), v, f) for numbers, v, f in ticks()))
@@ -293,7 +303,7 @@ def write(folder):
         print(f"{times:6} {event}")
     missing = {"ties", "invalid positions", "no time has passed", "begins", "begins again", "missed positions", "comes to rest",
                "too strong, or no number", "s = 0", "s is 0 exactly", "s = S", "s is S exactly", "full drag", "drag is just full",
-               "part of the drag", "subnormal forces"} - set(reached)
+               "part of the drag", "subnormal forces", "a face damps less", "a face does not damp"} - set(reached)
     assert not missing, missing
 
 

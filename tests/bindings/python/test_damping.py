@@ -6,6 +6,7 @@ import dataclasses
 import os
 import pickle
 import re
+from collections import Counter
 from fractions import Fraction
 
 import numpy as np
@@ -182,19 +183,24 @@ def test_the_table_of_a_file_counts_at_a_rate(tmp_path, wall):
     refused(TypeError, "rate: expected a number, got '500'", its.damping_at, "500")
 
 
+def drawn_dampings():
+    """A generator of random numbers, and the numbers of a damping: 20 of each, or FORCESHADE_DRAWS times as many."""
+    for seed in range(20 * int(os.environ.get("FORCESHADE_DRAWS", 1))):
+        draw = np.random.default_rng(seed)
+        lists = ((1000, 200, 999.9, 4096), (1, 0.5, 0.3, 2**-10), (0.002, 2**-9, 0.1, 0), (2, 1, 1.7, np.inf), (0, 0.001, 2**-10),
+                 (0.25, 0.1))
+        numbers = [float(F(draw.choice(these))) for these in lists]
+        if numbers[2] != 0 or numbers[4] != 0:
+            yield seed, draw, numbers
+
+
 def test_drawn_ticks_are_those_of_the_program_in_rationals(monkeypatch):
     """2000 ticks, or FORCESHADE_DRAWS times as many."""
     monkeypatch.syspath_prepend(ROOT / "tests" / "golden")
     from make_damping_golden import Damping as Rational
 
     changed = 0
-    for seed in range(20 * int(os.environ.get("FORCESHADE_DRAWS", 1))):
-        draw = np.random.default_rng(seed)
-        lists = ((1000, 200, 999.9, 4096), (1, 0.5, 0.3, 2**-10), (0.002, 2**-9, 0.1, 0), (2, 1, 1.7, np.inf), (0, 0.001, 2**-10),
-                 (0.25, 0.1))
-        rate, share, along, most, across, full = (float(F(draw.choice(numbers))) for numbers in lists)
-        if along == across == 0:
-            continue
+    for seed, draw, (rate, share, along, most, across, full) in drawn_dampings():
         (at, periods), springs = walk(100, seed), draw.normal(0, 2.0 ** draw.integers(-20, 6), (100, 3)).astype(F)
         springs[draw.random((100, 3)) < 0.2] = 0
         exact = Rational(rate, share, along, most, across, full)
@@ -205,6 +211,34 @@ def test_drawn_ticks_are_those_of_the_program_in_rationals(monkeypatch):
             assert np.array_equal(found, expected), seed
         changed += int((expected != springs).any(axis=1).sum())
     assert changed > 1000
+
+
+def test_drawn_ticks_on_faces_that_limit_damping_are_those_of_the_program_in_rationals(monkeypatch):
+    """2000 ticks, or FORCESHADE_DRAWS times as many, on two faces of a square and on the edge between them, where x = y."""
+    monkeypatch.syspath_prepend(ROOT / "tests" / "golden")
+    from make_damping_golden import Damping as Rational
+
+    corners, faces = [(-4, -4, 0), (4, -4, 0), (4, 4, 0), (-4, 4, 0)], [(0, 1, 2), (0, 2, 3)]
+    reached = Counter()
+    for seed, draw, (rate, share, along, most, across, full) in drawn_dampings():
+        limits = [tuple(float(F(limit)) for limit in draw.choice([np.inf, 0, 2**-20, 0.0007, 2**-11, 0.05], 2)) for _ in faces]
+        materials = [{"damping": damping, "drag": drag} for damping, drag in limits]
+        square = forceshade.Mesh(corners, faces, stiffness=0.5, sides="front", materials=(materials, [0, 1]))
+        (at, periods), place = walk(100, seed), {1: limits[0], -1: limits[1], 0: tuple(map(max, *limits))}
+        at = np.round((at - (0, 0, 1)) * 8).astype(F) / 8
+        springs = forceshade.Session(square).answers(at)
+        exact = Rational(rate, share, along, most, across, full)
+        stage = Damping(rate=rate, share=share, damping=along, most=most, drag=across, full_at=full)
+        answers = forceshade.Session(square, damping=stage).answers(at, periods=periods)
+        for p, n, spring, found in zip(at.tolist(), periods, springs, answers):
+            its = (np.inf, np.inf)
+            if spring["force"].any():
+                side = int(np.sign(p[0] - p[1]))
+                its = place[side]
+                reached[side] += its[0] < along or its[1] < across
+            expected = exact.tick(p, int(n), spring["force"].tolist(), limits=its) or (0, 0, 0)
+            assert found["force"].tolist() == list(expected), (seed, p)
+    assert all(reached[side] > 10 for side in (1, -1, 0)), reached
 
 
 def test_the_numbers_of_a_damping():
