@@ -52,13 +52,15 @@ DampedPath drawn_path(std::uint64_t seed) {
   if (p.is_off()) p.damping = 0x1p-9F;
   p.most = random() % 3 == 0 ? HUGE_VALF : static_cast<float>(between(1, 4));
   Eigen::Vector3f at(0, 0, 0), direction(0, 0, 1);
-  const bool has_counts = random() % 2 == 0;
+  const bool has_counts = random() % 2 == 0, has_limits = random() % 2 == 0;
+  const auto limit = [&] { return random() % 3 == 0 ? 0 : static_cast<float>(std::exp2(between(-14, -2))); };
   for (int tick = 0; tick < 40; ++tick) {
     if (random() % 8 != 0) at += vector(random() % 2 == 0 ? 0.2 : 0.01);
     if (random() % 6 == 0) direction = vector(1);
     const Eigen::Vector3f read = has_counts ? Eigen::Vector3f(0.03F * (at / 0.03F).array().round()) : at;
     const auto size = static_cast<float>(random() % 4 == 0 ? 0 : std::exp2(between(-12, 3)));
     path.steps.push_back({read, size * direction});
+    if (has_limits && random() % 4 != 0) path.steps.back().limits = {limit(), limit()};
   }
   return path;
 }
@@ -78,7 +80,7 @@ const Generator<DampedPath>& damped_paths() {
 Damper own_damper(const damping::Parameters& parameters) {
   const auto its = std::make_shared<fast::Damping>(std::get<fast::Damping>(fast::Damping::build(parameters)));
   return [its](const DampedStep& step) -> DampedAnswer {
-    const Eigen::Vector3f force = its->tick(step.position, 1, {step.spring, Status::contact}).force;
+    const Eigen::Vector3f force = its->tick(step.position, 1, {step.spring, Status::contact, {}, step.limits}).force;
     return {force, Eigen::Vector3f(its->state().velocity.data())};
   };
 }

@@ -15,13 +15,14 @@ namespace forceshade::properties {
 
 struct DampedStep {
   Eigen::Vector3f position{0, 0, 0}, spring{0, 0, 0};  // mm, N
+  damping::Limits limits = {};                         // of the face that the spring is of
 };
 struct DampedPath {
   damping::Parameters parameters;
   std::vector<DampedStep> steps;  // a period apart
 };
 
-// Bends and jumps of a hand, in full resolution or in counts, and springs of any direction.
+// Bends and jumps of a hand, in full resolution or in counts, and springs of any direction, on faces that limit damping or not.
 const Generator<DampedPath>& damped_paths();
 
 // An answer of a damper: the damped force, N, and the velocity that it has then, mm/s.

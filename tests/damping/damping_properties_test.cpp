@@ -46,7 +46,7 @@ template <class Judge>
 properties::Violation along(const Path& path, const Judge& judge) {
   auto damping = std::get<fast::Damping>(fast::Damping::build(path.parameters));
   for (const Step& step : path.steps) {
-    const fast::Evaluation damped = damping.tick(step.position, 1, {step.spring, Status::contact});
+    const fast::Evaluation damped = damping.tick(step.position, 1, {step.spring, Status::contact, {}, step.limits});
     if (const char* fault = judge(step, damping.state(), damped.force)) return words(fault, step, damped.force);
   }
   return std::nullopt;
@@ -125,6 +125,19 @@ TEST(damping_properties, paths_come_near_the_bound_of_sampling) {
   }
 }
 
+// The same where faces that do not damp take the place of springs that are gone.
+TEST(damping_properties, faces_come_as_near_the_bound_of_sampling) {
+  for (const float share : {1.0F, 0.5F, 0.25F, 0.1F}) {
+    Path path = properties::nearest_to_the_bound(share, 2000);
+    const properties::Sampled of_springs = properties::sampled(path);
+    for (Step& step : path.steps)
+      if (step.spring.isZero(0)) step = {step.position, {0, 0, 64}, {0, 0}};
+    const properties::Sampled sum = properties::sampled(path);
+    EXPECT_TRUE(sum.given == of_springs.given) << share;
+    EXPECT_FALSE(properties::sampling_gives_at_most_the_bound(path)) << share;
+  }
+}
+
 TEST(damping_properties, the_factor_of_the_bound_is_that_of_the_page) {
   for (const auto& [share, factor] : {std::pair{1.0, 1.0}, {0.5, 1.0 / 3}, {0.25, 4.0 / 21}, {0.1, 25.0 / 171}})
     EXPECT_NEAR(damping::sampling_factor(share), factor, 1e-15) << share;
@@ -173,6 +186,27 @@ TEST(damping_properties, a_damper_that_is_a_little_stronger_breaks_them) {
   EXPECT_TRUE(properties::sampling_gives_at_most_the_bound(properties::nearest_to_the_bound(1, 2000), stronger));
 }
 
+// B and B_t of the face, where they are more than those of the path.
+TEST(damping_properties, a_damper_of_the_larger_one_of_face_and_path_breaks_them) {
+  const properties::OpenDamper larger = [](const Parameters& p) -> properties::Damper {
+    return [p, before = damping::State()](const Step& step) mutable {
+      Parameters its = p;
+      if (std::isfinite(step.limits.damping)) its.damping = std::max(p.damping, step.limits.damping);
+      if (std::isfinite(step.limits.drag)) its.drag = std::max(p.drag, step.limits.drag);
+      auto one = std::get<fast::Damping>(fast::Damping::build(its));
+      one.resume(before);
+      const Eigen::Vector3f force = one.tick(step.position, 1, {step.spring, Status::contact}).force;
+      before = one.state();
+      return properties::DampedAnswer{force, Eigen::Vector3f(before.velocity.data())};
+    };
+  };
+  EXPECT_TRUE(is_broken([&](const Path& path) { return properties::dissipates_at_its_own_velocity(path, larger); }));
+  Path path = properties::nearest_to_the_bound(1, 2000);
+  for (Step& step : path.steps) step.limits = {1.01F * path.parameters.damping, HUGE_VALF};
+  EXPECT_FALSE(properties::sampling_gives_at_most_the_bound(path));
+  EXPECT_TRUE(properties::sampling_gives_at_most_the_bound(path, larger));
+}
+
 TEST(damping_properties, a_damper_with_other_shares_breaks_the_bound) {
   for (const float share : {0.5F, 0.25F, 0.1F})
     EXPECT_TRUE(properties::sampling_gives_at_most_the_bound(properties::nearest_to_the_bound(share, 2000),
@@ -184,7 +218,7 @@ TEST(damping_properties, a_damper_with_other_shares_breaks_the_bound) {
 TEST(damping_properties, a_damper_of_the_velocity_before_breaks_them) {
   const properties::OpenDamper late = [](const Parameters& p) -> properties::Damper {
     return [damper = properties::own_damper(p), last = Step()](const Step& step) mutable {
-      const properties::DampedAnswer answer = damper({last.position, step.spring}),
+      const properties::DampedAnswer answer = damper({last.position, step.spring, step.limits}),
                                      now{answer.force, (step.position - last.position) * 1000};
       last = step;
       return now;
