@@ -331,7 +331,9 @@ typedef struct forceshade_damping {
 } forceshade_damping;
 
 /* That of the subject's file, its table [damping], at a rate (Hz); off without one. damping->size has to be set. The subject's
- * forces are without it: the functions below put it behind them. WRONG_KIND: its materials limit damping, which these do not see. */
+ * forces are without it: the functions below put it behind them. FORCESHADE_WRONG_KIND, although the damping is written, where
+ * the subject's materials limit it: forceshade_session_damped_step() and forceshade_scene_damped_step() damp each face as its
+ * material lets them; the others see forces alone. */
 FORCESHADE_API forceshade_result forceshade_subject_damping(forceshade_subject subject, float rate, forceshade_damping* damping);
 
 /* One that is 0 but for its size begins a path, as does one that no tick leaves. */
@@ -351,8 +353,21 @@ FORCESHADE_API forceshade_result forceshade_damping_step(const forceshade_dampin
                                                          uint32_t periods, const float* position, float* force,
                                                          forceshade_status* status);
 
-/* The same for the next positions of a path, one after the other: the forces and statuses of the batch are those of a renderer, and
- * afterwards the damped ones. The forces may not take the place of the positions. periods: one for each, or NULL for 1 each. */
+/* forceshade_session_step() and forceshade_damping_step() at once, on each face with the damping that its material lets act. */
+FORCESHADE_API forceshade_result forceshade_session_damped_step(forceshade_session session, const forceshade_damping* damping,
+                                                                forceshade_damping_state* state, uint32_t periods,
+                                                                const float* position, float* force,
+                                                                forceshade_status* status);
+
+/* The same of forceshade_scene_step(). */
+FORCESHADE_API forceshade_result forceshade_scene_damped_step(forceshade_scene scene, const forceshade_damping* damping,
+                                                              forceshade_damping_state* state, uint32_t periods,
+                                                              const float* position, const forceshade_pose* poses, size_t count,
+                                                              float* force, forceshade_status* status);
+
+/* forceshade_damping_step() for the next positions of a path, one after the other: the forces and statuses of the batch are those
+ * of a renderer, and afterwards the damped ones. The forces may not take the place of the positions. periods: one for each, or NULL
+ * for 1 each. */
 FORCESHADE_API forceshade_result forceshade_damping_steps(const forceshade_damping* damping, forceshade_damping_state* state,
                                                           const uint32_t* periods, const forceshade_batch* batch, size_t* invalid);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings/c/batch.h"
+#include "bindings/c/damped.h"
 #include "bindings/c/entered.h"
 #include "bindings/c/subject.h"
 
@@ -24,6 +25,18 @@ constinit Lasting<Scene> scenes;
 
 static_assert(sizeof(forceshade_pose) == sizeof(scene::Pose) && alignof(forceshade_pose) == alignof(scene::Pose) &&
               offsetof(forceshade_pose, rotation) == offsetof(scene::Pose, rotation));
+
+// Returns what use(answer) does with the scene's answer at the next position, or an error code after setting the error text.
+template <class Use>
+forceshade_result after_step(forceshade_scene scene, const float* position, const forceshade_pose* poses, std::size_t count,
+                             const float* force, const Use& use) noexcept {
+  if (position == nullptr || poses == nullptr || force == nullptr)
+    return fail(FORCESHADE_NULL_POINTER, "position, poses or force is NULL");
+  const Entered entered(scenes.table, scene.handle);
+  if (!entered) return entered.result;
+  if (count != entered->size()) return fail(FORCESHADE_BAD_VALUE, "count: expected one pose for each object of the scene");
+  return use(entered->step(*as_vectors(position), {reinterpret_cast<const scene::Pose*>(poses), count}));
+}
 
 }  // namespace
 }  // namespace forceshade::c
@@ -61,12 +74,19 @@ forceshade_result forceshade_scene_close(forceshade_scene scene) {
 
 forceshade_result forceshade_scene_step(forceshade_scene scene, const float* position, const forceshade_pose* poses,
                                         size_t count, float* force, forceshade_status* status) {
-  if (position == nullptr || poses == nullptr || force == nullptr)
-    return fail(FORCESHADE_NULL_POINTER, "position, poses or force is NULL");
-  const Entered entered(scenes.table, scene.handle);
-  if (!entered) return entered.result;
-  if (count != entered->size()) return fail(FORCESHADE_BAD_VALUE, "count: expected one pose for each object of the scene");
-  return give(entered->step(*as_vectors(position), {reinterpret_cast<const scene::Pose*>(poses), count}), force, status);
+  return after_step(scene, position, poses, count, force,
+                    [&](const fast::Evaluation& answer) { return give(answer, force, status); });
+}
+
+forceshade_result forceshade_scene_damped_step(forceshade_scene scene, const forceshade_damping* damping,
+                                               forceshade_damping_state* state, uint32_t periods, const float* position,
+                                               const forceshade_pose* poses, size_t count, float* force,
+                                               forceshade_status* status) {
+  return with_damping(damping, state, [&](LastDamping& its) {
+    return after_step(scene, position, poses, count, force, [&](const fast::Evaluation& answer) {
+      return its.tick(*state, periods, position, answer, force, status);
+    });
+  });
 }
 
 forceshade_result forceshade_scene_object(forceshade_scene scene, size_t object, float* force, forceshade_status* status) {

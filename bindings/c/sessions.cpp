@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "bindings/c/batch.h"
+#include "bindings/c/damped.h"
 #include "bindings/c/entered.h"
 #include "bindings/c/paths.h"
 #include "bindings/c/session.h"
@@ -77,6 +78,17 @@ forceshade_result forceshade_session_step(forceshade_session session, const floa
   const Entered entered(sessions.table, session.handle);
   if (!entered) return entered.result;
   return give(entered->step(*as_vectors(position)), force, status);
+}
+
+forceshade_result forceshade_session_damped_step(forceshade_session session, const forceshade_damping* damping,
+                                                 forceshade_damping_state* state, uint32_t periods, const float* position,
+                                                 float* force, forceshade_status* status) {
+  if (position == nullptr || force == nullptr) return fail(FORCESHADE_NULL_POINTER, "position or force is NULL");
+  return with_damping(damping, state, [&](LastDamping& its) {
+    const Entered entered(sessions.table, session.handle);
+    if (!entered) return entered.result;
+    return its.tick(*state, periods, position, entered->step(*as_vectors(position)), force, status);
+  });
 }
 
 forceshade_result forceshade_session_steps(forceshade_session session, const forceshade_batch* batch, size_t* invalid) {

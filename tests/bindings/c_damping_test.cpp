@@ -20,7 +20,6 @@
 #include "tests/bindings/misuse.h"
 #include "tests/bindings/subjects.h"
 #include "tests/support/allocations.h"
-#include "tests/support/temporary_directory.h"
 
 namespace forceshade {
 namespace {
@@ -263,18 +262,24 @@ TEST_F(CDamping, of_a_subjects_file_is_that_of_its_table_at_a_rate) {
   for (const forceshade_subject subject : {plain, oily}) forceshade_subject_free(subject);
 }
 
-TEST_F(CDamping, of_a_subject_whose_materials_limit_it_is_refused) {
-  const tests::TemporaryDirectory folder;
-  folder.write("its.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
-  folder.write("dry.toml", "[default]\ndamping = 0\n");
-  const std::string file = folder.write("subject.toml", "mesh = \"its.obj\"\nunit = \"mm\"\nmaterials = \"dry.toml\"\n");
-  forceshade_subject subject{};
-  ASSERT_EQ(forceshade_subject_read(file.c_str(), &subject), FORCESHADE_OK) << forceshade_message();
-  forceshade_damping its{};
-  its.size = sizeof its;
-  EXPECT_EQ(forceshade_subject_damping(subject, 1000, &its), FORCESHADE_WRONG_KIND);
-  EXPECT_STREQ(forceshade_message(), "the subject's materials limit damping, which the functions of damping do not see");
-  forceshade_subject_free(subject);
+// As by two calls, where no material limits it.
+TEST_F(CDamping, of_a_session_in_one_call_is_that_of_two) {
+  const forceshade_subject mesh = tests::tetrahedron("edge", true);
+  forceshade_session session{};
+  forceshade_session_open(mesh, &session);
+  forceshade_damping_state state = kBegin;
+  std::vector<float> forces(at.size());
+  std::vector<forceshade_status> statuses(kCount);
+  const std::size_t allocated = tests::allocations();
+  for (std::size_t i = 0; i < kCount; ++i)
+    ASSERT_EQ(forceshade_session_damped_step(session, &kOil, &state, periods[i], &at[3 * i], &forces[3 * i], &statuses[i]),
+              FORCESHADE_OK);
+  EXPECT_EQ(tests::allocations(), allocated);
+  EXPECT_EQ(forces, path);
+  EXPECT_EQ(statuses, said_of_path);
+  EXPECT_EQ(numbers_of(state), after);
+  forceshade_session_close(session);
+  forceshade_subject_free(mesh);
 }
 
 TEST_F(CDamping, a_misuse_has_its_result_and_its_sentence) {

@@ -123,7 +123,10 @@ class CMisuse : public testing::Test {
     static std::array<float, 3> at{}, force{};
     static forceshade_state state = sized<forceshade_state>();
     static const forceshade_batch none = sized<forceshade_batch>();
+    static const forceshade_damping damping{sizeof damping, 1000, 1, 1, 2, 0, 0.25F};
+    static forceshade_damping_state damped = sized<forceshade_damping_state>();
     return {[=] { return forceshade_session_step(session, at.data(), force.data(), nullptr); },
+            [=] { return forceshade_session_damped_step(session, &damping, &damped, 1, at.data(), force.data(), nullptr); },
             [=] { return forceshade_session_steps(session, &none, nullptr); },
             [=] { return forceshade_session_reset(session); },
             [=] { return forceshade_session_state(session, &state); },
