@@ -10,6 +10,7 @@
 
 #include "forceshade/law.h"
 #include "forceshade/mesh.h"
+#include "rendering/damping_range.h"
 
 namespace forceshade {
 
@@ -20,8 +21,8 @@ inline std::optional<ParameterError> error_of_stiffness(float stiffness) {
 
 // A limit of a material.
 inline std::optional<ParameterError> error_of_damping(float damping) {
-  if (damping == 0 || damping == HUGE_VALF || (damping >= 0x1p-20F && damping <= 16)) return std::nullopt;
-  return ParameterError{"damping of a material", "N·s/mm", damping, 0x1p-20F, 16, nullptr, "0 or inf"};
+  if (is_damping(damping) || damping == HUGE_VALF) return std::nullopt;
+  return ParameterError{"damping of a material", "N·s/mm", damping, kLeastDamping, kMostDamping, nullptr, "0 or inf"};
 }
 
 inline constexpr float kLeastFriction = 0x1p-10F, kMostFriction = 0x1p10F;  // of those that are neither 0 nor infinite

@@ -10,6 +10,7 @@
 #include "fast/numbers/arithmetic.h"
 #include "fast/stage.h"
 #include "forceshade/fast.h"
+#include "rendering/damping_range.h"
 
 namespace forceshade::fast {
 namespace {
@@ -17,18 +18,18 @@ namespace {
 constexpr std::uint32_t kNoSpeed = 17;       // periods since the last valid position: that many and more give no velocity
 constexpr float kLeastVelocity = 0x1p-20F;   // mm/s: what is smaller is 0
 constexpr float kLargestVelocity = 0x1p32F;  // mm/s
-constexpr float kLeastDamping = 0x1p-20F;    // N·s/mm, of B and B_t that are not 0
 constexpr float kForcesEnd = 0x1p26F;        // N: from there on a force is handed on as it is
 
 std::optional<ParameterError> first_error(const damping::Parameters& p) noexcept {
   const auto outside = [](float value, float low, float high) { return !(value >= low && value <= high); };
   if (outside(p.rate, 1, 0x1p17F)) return ParameterError{"rate", "Hz", p.rate, 1, 0x1p17F};
   if (outside(p.share, 0x1p-10F, 1)) return ParameterError{"share", "", p.share, 0x1p-10F, 1};
-  if (p.damping != 0 && outside(p.damping, kLeastDamping, 16))
-    return ParameterError{"damping", "N·s/mm", p.damping, kLeastDamping, 16, nullptr, "0"};
+  const auto not_damping = [](const char* name, float value) {
+    return ParameterError{name, "N·s/mm", value, kLeastDamping, kMostDamping, nullptr, "0"};
+  };
+  if (!is_damping(p.damping)) return not_damping("damping", p.damping);
   if (p.most != HUGE_VALF && outside(p.most, 1, 1024)) return ParameterError{"most", "", p.most, 1, 1024, nullptr, "inf"};
-  if (p.drag != 0 && outside(p.drag, kLeastDamping, 16))
-    return ParameterError{"drag", "N·s/mm", p.drag, kLeastDamping, 16, nullptr, "0"};
+  if (!is_damping(p.drag)) return not_damping("drag", p.drag);
   if (outside(p.full_at, 0x1p-10F, 1024)) return ParameterError{"full_at", "N", p.full_at, 0x1p-10F, 1024};
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "fast/damping/limits.h"
 #include "fast/meshes/decide.h"
 #include "forceshade/mesh.h"
 
@@ -94,10 +95,8 @@ inline float stiffness_at(const Mesh& mesh, const GridPoint& grid_point, float u
 // Limits, where materials have some: of an edge or a vertex each the largest of its triangles.
 inline damping::Limits damping_at(const Mesh& mesh, const GridPoint& grid_point) noexcept {
   damping::Limits largest{0, 0};
-  for_each_triangle_at(mesh, grid_point, [&](std::uint32_t f) {
-    const damping::Limits its = mesh.damping_in_triangle(f);
-    largest = {std::max(largest.damping, its.damping), std::max(largest.drag, its.drag)};
-  });
+  for_each_triangle_at(mesh, grid_point,
+                       [&](std::uint32_t f) { largest = larger_limits(largest, mesh.damping_in_triangle(f)); });
   return largest;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fast/damping/limits.h"
 #include "fast/numbers/arithmetic.h"
 #include "fast/scenes/pose.h"
 #include "forceshade/fast.h"
@@ -65,7 +66,7 @@ Evaluation SceneSession::step(const Eigen::Vector3f& position, std::span<const s
     answer.stage = std::max(answer.stage, one.stage);
     if (finished(one.status) != Status::contact) continue;
     forces[count++] = {&poses[i], {one.force.x(), one.force.y(), one.force.z()}};
-    largest = {std::max(largest.damping, one.damping.damping), std::max(largest.drag, one.damping.drag)};
+    largest = larger_limits(largest, one.damping);
   }
   if (count != 0) answer.damping = largest;
   if (!is_valid) answer.status = Status::invalid;

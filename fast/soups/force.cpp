@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fast/damping/limits.h"
 #include "fast/numbers/ball.h"
 
 namespace forceshade::fast::soups {
@@ -294,10 +295,7 @@ std::array<float, 3> force_at(const Soup& soup, const At& r, const Point& p, con
 
 damping::Limits damping_at(const Soup& soup, const At& r) {
   damping::Limits largest{0, 0};
-  for (const Star::Held& held : r.star->triangles()) {
-    const damping::Limits its = soup.damping(*held.face);
-    largest = {std::max(largest.damping, its.damping), std::max(largest.drag, its.drag)};
-  }
+  for (const Star::Held& held : r.star->triangles()) largest = larger_limits(largest, soup.damping(*held.face));
   return largest;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/larger_limits.h"
 #include "reference/meshes/rounding.h"
 #include "rendering/mesh_rendering.h"
 
@@ -26,8 +27,7 @@ mesh::Material SurfaceMaterials::of(const Feature& feature) const {
     largest.stiffness = std::max(largest.stiffness, its.stiffness);
     largest.static_friction = std::max(largest.static_friction, its.static_friction);
     largest.dynamic_friction = std::max(largest.dynamic_friction, its.dynamic_friction);
-    largest.damping.damping = std::max(largest.damping.damping, its.damping.damping);
-    largest.damping.drag = std::max(largest.damping.drag, its.damping.drag);
+    enlarge(largest.damping, its.damping);
   }
   return largest;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "forceshade/reference.h"
+#include "reference/larger_limits.h"
 #include "reference/meshes/rounding.h"
 #include "reference/position.h"
 
@@ -78,8 +79,7 @@ Rounded SceneSession::step(const Eigen::Vector3f& position, std::span<const scen
     is_valid &= its.status != Status::invalid;
     answer.status = std::max(answer.status, its.status);
     if (finished(its.status) != Status::contact) continue;
-    largest.damping = std::max(largest.damping, its.damping.damping);
-    largest.drag = std::max(largest.drag, its.damping.drag);
+    enlarge(largest, its.damping);
     const Rotation rotation = rotation_of(poses[i]).value();
     const Vector force = integers_of(its.force);
     for (std::size_t axis = 0; axis < 3; ++axis)

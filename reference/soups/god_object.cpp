@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "reference/larger_limits.h"
 #include "rendering/mesh_rendering.h"
 
 namespace forceshade::reference::soups {
@@ -69,10 +70,7 @@ class SoupTicks final : public meshes::Ticks {
   }
   damping::Limits damping_at(const Rest& rest) const {
     damping::Limits largest{0, 0};
-    for (const Triangle* triangle : rest.r.star->triangles()) {
-      largest.damping = std::max(largest.damping, damping_[triangle->number].damping);
-      largest.drag = std::max(largest.drag, damping_[triangle->number].drag);
-    }
+    for (const Triangle* triangle : rest.r.star->triangles()) enlarge(largest, damping_[triangle->number]);
     return largest;
   }
 

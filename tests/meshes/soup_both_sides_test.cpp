@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <random>
@@ -134,10 +133,9 @@ TEST(soups_on_both_sides, every_column_of_drawn_paths_is_the_same) {
   constexpr std::uint64_t kFirst[]{103263, 99, 249, 660, 296, 34002949, 34006154};
   std::size_t ticks = 0, sets = 0, touching = 0;
   std::map<int, std::size_t> places;
-  const char* const first = std::getenv("FORCESHADE_FIRST");  // of the numbers of sets, for searches by hand
-  const std::uint64_t seed = first == nullptr ? 0 : std::strtoull(first, nullptr, 10);
+  const std::uint64_t first = tests::first_drawn();
   for (; sets < tests::drawn(250); ++sets) {
-    const std::uint64_t number = seed + sets < std::size(kFirst) ? kFirst[seed + sets] : seed + sets;
+    const std::uint64_t number = first + sets < std::size(kFirst) ? kFirst[first + sets] : first + sets;
     Draw draw(number);
     const Drawn set = draw.set(number % 50 == 49);
     const exact::Soup exact_soup(set.mesh, set.sides, set.materials);

@@ -3,6 +3,7 @@
 // The number of random cases that a test draws.
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 
 namespace forceshade::tests {
@@ -12,6 +13,12 @@ namespace forceshade::tests {
 inline std::size_t drawn(std::size_t all) {
   const char* const times = std::getenv("FORCESHADE_DRAWS");
   return times == nullptr ? (all + 3) / 4 : all * std::strtoull(times, nullptr, 10);
+}
+
+// The number of the first case: 0, or FORCESHADE_FIRST=N in the environment, for searches by hand in parts.
+inline std::uint64_t first_drawn() {
+  const char* const first = std::getenv("FORCESHADE_FIRST");
+  return first == nullptr ? 0 : std::strtoull(first, nullptr, 10);
 }
 
 }  // namespace forceshade::tests
