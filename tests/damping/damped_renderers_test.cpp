@@ -70,7 +70,7 @@ Description crossing_faces(std::uint64_t seed) {
 }
 
 // Every second one has limits.
-Description subject_of_kind(std::size_t kind, std::uint64_t seed, properties::MeshSource& source) {
+Description subject_of_kind(std::size_t kind, std::uint64_t seed, tests::MeshSource& source) {
   if (kind == 0) return tests::law(kLaws[seed % kLaws.size()].id);
   if (kind == 1) return random_map(seed);
   Description its = kind == 5   ? Description{"scene.toml", tests::random_scene(source, seed)}
@@ -164,7 +164,7 @@ void follow(const properties::Subject& subject, std::uint64_t seed, bool is_scen
 
 TEST(damped_renderers, are_the_definition_in_every_bit) {
   for (std::size_t kind = 0; kind < kKinds.size(); ++kind) {
-    properties::MeshSource source(kind + tests::first_drawn());
+    tests::MeshSource source(kind + tests::first_drawn());
     std::map<std::string, std::size_t> reached;
     const std::uint64_t first = tests::first_drawn(), end = first + tests::drawn(40);
     for (std::uint64_t seed = first; seed < end && !HasFailure(); ++seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/simulated/sampled_wall.h"
+#include "tests/device/sampled_wall.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 
 #include "device/null.h"
 #include "device/passive_rate.h"
-#include "device/simulated/hand_on_wall.h"
 #include "device/simulated/simulated.h"
+#include "tests/device/hand_on_wall.h"
 
 namespace forceshade::device {
 namespace {

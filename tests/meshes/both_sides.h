@@ -16,12 +16,12 @@
 #include "fast/meshes/session.h"
 #include "forceshade/reference.h"
 #include "properties/mesh_path.h"
-#include "properties/mesh_source.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/meshes/steps.h"
 #include "tests/support/allocations.h"
 #include "tests/support/drawn.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade::tests {
 
@@ -111,15 +111,15 @@ struct ComparedTick {
   const MeshRendering& rendering;
   const mesh::Tick& expected;
 };
-using Renderings = std::function<MeshRendering(properties::MeshSource&, const properties::RandomMesh&, mesh::Shading)>;
+using Renderings = std::function<MeshRendering(tests::MeshSource&, const tests::RandomMesh&, mesh::Shading)>;
 
 // Every family of meshes, all shadings but the one that needs a texture: both sides are the same, also from a state.
 inline void expect_reference(std::uint64_t meshes, std::size_t ticks_of_a_mesh, Occasions& occasions,
                              const Renderings& rendering_of, const std::function<void(const ComparedTick&)>& look) {
   constexpr std::uint64_t kShadings = mesh::kShadingNames.size() - 1;
-  properties::MeshSource source(41);
+  tests::MeshSource source(41);
   for (std::uint64_t seed = 0; seed < drawn(meshes); ++seed) {
-    const properties::RandomMesh made = source.next();
+    const tests::RandomMesh made = source.next();
     const MeshRendering rendering = rendering_of(source, made, static_cast<mesh::Shading>(seed % kShadings));
     BothSides both(rendering);
     properties::MeshPath path(made.mesh, seed);
@@ -128,9 +128,8 @@ inline void expect_reference(std::uint64_t meshes, std::size_t ticks_of_a_mesh, 
       if (i % 50 == 49) both.resume();
       if (i % 3 != 0) both.session().look_ahead();  // without any trace in what follows
       const mesh::GodObject before = both.state();
-      const mesh::Tick tick =
-          both.step(p, "mesh " + std::to_string(seed) + ", " + std::string(properties::kMeshFamilies[made.family]) + ", tick " +
-                           std::to_string(i));
+      const mesh::Tick tick = both.step(p, "mesh " + std::to_string(seed) + ", " +
+                                               std::string(tests::kMeshFamilies[made.family]) + ", tick " + std::to_string(i));
       if (testing::Test::HasFailure()) return;
       occasions["decided in binary64"] += both.session().stage() == fast::Stage::binary64;
       occasions["decided in wide numbers"] += both.session().stage() == fast::Stage::wide;

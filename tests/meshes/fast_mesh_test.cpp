@@ -13,8 +13,8 @@
 #include "fast/meshes/grid_point.h"
 #include "fast/meshes/mesh.h"
 #include "properties/mesh_path.h"
-#include "properties/mesh_source.h"
 #include "tests/meshes/rendering.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade::fast {
 namespace {
@@ -24,10 +24,10 @@ Mesh built(const mesh::TriangleMesh& triangles) {
 }
 
 TEST(fast_mesh, joins_the_triangles_as_their_vertices_say) {
-  properties::MeshSource source(5);
+  tests::MeshSource source(5);
   std::size_t rims = 0, joined = 0, narrow = 0, flat = 0, wide = 0;
   for (int i = 0; i < 60; ++i) {
-    const properties::RandomMesh made = source.next();
+    const tests::RandomMesh made = source.next();
     const Mesh mesh = built(made.mesh);
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> halves;
     for (const mesh::Triangle& t : made.mesh.triangles)
@@ -62,10 +62,10 @@ TEST(fast_mesh, joins_the_triangles_as_their_vertices_say) {
 }
 
 TEST(fast_mesh, turns_states_into_its_own_numbers_and_back) {
-  properties::MeshSource source(6);
+  tests::MeshSource source(6);
   std::size_t edges = 0;
   for (int i = 0; i < 33; ++i) {
-    const properties::RandomMesh made = source.next();
+    const tests::RandomMesh made = source.next();
     const Mesh mesh = built(made.mesh);
     for (std::uint32_t t = 0; t < made.mesh.triangles.size(); ++t) {
       const mesh::Triangle& corners = made.mesh.triangles[t];
@@ -95,10 +95,10 @@ TEST(fast_mesh, turns_states_into_its_own_numbers_and_back) {
 
 // The tree visits all that a segment meets, by a test of boxes alone.
 TEST(fast_mesh, has_a_tree_that_leaves_out_nothing_on_the_way) {
-  properties::MeshSource source(7);
+  tests::MeshSource source(7);
   std::size_t met = 0, visited_in_all = 0, all = 0;
   for (int i = 0; i < 66; ++i) {
-    const properties::RandomMesh made = source.next();
+    const tests::RandomMesh made = source.next();
     const Mesh mesh = built(made.mesh);
     properties::MeshPath path(made.mesh, static_cast<std::uint64_t>(i));
     std::array<float, 3> last{};

@@ -21,7 +21,7 @@ TEST(mesh_friction, is_the_reference_in_every_bit_on_random_meshes_with_random_m
   tests::Occasions occasions;
   tests::expect_reference(
       132, 250, occasions,
-      [](properties::MeshSource& source, const properties::RandomMesh& made, mesh::Shading shading) {
+      [](tests::MeshSource& source, const tests::RandomMesh& made, mesh::Shading shading) {
         return with_friction(tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness),
                              source.materials_of(made.mesh), shading);
       },

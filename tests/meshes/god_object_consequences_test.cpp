@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "forceshade/reference.h"
-#include "properties/mesh_source.h"
 #include "reference/meshes/descent.h"
 #include "reference/meshes/directions.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/random_paths.h"
 #include "tests/meshes/rendering.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade {
 namespace {
@@ -157,7 +157,7 @@ TEST(god_object_consequences, it_never_gets_into_a_closed_mesh_nor_out_of_one_th
         7, 330, 200, expected,
         [&](const Scene& scene, const Step& step, Counts& counts) {
           constexpr std::array<std::string_view, 4> kClosed{"bipyramid", "slab", "star", "torus"};
-          if (std::ranges::find(kClosed, properties::kMeshFamilies[scene.made.family]) == kClosed.end()) return;
+          if (std::ranges::find(kClosed, tests::kMeshFamilies[scene.made.family]) == kClosed.end()) return;
           if (step.before.place == Place::nowhere) {
             is_out = is_in = false;
             is_inside.emplace(scene.made.mesh);

@@ -22,7 +22,7 @@ TEST(god_object, is_the_reference_in_every_bit_on_random_meshes_and_paths_and_gi
   tests::Occasions reached;
   tests::expect_reference(
       96, 500, reached,
-      [](properties::MeshSource& source, const properties::RandomMesh& made, mesh::Shading shading) {
+      [](tests::MeshSource& source, const tests::RandomMesh& made, mesh::Shading shading) {
         MeshRendering rendering = tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness);
         rendering.shading = shading;
         return rendering;

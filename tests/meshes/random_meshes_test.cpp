@@ -10,16 +10,16 @@
 
 #include "forceshade/meshes.h"
 #include "properties/mesh_path.h"
-#include "properties/mesh_source.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade {
 namespace {
 
-using properties::kMeshFamilies;
 using properties::kPathKinds;
 using properties::MeshPath;
-using properties::MeshSource;
-using properties::RandomMesh;
+using tests::kMeshFamilies;
+using tests::MeshSource;
+using tests::RandomMesh;
 
 TEST(random_meshes, every_one_is_a_mesh_and_each_family_has_what_it_is_for) {
   MeshSource source(11);

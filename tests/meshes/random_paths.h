@@ -15,11 +15,11 @@
 
 #include "forceshade/reference.h"
 #include "properties/mesh_path.h"
-#include "properties/mesh_source.h"
 #include "reference/meshes/descent.h"
 #include "tests/meshes/god_object_paths.h"
 #include "tests/meshes/rendering.h"
 #include "tests/support/drawn.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade::tests {
 
@@ -36,7 +36,7 @@ inline reference::GodObject built(const mesh::TriangleMesh& mesh, const mesh::Co
 
 // A random mesh with its god-object, shaded. Without materials it has no friction.
 struct Scene {
-  Scene(const properties::RandomMesh& random, mesh::CornerNormals corner_normals, mesh::Materials of_mesh)
+  Scene(const tests::RandomMesh& random, mesh::CornerNormals corner_normals, mesh::Materials of_mesh)
       : made(random),
         normals(std::move(corner_normals)),
         given(std::move(of_mesh)),
@@ -48,7 +48,7 @@ struct Scene {
   reference::meshes::Ground ground() const { return {surface, crossings, made.sides, materials}; }
 
   static constexpr float kStiffness = 0.7F;
-  properties::RandomMesh made;
+  tests::RandomMesh made;
   mesh::CornerNormals normals;
   mesh::Materials given;
   reference::GodObject god_object;
@@ -92,7 +92,7 @@ inline constexpr std::array<Friction, 2> kEachFriction{Friction::none, Friction:
 template <class Check>
 void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vector<std::string>& expected, Check check,
                      Friction friction = Friction::none) {
-  properties::MeshSource source(seed);
+  tests::MeshSource source(seed);
   Counts counts;
   if (friction == Friction::random) meshes /= 3;
   std::vector<std::string> names{"free", "touching", "invalid", "vertex", "edge", "triangle", "back"};
@@ -103,7 +103,7 @@ void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vecto
   };
   const int few = static_cast<int>(drawn(static_cast<std::size_t>(meshes))), most = std::max(few, meshes);
   for (int i = 0; i < most && (i < few || !are_reached()) && !testing::Test::HasFailure(); ++i) {
-    const properties::RandomMesh made = source.next();
+    const tests::RandomMesh made = source.next();
     mesh::CornerNormals normals = source.normals_of(made.mesh);
     const Scene scene(made, std::move(normals),
                       friction == Friction::none ? mesh::Materials() : source.materials_of(made.mesh));
@@ -112,7 +112,7 @@ void on_random_paths(std::uint64_t seed, int meshes, int ticks, const std::vecto
     for (int k = 0; k < ticks && !testing::Test::HasFailure(); ++k) {
       const Position position = path.next();
       const Step step{state, position, scene.god_object.step(state, position)};
-      SCOPED_TRACE("mesh " + std::to_string(i) + ", " + std::string(properties::kMeshFamilies[made.family]) + ", tick " +
+      SCOPED_TRACE("mesh " + std::to_string(i) + ", " + std::string(tests::kMeshFamilies[made.family]) + ", tick " +
                    std::to_string(k) + ": from " + feature_text(state) + " to " + show(step.tick));
       ++counts[std::string(mesh::kTickStatusNames[static_cast<std::size_t>(step.tick.status)])];
       if (is_touching(step.tick.after))

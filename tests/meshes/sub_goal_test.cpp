@@ -28,7 +28,7 @@ TEST(sub_goal, is_the_reference_in_every_bit_on_random_meshes_and_paths) {
   Counts counts;
   tests::expect_reference(
       66, 250, counts,
-      [](properties::MeshSource& source, const properties::RandomMesh& made, mesh::Shading shading) {
+      [](tests::MeshSource& source, const tests::RandomMesh& made, mesh::Shading shading) {
         return by_sub_goal(tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, kStiffness), shading);
       },
       [&](const tests::ComparedTick& tick) {

@@ -15,12 +15,12 @@
 #include "forceshade/fast.h"
 #include "forceshade/meshes.h"
 #include "forceshade/reference.h"
-#include "properties/height_generators.h"
 #include "properties/mesh_path.h"
-#include "properties/mesh_source.h"
 #include "rendering/meshes/make.h"
 #include "rendering/meshes/texture.h"
 #include "tests/meshes/both_sides.h"
+#include "tests/support/any_height_map.h"
+#include "tests/support/mesh_source.h"
 #include "tests/support/words.h"
 
 namespace forceshade {
@@ -31,7 +31,7 @@ using Position = std::array<float, 3>;
 constexpr float kStiffness = 0.3F;  // N/mm
 
 HeightMap random_map(std::uint64_t seed) {
-  return {properties::any_height_map().draw(seed).map.parts};
+  return {tests::any_height_map().draw(seed).map.parts};
 }
 
 const char* name_of_stage(fast::Stage stage) {
@@ -105,9 +105,9 @@ TEST(texture_scheme, is_the_reference_in_every_bit_on_random_meshes_and_maps) {
   tests::Occasions counts;
   constexpr std::size_t kTicksOfAMesh = 250;
   const std::size_t ticks = tests::drawn(24000);
-  properties::MeshSource source(33);
+  tests::MeshSource source(33);
   for (std::uint64_t seed = 0; seed * kTicksOfAMesh < ticks; ++seed) {
-    const properties::RandomMesh made = source.next();
+    const tests::RandomMesh made = source.next();
     const mesh::CornerNormals normals = source.normals_of(made.mesh);
     const mesh::Texture texture{source.textures_of(made.mesh), random_map(seed)};
     const MeshRendering rendering{tests::checked(made.mesh),     normals,    made.sides,

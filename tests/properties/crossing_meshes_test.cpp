@@ -10,18 +10,18 @@
 #include "forceshade/meshes.h"
 #include "forceshade/properties.h"
 #include "properties/mesh_energy.h"
-#include "properties/mesh_source.h"
 #include "properties/mesh_subject.h"
 #include "properties/worst_tick.h"
 #include "rendering/meshes/make.h"
 #include "tests/support/drawn.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade::properties {
 namespace {
 
 // A star and its copy that crosses it, a face that is there twice, and one without area.
 MeshRendering crossing_stars(std::uint64_t seed, mesh::Shading shading, mesh::Materials materials) {
-  MeshSource source(seed);
+  tests::MeshSource source(seed);
   mesh::TriangleMesh mesh = source.of_family(7).mesh;
   const auto vertices = static_cast<std::uint32_t>(mesh.vertices.size());
   const std::size_t triangles = mesh.triangles.size();

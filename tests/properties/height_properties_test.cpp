@@ -13,9 +13,9 @@
 #include "forceshade/properties.h"
 #include "properties/field_properties.h"
 #include "properties/generators.h"
-#include "properties/height_generators.h"
 #include "properties/height_map_subject.h"
 #include "properties/height_positions.h"
+#include "tests/support/any_height_map.h"
 
 namespace forceshade::properties {
 namespace {
@@ -217,11 +217,11 @@ TEST(height_properties, are_checked_at_the_ends_of_the_domain_in_each_coordinate
 TEST(height_properties, simpler_maps_have_fewer_parts_but_one) {
   std::map<std::size_t, int> counts;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const AnyHeightMap any = any_height_map().draw(seed);
+    const tests::AnyHeightMap any = tests::any_height_map().draw(seed);
     ++counts[any.map.parts.size()];
-    const std::vector<AnyHeightMap> simpler = any_height_map().simpler(any);
+    const std::vector<tests::AnyHeightMap> simpler = tests::any_height_map().simpler(any);
     EXPECT_EQ(simpler.empty(), any.map.parts.size() == 1);
-    for (const AnyHeightMap& one : simpler) {
+    for (const tests::AnyHeightMap& one : simpler) {
       EXPECT_GE(one.map.parts.size(), 1U);
       EXPECT_LT(one.map.parts.size(), any.map.parts.size());
     }
@@ -232,7 +232,7 @@ TEST(height_properties, simpler_maps_have_fewer_parts_but_one) {
 TEST(height_properties, hold_on_generated_maps) {
   std::array<int, 3> statuses{};
   const PropertyResult result = run_property("any map", 500, kSeed, [&](Chooser& choose) -> Violation {
-    const AnyHeightMap any = choose(any_height_map());
+    const tests::AnyHeightMap any = choose(tests::any_height_map());
     const auto subject = std::get<RenderedHeightMap>(fast_rendering(any.map, any.mode, any.stiffness));
     const HeightMapClaims claims(subject.law);
     const HeightTarget target{subject.law, claims};

@@ -11,15 +11,15 @@
 
 #include "forceshade/reference.h"
 #include "properties/mesh_path.h"
-#include "properties/mesh_source.h"
 #include "tests/meshes/rendering.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade::properties {
 namespace {
 
 MeshRendering of_family(std::size_t family, std::uint64_t seed) {
-  MeshSource source(seed);
-  RandomMesh random = source.of_family(family);
+  tests::MeshSource source(seed);
+  tests::RandomMesh random = source.of_family(family);
   mesh::CornerNormals normals = source.normals_of(random.mesh);
   return tests::shaded(std::move(random.mesh), std::move(normals), random.sides, 0.5F);
 }
@@ -37,7 +37,7 @@ constexpr double kFar = 0.05, kSlack = 1e-3;  // of the longest side; of a chord
 
 TEST(mesh_energy, no_rest_turns_a_force_by_more) {
   std::array<std::size_t, 3> checked{};  // inside, on edges, at vertices
-  for (std::size_t family = 0; family < kMeshFamilies.size(); ++family)
+  for (std::size_t family = 0; family < tests::kMeshFamilies.size(); ++family)
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       const MeshRendering rendering = of_family(family, 100 * family + seed);
       const LargestTurns turns = largest_turns(rendering);
@@ -55,7 +55,7 @@ TEST(mesh_energy, no_rest_turns_a_force_by_more) {
         if (!(D.norm() > kFar * longest)) continue;
         const double turn = (F.normalized() - D.normalized()).norm();
         EXPECT_LE(turn, limit_at(tick.after, turns) + kSlack)
-            << kMeshFamilies[family] << " " << seed << ", tick " << i << ", " << static_cast<int>(tick.after.place);
+            << tests::kMeshFamilies[family] << " " << seed << ", tick " << i << ", " << static_cast<int>(tick.after.place);
         ++checked[tick.after.place == mesh::Place::triangle ? 0 : tick.after.place == mesh::Place::edge ? 1 : 2];
       }
     }

@@ -18,16 +18,16 @@
 
 #include "forceshade/properties.h"
 #include "properties/mesh_properties.h"
-#include "properties/mesh_source.h"
 #include "tests/meshes/rendering.h"
 #include "tests/support/drawn.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade::properties {
 namespace {
 
-MeshRendering rendering_of(MeshSource& source, std::size_t family, mesh::Shading shading,
+MeshRendering rendering_of(tests::MeshSource& source, std::size_t family, mesh::Shading shading,
                            mesh::Contact contact = mesh::kUsualContact) {
-  RandomMesh random = source.of_family(family);
+  tests::RandomMesh random = source.of_family(family);
   MeshRendering rendering{tests::checked(std::move(random.mesh)), {}, random.sides, shading, 0.3F};
   rendering.contact = contact;
   if (contact == mesh::Contact::friction) rendering.materials = source.materials_of(rendering.mesh());
@@ -39,9 +39,9 @@ MeshRendering rendering_of(MeshSource& source, std::size_t family, mesh::Shading
 }
 
 void expect_every_property(mesh::Shading shading, mesh::Contact contact) {
-  for (std::size_t family = 0; family < kMeshFamilies.size(); ++family) {
-    MeshSource source(2026 + family);
-    const MeshSubject subject(std::string(kMeshFamilies[family]), rendering_of(source, family, shading, contact));
+  for (std::size_t family = 0; family < tests::kMeshFamilies.size(); ++family) {
+    tests::MeshSource source(2026 + family);
+    const MeshSubject subject(std::string(tests::kMeshFamilies[family]), rendering_of(source, family, shading, contact));
     for (const PropertyResult& result : run_properties(subject, static_cast<int>(tests::drawn(40)), 7))
       EXPECT_TRUE(result.held) << subject.identity().name << ", " << name_of(shading) << ", " << name_of(contact) << ", "
                                << result.name << ": " << result.counterexample;
@@ -61,7 +61,7 @@ TEST(mesh_subject, has_every_property_on_every_family_of_meshes) {
 TEST(mesh_subject, states_as_much_energy_of_the_shading_as_a_turn_can_give) {
   int rounded = 0;
   for (std::uint64_t seed = 1; seed <= tests::drawn(8); ++seed) {
-    MeshSource source(seed);
+    tests::MeshSource source(seed);
     const MeshRendering rendering = rendering_of(source, 7, mesh::Shading::vertex_scheme);
     double turn = 0;
     for (std::uint32_t i = 0; i < rendering.mesh().triangles.size(); ++i) turn = std::max(turn, largest_turn(rendering, i));
@@ -102,7 +102,7 @@ class Changed final : public fast::TickSession {
 };
 
 std::set<std::string> failed(const Changed::Change& change, mesh::Shading shading) {
-  MeshSource source(11);
+  tests::MeshSource source(11);
   const MeshRendering rendering = rendering_of(source, 7, shading);
   const MeshSubject subject("star", rendering, [right = fast_god_object(rendering), change](float stiffness) {
     return std::make_unique<Changed>(right(stiffness), change);
@@ -174,7 +174,7 @@ TEST(mesh_subject, finds_a_renderer_that_is_wrong) {
 
 // A wrong tick that needs no others keeps none before those that lead to it.
 TEST(mesh_subject, leaves_no_tick_of_a_path_that_the_failure_does_not_need) {
-  MeshSource source(11);
+  tests::MeshSource source(11);
   const MeshRendering rendering = rendering_of(source, 7, mesh::Shading::none);
   const MeshSubject subject("star", rendering, [right = fast_god_object(rendering)](float stiffness) {
     return std::make_unique<Changed>(right(stiffness), [](const mesh::Tick&, mesh::Tick now, const MeshPosition&) {
@@ -303,7 +303,7 @@ TEST(mesh_subject, knows_the_largest_turn_of_a_triangle) {
 }
 
 TEST(mesh_subject, identity_is_that_of_every_number) {
-  MeshSource source(5);
+  tests::MeshSource source(5);
   const MeshRendering first = rendering_of(source, 7, mesh::Shading::vertex_scheme);
   const Identity its = identity_of("star.off", first);
   EXPECT_EQ(its.kind, kMeshKind);
@@ -331,7 +331,7 @@ TEST(mesh_subject, identity_is_that_of_every_number) {
 }
 
 TEST(mesh_subject, identity_is_that_of_every_number_of_a_texture) {
-  MeshSource source(5);
+  tests::MeshSource source(5);
   const MeshRendering first = rendering_of(source, 7, mesh::Shading::texture_scheme);
   const Identity its = identity_of("star.obj", first);
   EXPECT_TRUE(its.is_same(identity_of("star.obj", first)));

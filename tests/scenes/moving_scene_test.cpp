@@ -19,7 +19,7 @@ namespace {
 using tests::law, tests::random_scene;
 
 TEST(moving_scene, has_the_properties_by_which_it_is_certified) {
-  properties::MeshSource source(5);
+  tests::MeshSource source(5);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const auto subject = properties::scene_subject("random.toml", random_scene(source, seed));
     for (const properties::PropertyResult& result : run_properties(*subject, 30, seed))
@@ -28,7 +28,7 @@ TEST(moving_scene, has_the_properties_by_which_it_is_certified) {
 }
 
 TEST(moving_scene, is_the_reference_in_every_bit_along_its_motions) {
-  properties::MeshSource source(6);
+  tests::MeshSource source(6);
   int touching = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const auto given = properties::scene_subject("random.toml", random_scene(source, seed));

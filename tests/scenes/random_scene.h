@@ -6,9 +6,9 @@
 #include <string>
 
 #include "forceshade/description.h"
-#include "properties/mesh_source.h"
 #include "tests/meshes/both_sides.h"
 #include "tests/scenes/poses.h"
+#include "tests/support/mesh_source.h"
 
 namespace forceshade::tests {
 
@@ -23,8 +23,8 @@ inline Description law(LawId id) {
   return {std::string(name_of(id)), DescribedLaw{id, {15.24F, 25.4F, 0.5F}}};
 }
 
-inline Description random_mesh(properties::MeshSource& source, bool has_friction) {
-  const properties::RandomMesh made = source.next();
+inline Description random_mesh(tests::MeshSource& source, bool has_friction) {
+  const tests::RandomMesh made = source.next();
   MeshRendering rendering = shaded(made.mesh, source.normals_of(made.mesh), made.sides, 0.3F);
   if (has_friction) {
     rendering.contact = mesh::Contact::friction;
@@ -34,7 +34,7 @@ inline Description random_mesh(properties::MeshSource& source, bool has_friction
 }
 
 // One to three objects with motions of 50 ticks: laws and meshes with and without friction.
-inline DescribedScene random_scene(properties::MeshSource& source, std::uint64_t seed) {
+inline DescribedScene random_scene(tests::MeshSource& source, std::uint64_t seed) {
   DescribedScene scene{{}, 1000, 0.5F};
   for (std::uint64_t i = 0; i <= seed % 3; ++i)
     scene.objects.push_back({"object " + std::to_string(i),

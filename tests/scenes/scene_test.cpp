@@ -47,9 +47,9 @@ struct BothScenes {
 };
 
 // A law, or a mesh: shaded or not, with friction or without.
-void add_random(properties::MeshSource& source, BothScenes& scenes, std::uint64_t seed) {
+void add_random(tests::MeshSource& source, BothScenes& scenes, std::uint64_t seed) {
   if (seed % 5 == 4) return scenes.add(seed % 2 == 0 ? LawId::bump_2p : LawId::bump_cylinder);
-  const properties::RandomMesh made = source.next();
+  const tests::RandomMesh made = source.next();
   MeshRendering rendering = tests::shaded(made.mesh, source.normals_of(made.mesh), made.sides, 0.3F);
   if (seed % 2 == 0) rendering.shading = mesh::Shading::none;
   if (seed % 3 == 0) {
@@ -75,7 +75,7 @@ std::string show(const A& answer) {
 
 TEST(scene, is_the_reference_in_every_bit_on_random_objects_that_move) {
   const std::uint64_t count = tests::drawn(66);
-  properties::MeshSource source(7);
+  tests::MeshSource source(7);
   tests::Occasions occasions;
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     BothScenes scenes;
@@ -168,7 +168,7 @@ TEST(scene, sums_are_decided_by_exact_numbers_where_binary64_does_not) {
 // One object that is placed so, with the hand moved as it is, gives the force of the object alone, turned in the same way.
 void expect_moved(std::uint64_t seed_of_meshes, const scene::Pose& pose,
                   const std::function<Position(const Position&)>& moved) {
-  properties::MeshSource source(seed_of_meshes), again(seed_of_meshes);
+  tests::MeshSource source(seed_of_meshes), again(seed_of_meshes);
   std::size_t touching = 0;
   for (std::uint64_t seed = 0; seed < 22; ++seed) {
     BothScenes scenes, other;

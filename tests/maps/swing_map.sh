@@ -2,10 +2,10 @@
 # Simulates a hand on a virtual wall over the rate of the loop and the stiffness (some minutes) and draws what it is given:
 # docs/swing.csv and docs/swing.png.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 scripts/build release forceshade_swing_map
 csv=docs/swing.csv
-build/release/apps/forceshade_swing_map > "$csv"
+build/release/tests/forceshade_swing_map > "$csv"
 cells=$(mktemp)
 trap 'rm -f "$cells"' EXIT
 # The worst of the models and hands in each cell: controller, rate, stiffness, energy, swing, tripped.

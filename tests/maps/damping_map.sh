@@ -2,11 +2,11 @@
 # Simulates up to which stiffness a damped wall is passive, and stable, on the simulated devices (some minutes), beside the
 # condition of docs/damping.md and linear theory: docs/damping-map.csv and docs/damping-map.png.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 csv=docs/damping-map.csv
 if [ "${1:-}" != --draw ]; then
   scripts/build release forceshade_damping_map
-  build/release/apps/forceshade_damping_map > "$csv"
+  build/release/tests/forceshade_damping_map > "$csv"
 fi
 gnuplot << END
 set datafile separator ','

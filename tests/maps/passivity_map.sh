@@ -2,10 +2,10 @@
 # Simulates how stiff a sampled wall may be over friction and damping (some minutes) and draws the border of Abbott and
 # Okamura over it: docs/passivity.csv and docs/passivity.png.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 scripts/build release forceshade_passivity_map
 csv=docs/passivity.csv
-build/release/apps/forceshade_passivity_map > "$csv"
+build/release/tests/forceshade_passivity_map > "$csv"
 awk -F, 'NR > 1 { e = ($3 / $4 - 1) * 100; if (e < low) low = e; if (e > high) high = e }
          END { printf "simulated over theoretical border: %+.1f %% to %+.1f %%\n", low, high }' "$csv"
 gnuplot << END

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints how stiff a sampled wall may be over Coulomb friction and damping, simulated and in theory: the CSV of
-// scripts/passivity_map.
+// tests/maps/passivity_map.sh.
 
 #include <cmath>
 #include <cstdio>
 
-#include "device/simulated/sampled_wall.h"
+#include "tests/device/sampled_wall.h"
 
 int main() {
   using namespace forceshade::device;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/simulated/sampled_wall.h"
+#pragma once
+// The stiffness at which sampling and encoders make a virtual spring lively, found by simulating it.
 
 #include <algorithm>
 #include <cmath>
@@ -8,13 +9,22 @@
 #include "device/simulated/simulated.h"
 
 namespace forceshade::device {
-namespace {
+
+// A mass on a rail, seen through an encoder and pushed by a held force: the plant of Abbott and Okamura (2005).
+struct SampledWall {
+  double mass = 0.05;     // kg
+  double damping = 0.5;   // b: N·s/m
+  double coulomb = 0.05;  // f_c: N
+  double quantum = 3e-5;  // Δ: m; 0: continuous
+  double period = 1e-3;   // T: s
+  bool latency = false;   // of one sample
+};
 
 // An arm so long that its tip's circle is a straight line, with all but its first joint fixed and a motor without limits.
-constexpr double kLength = 1000;  // m
-constexpr double kVast = 1e15;
+inline constexpr double kLength = 1000;  // m
+inline constexpr double kVast = 1e15;
 
-Model rail(const SampledWall& wall) {
+inline Model rail(const SampledWall& wall) {
   const double inertia = wall.mass * kLength * kLength;
   return {.name = "rail",
           .sheet = {},
@@ -34,9 +44,9 @@ Model rail(const SampledWall& wall) {
           .viscous = {wall.damping * kLength * kLength, 0, 0}};
 }
 
-class Run {
+class RunOnRail {
  public:
-  Run(const SampledWall& wall, double stiffness, double start, double push)
+  RunOnRail(const SampledWall& wall, double stiffness, double start, double push)
       : wall_(wall),
         stiffness_(stiffness),
         push_(push),
@@ -63,13 +73,13 @@ class Run {
 };
 
 // Twenty oscillations, far larger than what friction and encoder see.
-bool loses_energy(const SampledWall& wall, double stiffness) {
+inline bool loses_energy(const SampledWall& wall, double stiffness) {
   constexpr double kFar = 200;  // times the amplitude at which friction takes as much as damping, and a quantum
   const double pulsation = std::sqrt(stiffness / wall.mass);
   const double amplitude =
       std::max({1e-3, kFar * wall.quantum, kFar * wall.coulomb / (std::max(wall.damping, 1e-9) * pulsation)});
   const int half = static_cast<int>(std::ceil(10 * 2 * std::numbers::pi / pulsation / wall.period));
-  Run run(wall, stiffness, amplitude, 0);
+  RunOnRail run(wall, stiffness, amplitude, 0);
   const auto energy_of_half = [&] {
     double sum = 0;
     for (int k = 0; k < half; ++k) {
@@ -82,10 +92,10 @@ bool loses_energy(const SampledWall& wall, double stiffness) {
   return energy_of_half() < first;
 }
 
-bool comes_to_rest(const SampledWall& wall, double stiffness) {
+inline bool comes_to_rest(const SampledWall& wall, double stiffness) {
   if (wall.quantum == 0) return true;
   constexpr int kTicks = 1000, kQuietTicks = 50;
-  Run run(wall, stiffness, 3 * wall.quantum, stiffness * wall.quantum / 2);
+  RunOnRail run(wall, stiffness, 3 * wall.quantum, stiffness * wall.quantum / 2);
   int at_rest = 0;
   for (int k = 0; k < kTicks && at_rest < kQuietTicks; ++k) {
     run.tick();
@@ -94,13 +104,15 @@ bool comes_to_rest(const SampledWall& wall, double stiffness) {
   return at_rest == kQuietTicks;
 }
 
-}  // namespace
-
-bool is_quiet(const SampledWall& wall, double stiffness) {
+// Runs the simulated device under the force -K x of a spring of `stiffness` K N/m, twice: from far away, where only damping
+// matters, it has to lose energy; and between two encoder counts, with a hand pushing so that the force of neither is
+// balanced, it has to come to rest.
+inline bool is_quiet(const SampledWall& wall, double stiffness) {
   return comes_to_rest(wall, stiffness) && loses_energy(wall, stiffness);
 }
 
-double largest_quiet_stiffness(const SampledWall& wall) {
+// The largest quiet stiffness, N/m, to half a per cent.
+inline double largest_quiet_stiffness(const SampledWall& wall) {
   double quiet = 1, lively = 1e6;  // N/m
   while (lively > 1.005 * quiet) {
     const double middle = std::sqrt(quiet * lively);
@@ -109,7 +121,8 @@ double largest_quiet_stiffness(const SampledWall& wall) {
   return std::sqrt(quiet * lively);
 }
 
-double passive_stiffness(const SampledWall& wall) noexcept {
+// min(2b/T, 2f_c/Δ), N/m.
+inline double passive_stiffness(const SampledWall& wall) noexcept {
   const double by_damping = 2 * wall.damping / wall.period;
   return wall.quantum > 0 ? std::min(by_damping, 2 * wall.coulomb / wall.quantum) : by_damping;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints what a hand is given on a virtual wall over the rate of the loop and the stiffness, for each simulated device and each
-// passivity controller: the CSV of scripts/swing_map.
+// passivity controller: the CSV of tests/maps/swing_map.sh.
 
 #include <cmath>
 #include <cstdio>
 #include <string>
 
 #include "device/passive_rate.h"
-#include "device/simulated/hand_on_wall.h"
 #include "device/simulated/simulated.h"
+#include "tests/device/hand_on_wall.h"
 
 int main() {
   using namespace forceshade::device;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints up to which stiffness a damped wall is passive, and up to which stable, on the simulated devices, in simulation and in
-// theory: the CSV of scripts/damping_map. Fails where the condition of docs/damping.md allows what the search finds to give
-// energy.
+// theory: the CSV of tests/maps/damping_map.sh. Fails where the condition of docs/damping.md allows what the search finds to
+// give energy.
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
