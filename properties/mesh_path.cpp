@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/mesh_path.h"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The exact force as a guaranteed enclosure of any width, in multiprecision numbers.
+// A number between two multiprecision ends.
 
 #include <array>
 #include <stdexcept>
 #include <string>
 
-#include "forceshade/reference.h"
 #include "reference/numbers/numbers.h"
 
 namespace forceshade::reference {
@@ -30,13 +29,5 @@ inline std::array<double, 2> binary64(const Interval& interval) {
   return {mpfr_get_d(interval.low.backend().data(), MPFR_RNDD) + 0.0,
           mpfr_get_d(interval.high.backend().data(), MPFR_RNDU) + 0.0};
 }
-
-struct EnclosedForce {
-  Interval x, z;  // N; F_y is 0
-  Status status;
-};
-
-// Each component's interval is no wider than 10^-digits of its size; a component that is zero is [0, 0].
-EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigned digits);
 
 }  // namespace forceshade::reference

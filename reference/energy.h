@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "forceshade/reference.h"
 #include "reference/enclosure.h"
 
 namespace forceshade::reference {

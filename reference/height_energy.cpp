@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reference/height_energy.h"
 
-#include <cmath>
-
 #include "reference/energy/height_circulation.h"
 #include "reference/energy/strips.h"
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
 #include <optional>
 #include <type_traits>
 
 #include "forceshade/reference.h"
-#include "reference/enclosure.h"
 #include "reference/estimates.h"
 #include "reference/laws/slow_geometry.h"
 #include "reference/laws/with_law.h"
@@ -184,28 +182,6 @@ Rounded Law::round_to_binary32(const Eigen::Vector3f& position) const {
     return {{x, 0, z}, Status::contact, method, is_filter ? ulps() : 0};
   };
   return first_decided(*this, *geometry_, Point(position), rounded, round_slowly);
-}
-
-EnclosedForce enclosure(const Law& law, const Eigen::Vector3f& position, unsigned digits) {
-  if (!in_domain(position)) return {{0, 0}, {0, 0}, Status::invalid};
-  const std::lock_guard lock(exact_arithmetic);
-  const SlowForce force(law.id(), law.parameters(), Point(position));
-  if (force.facet() == Facet::none) return {{0, 0}, {0, 0}, Status::free};
-  const auto is_narrow = [&](const Enclosure& value) {
-    const Multiprecision size = std::max<Multiprecision>(abs(lower(value)), abs(upper(value)));
-    return (upper(value) - lower(value)) * pow(Multiprecision(10), digits) <= size;
-  };
-  for (unsigned bits = digits * 10 / 3;; bits *= 2) {
-    set_precision(bits);
-    const Force<Enclosure> value = force.enclose();
-    // A component that is exactly zero may keep a width at any precision: the exact numbers decide.
-    const bool x_is_zero = !is_narrow(value.x) && force.exact().x.sign() == 0;
-    const bool z_is_zero = !is_narrow(value.z) && force.exact().z.sign() == 0;
-    if ((x_is_zero || is_narrow(value.x)) && (z_is_zero || is_narrow(value.z))) {
-      return {x_is_zero ? Interval{0, 0} : Interval{lower(value.x), upper(value.x)},
-              z_is_zero ? Interval{0, 0} : Interval{lower(value.z), upper(value.z)}, Status::contact};
-    }
-  }
 }
 
 DecimalForce Law::decimal(const Eigen::Vector3f& position, unsigned digits) const {

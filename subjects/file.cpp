@@ -2,7 +2,6 @@
 #include "subjects/file.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "files/printable.h"

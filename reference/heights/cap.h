@@ -19,15 +19,6 @@ inline DomainError check_cap(float radius, float width) {
   return check("width", "mm", width, 0.001F, std::nextafter(2 * radius, 0.0F));
 }
 
-inline SlopeAndCurvature bend_of_cap(float centre_x, float centre_y, float radius, float width, const Enclosure& x,
-                                     double inside) {
-  using namespace section;
-  if (!is_within(relative(Enclosure(inside), centre_x), half_chord_squared(width, centre_y))) return level();
-  const Enclosure X = relative(x, centre_x), Y = relative(Enclosure(0), centre_y);
-  const Enclosure square = exactly(radius) * exactly(radius) - Y * Y, above_axis = sqrt(Enclosure(square - X * X));
-  return {-X / above_axis, -square / (above_axis * above_axis * above_axis)};
-}
-
 // A part in a million more than R - sqrt(R² - (w/2)²).
 inline double height_of_cap(float radius, float width) {
   const double R = size_of(radius), half = size_of(width) / 2;

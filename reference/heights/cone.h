@@ -61,20 +61,6 @@ Jet<N> jet_in(const height::Cone& cone, const OnWay<N>& at) {
   return ray_jet(cone, N(X * along_x + Y * along_y), along_x, along_y);
 }
 
-inline SlopeAndCurvature slope_and_curvature_of(const height::Cone& c, const Enclosure& x, double inside) {
-  using namespace section;
-  const Enclosure X = relative(x, c.x), Y = relative(Enclosure(0), c.y), fall = exactly(c.height) / exactly(c.radius);
-  if (!is_within(relative(Enclosure(inside), c.x), half_chord_squared(2 * c.radius, c.y))) return level();
-  if (lower(Y) == 0) return {lower(relative(Enclosure(inside), c.x)) < 0 ? fall : -fall, Enclosure(0)};
-  const Enclosure rho = sqrt(Enclosure(X * X + Y * Y));
-  return {-fall * X / rho, -fall * Y * Y / (rho * rho * rho)};
-}
-inline Kink kink_of(const height::Cone& c, double a, double b) {
-  const bool crosses_apex = from_centre<double>(a, c.x) < 0 && from_centre<double>(b, c.x) > 0;
-  if (crosses_apex && from_centre<double>(0, c.y) == 0) return "the apex of a cone";
-  return section::rim_of_disk(c.x, c.y, 2 * c.radius, a, b);
-}
-
 inline std::optional<ConstantGradient> constant_gradient(const height::Cone& c) {
   return level_if(c.height == 0);
 }

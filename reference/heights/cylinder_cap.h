@@ -51,13 +51,6 @@ Jet<N> jet_in(const height::CylinderCap& cap, const OnWay<N>& at) {
   return at.cell.column == kOutside ? Jet<N>::flat() : ridge_jet(cap, at.x_from(cap.x));
 }
 
-inline SlopeAndCurvature slope_and_curvature_of(const height::CylinderCap& c, const Enclosure& x, double inside) {
-  return bend_of_cap(c.x, 0, c.radius, c.width, x, inside);
-}
-inline Kink kink_of(const height::CylinderCap& c, double a, double b) {
-  return section::rim_of_disk(c.x, 0, c.width, a, b);
-}
-
 inline std::optional<ConstantGradient> constant_gradient(const height::CylinderCap&) {
   return std::nullopt;
 }

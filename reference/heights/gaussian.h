@@ -38,16 +38,6 @@ Jet<N> jet_in(const height::Gaussian& g, const OnWay<N>& at) {
   return hill_jet(g, at.x_from(g.x), at.y_from(g.y));
 }
 
-inline SlopeAndCurvature slope_and_curvature_of(const height::Gaussian& g, const Enclosure& x, double) {
-  using namespace section;
-  const Enclosure X = relative(x, g.x), Y = relative(Enclosure(0), g.y), variance = exactly(g.sigma) * exactly(g.sigma);
-  const Enclosure U = exactly(g.height) * exp(Enclosure(-(X * X + Y * Y) / (2 * variance)));
-  return {-X / variance * U, (X * X / variance - 1) / variance * U};
-}
-inline Kink kink_of(const height::Gaussian&, double, double) {
-  return std::nullopt;
-}
-
 inline std::optional<ConstantGradient> constant_gradient(const height::Gaussian& g) {
   return level_if(g.height == 0);
 }

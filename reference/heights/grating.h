@@ -40,15 +40,6 @@ Jet<N> jet_in(const height::Grating& grating, const OnWay<N>& at) {
   return wave_jet(grating, at.x, at.y);
 }
 
-inline SlopeAndCurvature slope_and_curvature_of(const height::Grating& g, const Enclosure& x, double) {
-  using section::exactly;
-  const Enclosure wave = exactly(g.wave_x), angle = wave * x + exactly(g.phase);
-  return {-exactly(g.height) * wave * sin(angle), -exactly(g.height) * wave * wave * cos(angle)};
-}
-inline Kink kink_of(const height::Grating&, double, double) {
-  return std::nullopt;
-}
-
 inline std::optional<ConstantGradient> constant_gradient(const height::Grating& g) {
   return level_if(g.height == 0 || (g.wave_x == 0 && g.wave_y == 0));
 }

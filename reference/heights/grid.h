@@ -155,29 +155,6 @@ Jet<N> jet_in(const height::Grid& grid, const OnWay<N>& at) {
   return cell_jet(grid, column, row, within(column, at.x), within(row, at.y));
 }
 
-// The slope and curvature of a spline: a quadratic in each cell, of the differences between columns.
-inline SlopeAndCurvature slope_and_curvature_of(const height::Grid& grid, const Enclosure& x, double inside) {
-  using section::exactly;
-  const auto column = GridCell::at(inside, grid.pitch, grid.columns), row = GridCell::at(0, grid.pitch, grid.rows);
-  const auto weights = cubic_basis(row.t(Enclosure(0))).value;
-  Enclosure value[4];
-  for (std::size_t k = 0; k < 4; ++k) {
-    value[k] = Enclosure(0);
-    for (std::size_t l = 0; l < 4; ++l) {
-      const std::size_t i = column.sample(static_cast<long>(k) - 1, grid.edge),
-                        j = row.sample(static_cast<long>(l) - 1, grid.edge);
-      value[k] += weights[l] * exactly(grid.values[j * grid.columns + i]);
-    }
-  }
-  const Enclosure pitch = exactly(grid.pitch);
-  const Enclosure t = column.t(x), s = 1 - t;
-  const Enclosure a = value[1] - value[0], b = value[2] - value[1], c = value[3] - value[2];
-  return {(s * s * a + (1 + 2 * t * s) * b + t * t * c) / (2 * pitch), (s * (b - a) + t * (c - b)) / (pitch * pitch)};
-}
-inline Kink kink_of(const height::Grid& grid, double, double) {
-  return grid.interpolant == height::Interpolant::bilinear ? Kink("grid lines of a bilinear map") : std::nullopt;
-}
-
 inline std::optional<ConstantGradient> constant_gradient(const height::Grid& grid) {
   return level_if(std::ranges::all_of(grid.values, [&](float value) { return value == grid.values[0]; }));
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The functions that each kind of height map states in its own header: formula(), jet(), error_of(), cut() and jet_in(),
-// slope_and_curvature_of() and kink_of(), constant_gradient(), tallest() and outline_of(). One that lacks any of them does not
-// compile.
+// constant_gradient(), tallest() and outline_of(). One that lacks any of them does not compile.
 
 #include <cmath>
 #include <optional>
@@ -11,7 +10,6 @@
 #include "reference/heights/cuts.h"
 #include "reference/heights/jet.h"
 #include "reference/heights/outline.h"
-#include "reference/heights/section.h"
 
 namespace forceshade::reference {
 

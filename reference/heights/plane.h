@@ -34,13 +34,6 @@ Jet<N> jet_in(const height::Plane& plane, const OnWay<N>& at) {
   return plane_jet(plane, at.x, at.y);
 }
 
-inline SlopeAndCurvature slope_and_curvature_of(const height::Plane& p, const Enclosure&, double) {
-  return {section::exactly(p.slope_x), Enclosure(0)};
-}
-inline Kink kink_of(const height::Plane&, double, double) {
-  return std::nullopt;
-}
-
 inline std::optional<ConstantGradient> constant_gradient(const height::Plane& p) {
   return ConstantGradient{Rational(static_cast<double>(p.slope_x)), Rational(static_cast<double>(p.slope_y))};
 }

@@ -66,15 +66,6 @@ Jet<N> jet_in(const height::Polygons& polygons, const OnWay<N>& at) {
   return stretch_jet(polygons, static_cast<std::size_t>(at.cell.column), at.x);
 }
 
-inline SlopeAndCurvature slope_and_curvature_of(const height::Polygons& p, const Enclosure&, double inside) {
-  return {jet<Enclosure>(p, {inside, 0}).Ux, Enclosure(0)};
-}
-inline Kink kink_of(const height::Polygons& p, double a, double b) {
-  for (const height::Knot& knot : p.knots)
-    if (from_centre<double>(a, knot.x) < 0 && from_centre<double>(b, knot.x) > 0) return "a knot of polygons";
-  return std::nullopt;
-}
-
 inline std::optional<ConstantGradient> constant_gradient(const height::Polygons& p) {
   return level_if(std::ranges::all_of(p.knots, [&](const height::Knot& knot) { return knot.height == p.knots[0].height; }));
 }

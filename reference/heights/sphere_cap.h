@@ -33,13 +33,6 @@ Jet<N> jet_in(const height::SphereCap& cap, const OnWay<N>& at) {
   return cap_jet(cap.radius, cap.width, at.x_from(cap.x), at.y_from(cap.y));
 }
 
-inline SlopeAndCurvature slope_and_curvature_of(const height::SphereCap& c, const Enclosure& x, double inside) {
-  return bend_of_cap(c.x, c.y, c.radius, c.width, x, inside);
-}
-inline Kink kink_of(const height::SphereCap& c, double a, double b) {
-  return section::rim_of_disk(c.x, c.y, c.width, a, b);
-}
-
 inline std::optional<ConstantGradient> constant_gradient(const height::SphereCap&) {
   return std::nullopt;
 }

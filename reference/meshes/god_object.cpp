@@ -2,7 +2,6 @@
 #include "reference/soups/god_object.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "forceshade/reference.h"

@@ -2,7 +2,6 @@
 #include "reference/meshes/points.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace forceshade::reference::meshes {

@@ -2,7 +2,6 @@
 #include "rendering/meshes/box_tree.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace forceshade::mesh {
 namespace {

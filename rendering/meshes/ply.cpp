@@ -3,7 +3,6 @@
 // line, or binary in either order of bytes.
 
 #include <charconv>
-#include <cmath>
 
 #include "rendering/meshes/bytes.h"
 #include "rendering/meshes/numbers.h"

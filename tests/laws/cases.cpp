@@ -5,17 +5,16 @@
 #include <cstdio>
 
 #include "files/csv.h"
-#include "reference/enclosure.h"
+#include "reference/numbers/numbers.h"
 
 namespace forceshade::tests {
 namespace {
 
-using reference::Interval;
 using reference::Multiprecision;
 
 // log2 of the distance to the nearest tie over the size of the value; minus infinity for a tie, 0 for zero.
-double log_distance(const Interval& value, bool may_tie) {
-  const Multiprecision size = abs((value.low + value.high) / 2);
+double log_distance(const std::string& value, bool may_tie) {
+  const Multiprecision size = abs(Multiprecision(value));
   if (size == 0) return 0;
   const long exponent = ilogb(size);
   const Multiprecision places = ldexp(size, 23 - exponent);
@@ -51,10 +50,10 @@ std::vector<HardCase> hard_cases(LawId law) {
 }
 
 std::string distance_from_tie(const reference::Law& law, const Eigen::Vector3f& position) {
-  // A component that 768 bits leave open is a tie (docs/proofs.md): only then is a distance called 0 that the enclosure cannot
+  // A component that 768 bits leave open is a tie (docs/proofs.md): only then is a distance called 0 that 80 digits cannot
   // tell from 0.
   const bool may_tie = law.round_to_binary32(position).method == reference::Method::exact;
-  const reference::EnclosedForce force = enclosure(law, position, 80);
+  const reference::DecimalForce force = law.decimal(position, 80);
   reference::set_precision(320);
   const double x = log_distance(force.x, may_tie), z = log_distance(force.z, may_tie);
   const double nearest = std::min(x, z);

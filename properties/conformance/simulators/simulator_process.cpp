@@ -2,7 +2,6 @@
 #include "properties/conformance/simulators/simulator_process.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "files/json_line.h"
