@@ -1,45 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rendering/meshes/doubtful_normals.h"
 
-#include <array>
 #include <stdexcept>
 
+#include "rendering/meshes/bounded_number.h"
 #include "rendering/meshes/interval.h"
-#include "rendering/meshes/whole_vectors.h"
+#include "rendering/meshes/vectors.h"
 
 namespace forceshade::mesh {
 namespace {
 
-// The numbers from which an angle and a unit normal are computed, in units of 2^-106 mm^2 and of their squares.
-struct WholeCorner {
-  WholeVector normal;        // u x v, with the sides u and v
-  Whole normal_square;       // > 0
-  Whole dot;                 // u . v
-  Whole product_of_squares;  // u^2 v^2
-};
-
-WholeCorner corner_of(const TrianglePoints& t) {
-  const WholeVector u = side(t[0], t[1]), v = side(t[0], t[2]), n = cross(u, v);
-  return {n, dot(n, n), dot(u, v), dot(u, u) * dot(v, v)};
+bool is_obtuse(const BoundedNumber& dot) {
+  return dot.value < 0;
+}
+bool is_obtuse(const Interval& dot) {
+  return dot.centre() < 0;
 }
 
-// Half of the angle: the weights need only be in proportion to the angles. tan(x/2) = sin x/(1 + cos x) = (1 - cos x)/sin x,
-// times |u| |v| above and below; the one of them in which nothing cancels.
-Interval weight_of(const WholeCorner& corner, const Interval& length) {
-  const int bits = length.bits();
-  const Interval dot(bits, corner.dot), product = sqrt(Interval(bits, corner.product_of_squares));
-  return atan(corner.dot >= 0 ? length / (product + dot) : (product - dot) / length);
-}
-
-std::array<Interval, 3> sum_in_intervals(const std::vector<WholeCorner>& corners, int bits) {
-  const Interval zero(bits);
-  std::array<Interval, 3> sum{zero, zero, zero};
-  for (const WholeCorner& corner : corners) {
-    const Interval length = sqrt(Interval(bits, corner.normal_square));
-    const Interval factor = weight_of(corner, length) / length;
-    for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + factor * Interval(bits, corner.normal[i]);
+// The weights are halves of the angles, since they need only be in proportion to them. With the sides u and v of a triangle and
+// the length L of u x v, tan(x/2) = L/(|u| |v| + u.v) = (|u| |v| - u.v)/L: the one of them in which nothing cancels.
+// zero: of the numbers that it is computed in; exact(number) is a binary32 number as one of them.
+template <class N, class Exact>
+std::array<N, 3> weighted_sum(const std::vector<TrianglePoints>& triangles, const N& zero, const Exact& exact) {
+  std::array<N, 3> sum{zero, zero, zero};
+  for (const TrianglePoints& t : triangles) {
+    const auto u = side_of_triangle(t, 1, exact), v = side_of_triangle(t, 2, exact), n = cross(u, v);
+    const N length = sqrt(dot(n, n)), along = dot(u, v), product = sqrt(dot(u, u) * dot(v, v));
+    const N factor = atan(is_obtuse(along) ? (product - along) / length : length / (product + along)) / length;
+    for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + factor * n[i];
   }
   return sum;
+}
+
+// The components whose ends round to the same number.
+template <class N>
+std::array<std::optional<float>, 3> decided(const std::array<N, 3>& sum, const N& length) {
+  std::array<std::optional<float>, 3> normal;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const N exact = sum[i] / length;
+    const float low = exact.nearest_to_low();
+    if (low == exact.nearest_to_high()) normal[i] = low == 0 ? 0.0F : low;
+  }
+  return normal;
 }
 
 // No component is known to lie midway between two binary32 numbers, or as near to it as the last of these does not resolve. A
@@ -49,25 +51,21 @@ constexpr int kFirstBits = 192, kLastBits = kFirstBits << 6;
 
 }  // namespace
 
+std::array<std::optional<float>, 3> normal_in_binary64(const std::vector<TrianglePoints>& triangles) {
+  const auto sum = weighted_sum(triangles, BoundedNumber{}, &in_binary64);
+  return decided(sum, sqrt(dot(sum, sum)));
+}
+
 Normal normal_in_intervals(const std::vector<TrianglePoints>& triangles) {
-  std::vector<WholeCorner> corners;
-  for (const TrianglePoints& t : triangles) corners.push_back(corner_of(t));
   bool has_length = false;
   for (int bits = kFirstBits; bits <= kLastBits; bits *= 2) {
-    const std::array<Interval, 3> sum = sum_in_intervals(corners, bits);
-    const Interval square = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
+    const auto exact = [bits](float number) { return Interval(bits, static_cast<double>(number)); };
+    const auto sum = weighted_sum(triangles, Interval(bits), exact);
+    const Interval square = dot(sum, sum);
     if (square.has_zero()) continue;
     has_length = true;
-    const Interval length = sqrt(square);
-    Normal normal{};
-    bool is_decided = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Interval exact = sum[i] / length;
-      normal[i] = exact.nearest_to_low();
-      is_decided &= normal[i] == exact.nearest_to_high();
-      if (normal[i] == 0) normal[i] = 0;
-    }
-    if (is_decided) return normal;
+    const auto [x, y, z] = decided(sum, sqrt(square));
+    if (x && y && z) return {*x, *y, *z};
   }
   if (!has_length) return {0, 0, 0};
   throw std::logic_error("a normal's component lies midway between two binary32 numbers");

@@ -6,6 +6,7 @@
 #include "forceshade/meshes.h"
 #include "rendering/half_edges.h"
 #include "rendering/largest_fan.h"
+#include "rendering/meshes/vectors.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -16,14 +17,6 @@ Vector difference(const Vertex& a, const Vertex& b) {
   Vector result;
   for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<double>(a[i]) - static_cast<double>(b[i]);
   return result;
-}
-
-Vector cross_product(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot_product(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 std::uint64_t count_parts(const std::vector<std::uint32_t>& opposite) {
@@ -71,16 +64,16 @@ Facts facts_of(const CheckedMesh& checked) {
     ++facts.edges;
     facts.rim_edges += opposite[h] == kNoEdge ? 1 : 0;
     const Vector edge = difference(a, b);
-    const double length = std::sqrt(dot_product(edge, edge));
+    const double length = std::sqrt(dot(edge, edge));
     facts.shortest_edge = std::min(facts.shortest_edge, length);
     facts.longest_edge = std::max(facts.longest_edge, length);
   }
   facts.unused_vertices = static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), false));
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vector u = difference(mesh.vertices[b], mesh.vertices[a]), v = difference(mesh.vertices[c], mesh.vertices[a]);
-    const Vector n = cross_product(u, v);
-    facts.area += std::sqrt(dot_product(n, n)) / 2;
-    facts.volume += dot_product(n, difference(mesh.vertices[a], facts.low)) / 6;
+    const Vector n = cross(u, v);
+    facts.area += std::sqrt(dot(n, n)) / 2;
+    facts.volume += dot(n, difference(mesh.vertices[a], facts.low)) / 6;
   }
   if (!facts.is_closed()) facts.volume = 0;
   return facts;

@@ -4,7 +4,6 @@
 #include <exception>
 #include <mutex>
 #include <numbers>
-#include <optional>
 #include <span>
 #include <stdexcept>
 #include <thread>
@@ -12,16 +11,14 @@
 
 #include "forceshade/meshes.h"
 #include "rendering/half_edges.h"
+#include "rendering/meshes/bounded_number.h"
 #include "rendering/meshes/creases.h"
 #include "rendering/meshes/doubtful_normals.h"
+#include "rendering/meshes/vectors.h"
 #include "rendering/meshes/weld.h"
 
 namespace forceshade::mesh {
 namespace {
-
-constexpr double kEpsilon = 0x1p-53;
-// The bound of the relative error of the C library's atan2 and cos: 8 units in the last place, of which glibc documents 1.
-constexpr double kLibrary = 0x1p-50;
 
 // The corner that half-edge h starts at, and the two that follow.
 TrianglePoints points_from(const TriangleMesh& mesh, std::uint32_t h) {
@@ -29,89 +26,17 @@ TrianglePoints points_from(const TriangleMesh& mesh, std::uint32_t h) {
   return {mesh.vertices[start_of(mesh, h)], mesh.vertices[start_of(mesh, next)], mesh.vertices[end_of(mesh, next)]};
 }
 
-// The part of a triangle at a corner: its unit normal and its angle, in binary64, with bounds of their errors. A bound is at
-// least twice what the roundings add up to in first order (epsilon = 2^-53 each), which covers the higher orders and the
-// roundings of the bound itself while errors are below 2^-10; else the part is of no use.
-struct Part {
-  bool is_of_use = false;
-  std::array<double, 3> unit{}, unit_error{};
-  double angle = 0, angle_error = 0;
-};
-
-Part part_of(const TrianglePoints& t) {
-  std::array<double, 3> u{}, v{}, n{}, n_error{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    u[i] = static_cast<double>(t[1][i]) - static_cast<double>(t[0][i]);
-    v[i] = static_cast<double>(t[2][i]) - static_cast<double>(t[0][i]);
-  }
-  double dot = 0, dot_size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    const double a = u[j] * v[k], b = u[k] * v[j];
-    n[i] = a - b;
-    n_error[i] = 8 * kEpsilon * (std::fabs(a) + std::fabs(b));  // two differences and a product each, then a difference
-    dot += u[i] * v[i];
-    dot_size += std::fabs(u[i] * v[i]);
-  }
-  const double dot_error = 12 * kEpsilon * dot_size;
-  const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  const double relative = (n_error[0] + n_error[1] + n_error[2]) / length + 8 * kEpsilon;
-  Part part;
-  if (!(relative < 0x1p-10)) return part;
-  for (std::size_t i = 0; i < 3; ++i) {
-    part.unit[i] = n[i] / length;
-    part.unit_error[i] = 2 * n_error[i] / length + std::fabs(part.unit[i]) * (2 * relative + 4 * kEpsilon);
-  }
-  part.angle = std::atan2(length, dot);
-  // A point in the plane that moves by so much is seen under an angle that changes by that over its distance.
-  const double moved = 2 * (length * relative + dot_error) / std::max(length, std::fabs(dot));
-  part.angle_error = 2 * moved + part.angle * kLibrary;
-  part.is_of_use = moved < 0x1p-10;
-  return part;
-}
-
 // True if the triangles turn by more than the angle.
-bool separates(const TriangleMesh& mesh, std::uint32_t h, std::uint32_t other, double degrees) {
-  const TrianglePoints s = points_from(mesh, h), t = points_from(mesh, other);
-  const Part a = part_of(s), b = part_of(t);
-  if (a.is_of_use && b.is_of_use) {
-    double cosine = 0, error = 16 * kEpsilon + 2 * kLibrary;
-    for (std::size_t i = 0; i < 3; ++i) {
-      cosine += a.unit[i] * b.unit[i];
-      error += 2 * (a.unit_error[i] * std::fabs(b.unit[i]) + b.unit_error[i] * std::fabs(a.unit[i]));
-    }
-    const double limit = std::cos(degrees * (std::numbers::pi / 180));
-    if (cosine < limit - error) return true;
-    if (cosine > limit + error) return false;
-  }
+bool separates(const TrianglePoints& s, const TrianglePoints& t, double degrees) {
+  const auto normal = [](const TrianglePoints& points) {
+    return cross(side_of_triangle(points, 1, &in_binary64), side_of_triangle(points, 2, &in_binary64));
+  };
+  const auto a = normal(s), b = normal(t);
+  const BoundedNumber cosine = dot(a, b) / sqrt(dot(a, a) * dot(b, b));
+  const double limit = std::cos(degrees * (std::numbers::pi / 180)), error = cosine.error + 3 * kLibraryError;
+  if (cosine.value < limit - error) return true;
+  if (cosine.value > limit + error) return false;
   return turns_by_more(s, t, degrees);
-}
-
-// The components that the parts' errors leave no doubt of.
-std::array<std::optional<float>, 3> normal_in_binary64(const std::vector<Part>& parts) {
-  std::array<double, 3> sum{}, error{}, size{};
-  for (const Part& part : parts) {
-    if (!part.is_of_use) return {};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double term = part.angle * part.unit[i];
-      sum[i] += term;
-      size[i] += std::fabs(term);
-      error[i] += 2 * (part.angle * part.unit_error[i] + part.angle_error * std::fabs(part.unit[i]));
-    }
-  }
-  const double roundings = 2 * kEpsilon * (static_cast<double>(parts.size()) + 2);
-  for (std::size_t i = 0; i < 3; ++i) error[i] += roundings * size[i];
-  const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-  const double relative = (error[0] + error[1] + error[2]) / length + 8 * kEpsilon;
-  if (!(relative < 0x1p-10)) return {};
-  std::array<std::optional<float>, 3> normal;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double exact = sum[i] / length;
-    const double bound = 2 * error[i] / length + std::fabs(exact) * (2 * relative + 8 * kEpsilon);
-    const auto low = static_cast<float>(exact - bound), high = static_cast<float>(exact + bound);
-    if (low == high) normal[i] = low == 0 ? 0.0F : low;
-  }
-  return normal;
 }
 
 class Computation {
@@ -162,24 +87,17 @@ class Computation {
 
   // True if the edge between a triangle of a fan and the next one separates them.
   bool separates_behind(const std::vector<std::uint32_t>& fan, std::size_t i) const {
-    return crease_ < 180 && separates(mesh_, fan[i], fan[(i + 1) % fan.size()], crease_);
+    return crease_ < 180 && separates(points_from(mesh_, fan[i]), points_from(mesh_, fan[(i + 1) % fan.size()]), crease_);
   }
 
   void set_normal(const std::vector<std::uint32_t>& group, NormalStages& stages) const {
-    std::vector<Part> parts;
-    for (const std::uint32_t h : group) parts.push_back(part_of(points_from(mesh_, h)));
-    const std::array<std::optional<float>, 3> decided = normal_in_binary64(parts);
-    const auto count = static_cast<std::uint64_t>(decided[0].has_value()) + decided[1].has_value() + decided[2].has_value();
+    std::vector<TrianglePoints> triangles;
+    for (const std::uint32_t h : group) triangles.push_back(points_from(mesh_, h));
+    const auto [x, y, z] = normal_in_binary64(triangles);
+    const auto count = static_cast<std::uint64_t>(x.has_value()) + y.has_value() + z.has_value();
     stages.binary64 += count;
     stages.intervals += 3 - count;
-    Normal normal{};
-    if (count == 3) {
-      normal = {*decided[0], *decided[1], *decided[2]};
-    } else {
-      std::vector<TrianglePoints> triangles;
-      for (const std::uint32_t h : group) triangles.push_back(points_from(mesh_, h));
-      normal = normal_in_intervals(triangles);
-    }
+    const Normal normal = count == 3 ? Normal{*x, *y, *z} : normal_in_intervals(triangles);
     for (const std::uint32_t h : group) normals_[h / 3][h % 3] = normal;
   }
 

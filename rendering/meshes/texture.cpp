@@ -2,14 +2,15 @@
 #include "rendering/meshes/texture.h"
 
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "rendering/half_edges.h"
+#include "rendering/meshes/bounded_number.h"
 #include "rendering/meshes/creases.h"
 #include "rendering/meshes/interval.h"
 #include "rendering/meshes/readers.h"
+#include "rendering/meshes/vectors.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -22,43 +23,6 @@ constexpr int kFirstTextureBits = 320, kLastTextureBits = 1280;
 std::string face(std::size_t i) {
   return "face " + std::to_string(i);
 }
-
-// A binary64 number with a bound of its error: that of a rounding, 2^-53 of the result, and those handed on. The factor covers
-// the bound's own roundings. No product of a mesh's lengths is so small that it would be subnormal.
-struct BoundedNumber {
-  double value = 0, error = 0;
-
-  static BoundedNumber rounded(double value, double propagated) {
-    return {value, (1 + 0x1p-50) * (propagated + 0x1p-53 * std::fabs(value))};
-  }
-  friend BoundedNumber operator+(const BoundedNumber& a, const BoundedNumber& b) {
-    return rounded(a.value + b.value, a.error + b.error);
-  }
-  friend BoundedNumber operator-(const BoundedNumber& a, const BoundedNumber& b) {
-    return rounded(a.value - b.value, a.error + b.error);
-  }
-  friend BoundedNumber operator*(const BoundedNumber& a, const BoundedNumber& b) {
-    return rounded(a.value * b.value, std::fabs(a.value) * b.error + (std::fabs(b.value) * a.error + a.error * b.error));
-  }
-  friend BoundedNumber operator/(const BoundedNumber& a, const BoundedNumber& b) {
-    const double least = std::fabs(b.value) - b.error;
-    if (!(least > 0)) return {0, HUGE_VAL};
-    const double quotient = a.value / b.value;
-    return rounded(quotient, (a.error + std::fabs(quotient) * b.error) / least);
-  }
-  friend BoundedNumber sqrt(const BoundedNumber& a) {
-    if (!(a.value > a.error)) return {0, HUGE_VAL};
-    const double root = std::sqrt(a.value);
-    return rounded(root, a.error / root);
-  }
-
-  // The binary32 numbers nearest to the ends.
-  float nearest_to_low() const { return static_cast<float>(value - reach()); }
-  float nearest_to_high() const { return static_cast<float>(value + reach()); }
-
- private:
-  double reach() const { return error + 0x1p-52 * std::fabs(value); }
-};
 
 // 1 where the triangle is as in the texture, -1 where it is turned over there, 0 where it has no area there.
 int orientation(const Points& points) {
@@ -127,19 +91,14 @@ class Gradients {
   // zero: of the numbers that it is computed in; exact(number) is a binary32 number as one of them.
   template <class N, class Exact>
   std::array<N, 3> mean(const std::vector<std::uint32_t>& group, std::size_t axis, const N& zero, const Exact& exact) const {
-    using Vector = std::array<N, 3>;
-    Vector sum{zero, zero, zero};
+    std::array<N, 3> sum{zero, zero, zero};
     N areas = zero;
-    const auto cross = [](const Vector& a, const Vector& b) -> Vector {
-      return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    };
     for (const std::uint32_t h : group) {
       const TrianglePoints t = triangle(h / 3);
       const Points& p = points_[h / 3];
-      const auto side = [&](std::size_t end, std::size_t i) { return exact(t[end][i]) - exact(t[0][i]); };
-      const Vector e{side(1, 0), side(1, 1), side(1, 2)}, f{side(2, 0), side(2, 1), side(2, 2)};
-      const Vector n = cross(e, f), along_e = cross(f, n), along_f = cross(n, e);
-      const N length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      const auto e = side_of_triangle(t, 1, exact), f = side_of_triangle(t, 2, exact);
+      const auto n = cross(e, f), along_e = cross(f, n), along_f = cross(n, e);
+      const N length = sqrt(dot(n, n));
       const N d = exact(p[1][axis]) - exact(p[0][axis]), g = exact(p[2][axis]) - exact(p[0][axis]);
       for (std::size_t i = 0; i < 3; ++i) sum[i] = sum[i] + (d * along_e[i] + g * along_f[i]) / length;
       areas = areas + length;
@@ -164,8 +123,7 @@ class Gradients {
 
   Normal gradient_of(const std::vector<std::uint32_t>& group, std::size_t axis) const {
     Normal gradient{};
-    const auto in_binary64 = [](float number) { return BoundedNumber{static_cast<double>(number), 0}; };
-    bool is_decided = round(mean(group, axis, BoundedNumber{}, in_binary64), gradient);
+    bool is_decided = round(mean(group, axis, BoundedNumber{}, &in_binary64), gradient);
     for (int bits = kFirstTextureBits; !is_decided && bits <= kLastTextureBits; bits *= 2) {
       const auto in_intervals = [bits](float number) { return Interval(bits, static_cast<double>(number)); };
       is_decided = round(mean(group, axis, Interval(bits), in_intervals), gradient);

@@ -5,20 +5,12 @@
 #include <array>
 
 #include "rendering/meshes/interval.h"
-#include "rendering/meshes/predicates.h"
+#include "rendering/meshes/vectors.h"
 #include "rendering/meshes/whole_coordinate.h"
 
 namespace forceshade::mesh {
 
 using WholeVector = std::array<Whole, 3>;
-
-inline WholeVector cross(const WholeVector& a, const WholeVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-inline Whole dot(const WholeVector& a, const WholeVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // over/under, under > 0.
 struct WholeFraction {
