@@ -11,7 +11,7 @@
 
 #include "files/output_file.h"
 #include "forceshade/recording.h"
-#include "run/recorder/parts.h"
+#include "run/recorder/loss.h"
 
 namespace forceshade::run {
 namespace {

@@ -10,12 +10,24 @@
 #include <vector>
 
 #include "forceshade/error.h"
-#include "window/keys.h"
 #include "window/picture.h"
-#include "window/settings.h"
 #include "window/text.h"
 
 namespace forceshade::window {
+
+struct Settings {
+  bool is_fullscreen = false;
+  int monitor = 1;                   // from 1: the one that the window fills, or on which it opens
+  int width = 1280, height = 800;    // pixels, of a window that does not fill the monitor
+  std::string font = "DejaVu Sans";  // a family for fontconfig, or the path of a TrueType file
+};
+
+// A character as the keyboard's own layout types it, in UTF-8, or the name of a key that types none ("return", "page-up",
+// "f1").
+struct Key {
+  std::string name;
+  bool is_repeat = false;  // made by the keyboard while the key is held down
+};
 
 // Rows from the top, three bytes a pixel: red, green, blue.
 struct Image {

@@ -50,7 +50,7 @@ class OpenGl {
   }
 };
 
-// Keys that type nothing, under the names of kNamedKeys. The others come as characters, as the keyboard's layout types them.
+// The names of keys that type nothing. The others come as characters, as the keyboard's layout types them.
 std::string name_of(int key) {
   if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) return "return";
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string(1, 'f').append(std::to_string(key - GLFW_KEY_F1 + 1));

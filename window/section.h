@@ -9,10 +9,20 @@
 #include <vector>
 
 #include "window/picture.h"
-#include "window/scene.h"
 #include "window/text.h"
 
 namespace forceshade::window {
+
+struct Position {
+  double x = 0, y = 0, z = 0;  // right, away from the person, up
+
+  bool operator==(const Position&) const = default;
+};
+
+// A point of a plane y = constant.
+struct ProfilePoint {
+  double x, z;
+};
 
 // The part of the plane that is shown.
 struct Region {

@@ -7,7 +7,7 @@
 
 #include "forceshade/recording.h"
 #include "run/recorder/layout.h"
-#include "run/recorder/parts.h"
+#include "run/recorder/loss.h"
 #include "run/recorder/sqlite.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/recorder/numbered_samples.h"

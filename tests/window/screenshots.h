@@ -10,7 +10,7 @@
 #include <future>
 #include <string>
 
-#include "window/window.h"
+#include "window/canvas.h"
 
 namespace forceshade::window {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The picture in the window of drive, without a display.
+// The picture in the window of drive and its lines of text, without a display.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ namespace {
 
 constexpr Size kWindow{1280, 800};
 
+const EvenFont kFont;
+
 SectionScene plane_felt(const Felt& felt) {
   SectionScene scene;
   scene.region = {-38, 38, -14, 26};
@@ -30,7 +33,7 @@ SectionScene plane_felt(const Felt& felt) {
 }
 
 Picture picture(const SectionScene& scene) {
-  return picture_of(scene, kWindow, EvenFont());
+  return picture_of(scene, kWindow, kFont);
 }
 
 // The point of the arrow's head; none where no arrow is drawn.
@@ -130,11 +133,56 @@ TEST(window_section, keeps_words_and_tip_in_the_window_whatever_they_are) {
   const Picture drawn = picture(scene);
   for (const Text& text : all_of<Text>(drawn)) {
     EXPECT_GE(text.at.x, 0) << text.words;
-    EXPECT_LE(text.at.x + EvenFont().width(text.words, text.size), kWindow.width) << text.words;
+    EXPECT_LE(text.at.x + kFont.width(text.words, text.size), kWindow.width) << text.words;
     EXPECT_LE(text.at.y + text.size, kWindow.height) << text.words;
   }
   const Rectangle area = SectionView(scene.region, kWindow).area();
   for (const Ellipse& ellipse : all_of<Ellipse>(drawn)) EXPECT_TRUE(area.contains(ellipse.centre));
+}
+
+TEST(window_text, lines_break_at_spaces_and_within_long_words_alone) {
+  const auto lines = [](std::string_view text, int characters) { return wrapped(text, 5.0 * characters, 10, kFont); };
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(lines("", 5), Lines{""});
+  EXPECT_EQ(lines("one two", 7), Lines{"one two"});
+  EXPECT_EQ(lines("one two", 6), (Lines{"one", "two"}));
+  EXPECT_EQ(lines("one  two   ", 4), (Lines{"one", "two"}));
+  EXPECT_EQ(lines("a\n\nb", 6), (Lines{"a", "", "b"}));
+  EXPECT_EQ(lines("abcdefgh ij", 3), (Lines{"abc", "def", "gh", "ij"}));
+  EXPECT_EQ(lines("äöüß", 3), (Lines{"äöü", "ß"}));
+  EXPECT_EQ(lines("日本語", 0), (Lines{"日", "本", "語"}));
+  EXPECT_EQ(lines("  1 a", 6), Lines{"  1 a"});
+}
+
+TEST(window_text, nothing_but_spaces_is_lost_in_lines) {
+  std::mt19937 random(2);
+  int broken = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text, joined, expected;
+    for (auto k = random() % 60; k > 0; --k) text += " a\nbcdé \xFFzz"[random() % 12];
+    const auto all = wrapped(text, 5.0 * static_cast<double>(random() % 12), 10, kFont);
+    for (const std::string& line : all) joined += line;
+    const auto keep = [](const std::string& from, std::string& to) {
+      for (const char c : from)
+        if (c != ' ' && c != '\n') to += c;
+    };
+    std::string kept;
+    keep(text, expected);
+    keep(joined, kept);
+    EXPECT_EQ(kept, expected);
+    broken += all.size() > 1;
+  }
+  EXPECT_GT(broken, 1000);
+}
+
+TEST(window_text, utf8_goes_to_code_points_and_back) {
+  for (const char32_t point : {0x24U, 0x7FU, 0x80U, 0x7FFU, 0x800U, 0xFFFDU, 0x10000U, 0x10FFFFU})
+    EXPECT_EQ(code_points(utf8(point)), std::u32string(1, point));
+  for (const char32_t point : {0xD800U, 0xDFFFU, 0x110000U}) EXPECT_EQ(utf8(point), "");
+  EXPECT_EQ(utf8(U'€'), "€");
+  EXPECT_EQ(code_points("a\xFF"
+                        "ß"),
+            U"aß");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@
 #include "screenshots.h"
 #include "tests/support/words.h"
 #include "tests/window/filled.h"
-#include "window/layout.h"
+#include "window/composition.h"
 #include "window/section.h"
 
 namespace forceshade::window {
@@ -32,36 +33,26 @@ struct Shown {
   Drawing drawing;
 };
 
-Scene hand_at(const Position& tip) {
-  Scene scene;
-  scene.tip = tip;
-  return scene;
+// Half transparent, rounded, framed, blended and thin: what the windows of clients are made of.
+Picture of_all_items(Size size, const Measure&) {
+  const double x = size.width / 4, y = size.height / 4;
+  return {kPaper,
+          {Box{{20, 20, x, y}, 0, kPanel, {}, 0}, Box{{x, 20, 2 * x, y}, 12, kAccent, kInk, 3},
+           Triangles{{{{20, 2 * y}, kInk}, {{x, 2 * y}, kPaper}, {{x, 3 * y}, kAccent}}},
+           Line{{{x, 2 * y}, {2 * x, 3 * y}, {3 * x, 2 * y}}, kMuted, 2}, Ellipse{{3 * x, y}, 60, 60, kCursor},
+           Ellipse{{3 * x, y + 40}, 90, 20, {0.1F, 0.14F, 0.18F, 0.35F}},
+           Text{{20, 3 * y}, 24, kInk, "Many words: äöü ß, 25.4 mm"}, Text{{2 * x, 3 * y}, 40, kAccent, "And more"}},
+          std::nullopt,
+          std::nullopt};
 }
 
-// One of each kind, of each solid, and of a surface in section.
 std::vector<Shown> pictures() {
-  const auto screen = [](const char* name, const Screen& what, const Scene& scene) {
-    return Shown{name, [=](Size size, const Measure& measure) { return picture_of(what, scene, Look{}, size, measure); }};
-  };
-  const auto trial = [](ScreenKind kind, const std::string& entry, bool shows_scene) {
-    return Screen{kind, "A title", "A text that says what to do.", entry, shows_scene, 1, 7, 60, true};
-  };
-  Scene by_mouse = hand_at({-8, 0, 2.5});
-  by_mouse.shows_tip_alone = true;
   const SectionScene section{.region = {-20, 20, 0, 20},
                              .section = {{{-20, {{0, 4}}}, {0, {{0, 8}}}, {20, {{0, 4}}}}, {{{{-20, 4}, {0, 8}}}}, {}},
                              .felt = Felt{{3, 1, 6}, Position{3, 1, 7.4}, {0.3, 0, 1.5}},
                              .title = "A surface",
                              .words = {"Not certified."}};
-  return {screen("text", {ScreenKind::text, "A title", "Many words.\n\nAnd more.", "", true, 0, 0, 0, false}, {}),
-          screen("matching", trial(ScreenKind::matching, "", true), hand_at({-25.4, 0, -1.2})),
-          screen("matching-above", trial(ScreenKind::matching, "", true), hand_at({3, 9, 11})),
-          screen("matching-without-vision", trial(ScreenKind::matching, "", false), hand_at({-25.4, 0, -1.2})),
-          screen("satisfaction", trial(ScreenKind::satisfaction, "8", true), {}),
-          screen("classification", trial(ScreenKind::classification, "3", true), {}),
-          screen("classification-by-mouse", trial(ScreenKind::classification, "", true), by_mouse),
-          screen("question", {ScreenKind::question, "Question", "Why?", "Because it is so.", true, 0, 0, 0, false}, {}),
-          screen("end", {ScreenKind::end, "Thank you", "That was all.", "", true, 0, 0, 0, false}, {}),
+  return {{"items", of_all_items},
           {"section", [=](Size size, const Measure& measure) { return picture_of(section, size, measure); }}};
 }
 

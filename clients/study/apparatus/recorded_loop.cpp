@@ -101,15 +101,15 @@ void RecordedLoop::begin_part(const experiments::Session& session) {
 }
 
 void RecordedLoop::offer(const experiments::Scene& scene) {
-  auto stimulus = std::make_unique<device::Stimulus>();
+  auto stimulus = std::make_unique<Stimulus>();
   stimulus->number = ++number_;
   stimulus->seam = plan_.origin.x();
   experiments::ListedStimulus listed{.number = number_, .seam = plan_.origin.x(), .left = {}, .right = {}};
-  const auto place = [&](const std::optional<Bump>& bump, std::optional<device::Placed>& placed,
+  const auto place = [&](const std::optional<Bump>& bump, std::optional<Placed>& placed,
                          std::optional<experiments::ListedBump>& side) {
     if (!bump) return;
     const Rendering& rendering = bumps_.of(*bump);
-    placed = device::Placed{rendering.renderer.open(), Bumps::place_of(*bump, plan_.origin)};
+    placed = Placed{rendering.renderer.open(), Bumps::place_of(*bump, plan_.origin)};
     const std::string name = certificate_name(rendering.identity);
     const auto digest = plan_.certificates.find(name);
     side = {bump->stimulus,

@@ -11,10 +11,10 @@
 #include <string>
 
 #include "device/latest_tick.h"
-#include "device/stage.h"
 #include "forceshade/servo_loop.h"
-#include "run/recorder/parts.h"
 #include "study/apparatus/bumps.h"
+#include "study/apparatus/parts.h"
+#include "study/apparatus/stage.h"
 #include "study/experiments/session.h"
 #include "system/system.h"
 
@@ -54,7 +54,7 @@ class RecordedLoop {
   // The latest tick; none before the first.
   std::optional<device::Sample> latest() { return latest_.latest(); }
   // The scene that was felt at the tick; call it by rising ticks. A bump that was changed under the tip is exchanged later
-  // (device/stage.h): until then this is what the session showed before.
+  // (stage.h): until then this is what the session showed before.
   experiments::Scene felt(const device::Sample& tick);
 
   bool has_ended() const noexcept { return ended_; }
@@ -72,8 +72,8 @@ class RecordedLoop {
   device::Device& device_;
   Bumps& bumps_;
   LoopPlan plan_;
-  device::Stage stage_;
-  recorder::Parts parts_;
+  Stage stage_;
+  Parts parts_;
   std::atomic<bool> stop_ = false, ended_ = false;
   device::LatestTick latest_;
   std::ofstream stimuli_;

@@ -151,7 +151,9 @@ struct Driving {
             .servo = {.paced = !free_run, .watchdog_timeout = watchdog_timeout, .dead_man_button = dead_man}};
   }
 
-  window::Settings window_settings() const { return settings.empty() ? window::Settings{} : window::read_settings(settings); }
+  window::WindowSettings window_settings() const {
+    return settings.empty() ? window::WindowSettings{} : window::read_settings(settings);
+  }
   experiments::KeyNames key_names() const {
     return terminal ? experiments::KeyNames{} : window::key_names(window_settings().keys);
   }

@@ -94,7 +94,7 @@ std::vector<Press> TerminalFront::presses() {
   return press ? std::vector<Press>{*press} : std::vector<Press>{};
 }
 
-WindowFront::WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering* steering,
+WindowFront::WindowFront(const window::WindowSettings& settings, apparatus::Bumps& bumps, device::Steering* steering,
                          const Eigen::Vector3f& origin)
     : bumps_(bumps),
       steering_(steering),

@@ -9,7 +9,7 @@
 #include "device/simulated/steering.h"
 #include "study/apparatus/apparatus.h"
 #include "study/apparatus/bumps.h"
-#include "window/window.h"
+#include "study/window/window.h"
 
 namespace forceshade::apps {
 
@@ -42,7 +42,7 @@ class WindowFront final : public apparatus::Front {
   // Bumps and steering live longer; the labels are in the language of the protocol. Throws Error, and
   // Error of its file of texts. steering: null unless the hand is the mouse, whose place then has to be seen on
   // every screen that has something to feel.
-  WindowFront(const window::Settings& settings, apparatus::Bumps& bumps, device::Steering* steering,
+  WindowFront(const window::WindowSettings& settings, apparatus::Bumps& bumps, device::Steering* steering,
               const Eigen::Vector3f& origin);
 
   bool show(const experiments::Screen& screen, const std::optional<device::Sample>& latest,

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "window/screen.h"
+#include "study/window/screen.h"
 
 namespace forceshade::experiments {
 

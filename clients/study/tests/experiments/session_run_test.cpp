@@ -76,7 +76,7 @@ class SessionRun : public testing::Test {
             .seed = 5,
             .device = kDevice};
   }
-  // One tap, and then the hand stays in the air, where every exchange of bumps is possible (device/stage.h).
+  // One tap, and then the hand stays in the air, where every exchange of bumps is possible (study/apparatus/stage.h).
   static device::Intention tap() {
     return {{{0, {20, 0, 10}}, {0.5, {20, 0, -1}}, {1, {20, 0, 10}}}, device::Intention::Between::minimum_jerk};
   }

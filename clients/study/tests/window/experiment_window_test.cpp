@@ -17,11 +17,11 @@
 #include "study/command/experiment_fronts.h"
 #include "study/tests/experiments/protocol_folder.h"
 #include "study/tests/window/short_protocols.h"
+#include "study/window/view.h"
 #include "tests/recorder/faulty_disk.h"
 #include "tests/window/drawn_canvas.h"
 #include "tests/window/screenshots.h"
 #include "tests/world/world.h"
-#include "window/view.h"
 
 namespace forceshade::apps {
 namespace {

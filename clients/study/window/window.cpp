@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/window.h"
+#include "study/window/window.h"
 
 #include <tuple>
 #include <utility>
 
-#include "window/view.h"
+#include "study/window/view.h"
 
 namespace forceshade::window {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "study/window/layout.h"
+#include "study/window/scene.h"
+#include "study/window/screen.h"
+#include "study/window/settings.h"
 #include "window/canvas.h"
-#include "window/layout.h"
-#include "window/scene.h"
-#include "window/screen.h"
-#include "window/settings.h"
 
 namespace forceshade::window {
 
@@ -19,7 +19,7 @@ namespace forceshade::window {
 class Window {
  public:
   // Opens the window; the labels are in the language of the screens. Throws Error as Canvas does.
-  explicit Window(const Settings& settings, const Labels& labels = {})
+  explicit Window(const WindowSettings& settings, const Labels& labels = {})
       : keys_(settings.keys), look_{labels, settings.text_scale}, canvas_(settings) {}
 
   // One frame, as Canvas::draw().

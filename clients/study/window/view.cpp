@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/view.h"
+#include "study/window/view.h"
 
 #include <algorithm>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The settings of the participant's window: what is read, what is refused and how; and what each key does on each screen.
 
+#include "study/window/settings.h"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -10,14 +12,13 @@
 #include "files/input_file.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/words.h"
-#include "window/settings.h"
 
 namespace forceshade::window {
 namespace {
 
 class window_settings : public testing::Test {
  protected:
-  Settings read(const std::string& text) const { return read_settings(folder_.write("window.toml", text)); }
+  WindowSettings read(const std::string& text) const { return read_settings(folder_.write("window.toml", text)); }
 
   // The text after "FILE:" in the message; empty if the text is read.
   std::string refusal(const std::string& text) const {
@@ -28,7 +29,7 @@ class window_settings : public testing::Test {
 };
 
 TEST_F(window_settings, an_empty_file_gives_the_defaults) {
-  const Settings settings = read("");
+  const WindowSettings settings = read("");
   EXPECT_FALSE(settings.is_fullscreen);
   EXPECT_EQ(settings.monitor, 1);
   EXPECT_EQ(settings.width, 1280);
@@ -41,7 +42,7 @@ TEST_F(window_settings, an_empty_file_gives_the_defaults) {
 
 TEST_F(window_settings, every_key_is_read) {
   const std::string font = folder_.write("letters.ttf", "a font");
-  const Settings settings = read(R"(
+  const WindowSettings settings = read(R"(
 fullscreen = true
 monitor = 2
 width = 1920

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/settings.h"
+#include "study/window/settings.h"
 
 #include <algorithm>
 #include <set>
@@ -90,10 +90,10 @@ std::string font_of(TomlTable& table, const fs::path& folder) {
 
 }  // namespace
 
-Settings read_settings(const fs::path& file) {
+WindowSettings read_settings(const fs::path& file) {
   const files::TomlFile parsed(file);
   TomlTable table(parsed);
-  Settings settings;
+  WindowSettings settings;
   settings.is_fullscreen = table.flag("fullscreen", settings.is_fullscreen);
   settings.monitor = table.whole("monitor", 1, 16, settings.monitor);
   settings.width = table.whole("width", 640, 16384, settings.width);

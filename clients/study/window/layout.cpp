@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/layout.h"
+#include "study/window/layout.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "study/window/view.h"
 #include "window/composition.h"
-#include "window/view.h"
 
 namespace forceshade::window {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 // The view of the plane with the two bumps in the window: a parallel projection from the front and a little above.
 
+#include "study/window/scene.h"
 #include "window/picture.h"
-#include "window/scene.h"
 
 namespace forceshade::window {
 

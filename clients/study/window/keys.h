@@ -9,11 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "window/screen.h"
+#include "study/window/screen.h"
+#include "window/canvas.h"
 
 namespace forceshade::window {
 
-// Keys that type no character. The Enter key of the number pad is "return", too.
+// Keys that type no character, as a canvas names them. The Enter key of the number pad is "return", too.
 inline constexpr std::array<std::string_view, 26> kNamedKeys{
     "return", "backspace", "delete", "tab", "escape", "insert", "left", "right", "up", "down", "page-up", "page-down", "home",
     "end",    "f1",        "f2",     "f3",  "f4",     "f5",     "f6",   "f7",    "f8", "f9",   "f10",     "f11",       "f12"};
@@ -24,11 +25,6 @@ struct Keys {
   std::vector<std::string> smaller{"j"}, bigger{"k"}, done{"l"};
   std::vector<std::string> enter{"return"}, erase{"backspace"};  // named keys alone: a character would be missing in answers
   std::array<std::string, 10> digits{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
-};
-
-struct Key {
-  std::string name;
-  bool is_repeat = false;  // made by the keyboard while the key is held down
 };
 
 // The action of a key on this kind of screen; nothing if it has no meaning there. A key that is held down repeats only while an

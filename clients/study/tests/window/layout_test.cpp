@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The participant's picture, without a display: where the cursor is drawn, what is hidden, and that everything fits.
 
+#include "study/window/layout.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,10 +13,9 @@
 #include <string>
 #include <type_traits>
 
+#include "study/window/view.h"
 #include "tests/window/even_font.h"
 #include "tests/window/items.h"
-#include "window/layout.h"
-#include "window/view.h"
 
 namespace forceshade::window {
 namespace {
@@ -255,51 +256,6 @@ TEST(window_layout, a_long_answer_shows_what_is_being_written) {
   for (int i = 0; i < 400; ++i) screen.entry += "word ";
   screen.entry += "\nthe end";
   EXPECT_TRUE(says(shown(screen), "the end"));
-}
-
-TEST(window_text, lines_break_at_spaces_and_within_long_words_alone) {
-  const auto lines = [](std::string_view text, int characters) { return wrapped(text, 5.0 * characters, 10, kFont); };
-  using Lines = std::vector<std::string>;
-  EXPECT_EQ(lines("", 5), Lines{""});
-  EXPECT_EQ(lines("one two", 7), Lines{"one two"});
-  EXPECT_EQ(lines("one two", 6), (Lines{"one", "two"}));
-  EXPECT_EQ(lines("one  two   ", 4), (Lines{"one", "two"}));
-  EXPECT_EQ(lines("a\n\nb", 6), (Lines{"a", "", "b"}));
-  EXPECT_EQ(lines("abcdefgh ij", 3), (Lines{"abc", "def", "gh", "ij"}));
-  EXPECT_EQ(lines("äöüß", 3), (Lines{"äöü", "ß"}));
-  EXPECT_EQ(lines("日本語", 0), (Lines{"日", "本", "語"}));
-  EXPECT_EQ(lines("  1 a", 6), Lines{"  1 a"});
-}
-
-TEST(window_text, nothing_but_spaces_is_lost_in_lines) {
-  std::mt19937 random(2);
-  int broken = 0;
-  for (int i = 0; i < 3000; ++i) {
-    std::string text, joined, expected;
-    for (auto k = random() % 60; k > 0; --k) text += " a\nbcdé \xFFzz"[random() % 12];
-    const auto all = wrapped(text, 5.0 * static_cast<double>(random() % 12), 10, kFont);
-    for (const std::string& line : all) joined += line;
-    const auto keep = [](const std::string& from, std::string& to) {
-      for (const char c : from)
-        if (c != ' ' && c != '\n') to += c;
-    };
-    std::string kept;
-    keep(text, expected);
-    keep(joined, kept);
-    EXPECT_EQ(kept, expected);
-    broken += all.size() > 1;
-  }
-  EXPECT_GT(broken, 1000);
-}
-
-TEST(window_text, utf8_goes_to_code_points_and_back) {
-  for (const char32_t point : {0x24U, 0x7FU, 0x80U, 0x7FFU, 0x800U, 0xFFFDU, 0x10000U, 0x10FFFFU})
-    EXPECT_EQ(code_points(utf8(point)), std::u32string(1, point));
-  for (const char32_t point : {0xD800U, 0xDFFFU, 0x110000U}) EXPECT_EQ(utf8(point), "");
-  EXPECT_EQ(utf8(U'€'), "€");
-  EXPECT_EQ(code_points("a\xFF"
-                        "ß"),
-            U"aß");
 }
 
 }  // namespace

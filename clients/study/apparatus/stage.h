@@ -10,7 +10,7 @@
 
 #include "forceshade/session.h"
 
-namespace forceshade::device {
+namespace forceshade::apparatus {
 
 // A path through a renderer whose origin lies somewhere in the device's frame, mm. It is given the difference, rounded to
 // binary32 once for each coordinate.
@@ -71,4 +71,4 @@ class Stage final : public fast::Session {
   std::unique_ptr<Stimulus> current_, pending_;
 };
 
-}  // namespace forceshade::device
+}  // namespace forceshade::apparatus

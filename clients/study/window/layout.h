@@ -5,10 +5,10 @@
 #include <functional>
 #include <span>
 
+#include "study/window/scene.h"
+#include "study/window/screen.h"
 #include "window/composition.h"
 #include "window/picture.h"
-#include "window/scene.h"
-#include "window/screen.h"
 #include "window/text.h"
 
 namespace forceshade::window {

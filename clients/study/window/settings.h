@@ -5,24 +5,20 @@
 #include <filesystem>
 #include <string>
 
-#include "window/keys.h"
-#include "window/screen.h"
+#include "study/window/keys.h"
+#include "study/window/screen.h"
 
 namespace forceshade::window {
 
-struct Settings {
-  bool is_fullscreen = false;
-  int monitor = 1;                   // from 1: the one that the window fills, or on which it opens
-  int width = 1280, height = 800;    // pixels, of a window that does not fill the monitor
-  double text_scale = 1;             // times the usual size of text, which follows that of the window
-  std::string font = "DejaVu Sans";  // a family for fontconfig, or the path of a TrueType file
+struct WindowSettings : Settings {
+  double text_scale = 1;  // times the usual size of text, which follows that of the window
   Keys keys;
 };
 
 // Throws Error, which names the file, the line and the key, what was expected and what was got. What is not given
 // keeps its default; the path of a font is relative to the file. Unknown keys are refused, and so is a key of the keyboard that
 // would have two meanings on one screen.
-Settings read_settings(const std::filesystem::path& file);
+WindowSettings read_settings(const std::filesystem::path& file);
 
 // The names of these keys in the texts of a session: the first one for each action.
 KeyNames key_names(const Keys& keys);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/stage.h"
+#include "study/apparatus/stage.h"
 
 #include <bit>
 #include <utility>
 
 #include "system/system.h"
 
-namespace forceshade::device {
+namespace forceshade::apparatus {
 namespace {
 
 fast::Evaluation answer_of(std::optional<Placed>& placed, const Eigen::Vector3f& position) noexcept {
@@ -84,4 +84,4 @@ void Stage::look_ahead() noexcept {
     if (stimulus != nullptr) stimulus->look_ahead();
 }
 
-}  // namespace forceshade::device
+}  // namespace forceshade::apparatus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "device/stage.h"
+#include "study/apparatus/stage.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "tests/device/servo_loop_fixture.h"
 #include "tests/support/allocations.h"
 
-namespace forceshade::device {
+namespace forceshade::apparatus {
 namespace {
 
 using Eigen::Vector3f;
@@ -280,4 +280,4 @@ TEST(stage, allocates_nothing_in_the_loop_and_frees_nothing_there) {
 }
 
 }  // namespace
-}  // namespace forceshade::device
+}  // namespace forceshade::apparatus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/scene.h"
+#include "study/window/scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/recorder/parts.h"
+#include "study/apparatus/parts.h"
 
 #include <chrono>
 #include <utility>
 
-#include "run/recorder/sqlite.h"
+#include "run/recorder/loss.h"
 #include "system/system.h"
 
-namespace forceshade::recorder {
+namespace forceshade::apparatus {
 
 struct Parts::Part {
-  Part(const std::string& path_of_it, Metadata metadata, const Recorder::Options& options)
+  Part(const std::string& path_of_it, recorder::Metadata metadata, const recorder::Recorder::Options& options)
       : path(path_of_it), recorder(path_of_it, std::move(metadata), options) {}
 
   std::string path;
-  Recorder recorder;
+  recorder::Recorder recorder;
   std::uint64_t ticks = 0;  // the loop's
 };
 
-Parts::Parts(const Recorder::Options& options) : options_(options) {}
+Parts::Parts(const recorder::Recorder::Options& options) : options_(options) {}
 
 Parts::~Parts() {
   if (closing_.is_joinable()) closing_.join();
 }
 
-void Parts::begin(const std::string& path, Metadata metadata) {
+void Parts::begin(const std::string& path, recorder::Metadata metadata) {
   expect_closed();
   metadata["part"] = std::to_string(number_ + 1);
   auto next = std::make_unique<Part>(path, std::move(metadata), options_);
@@ -76,7 +76,8 @@ void Parts::push(const device::Sample& sample) noexcept {
 
 void Parts::close(std::unique_ptr<Part> part, const std::string& why) {
   closing_ = system::Thread("closing part", [this, closed = std::shared_ptr<Part>(std::move(part)), why] {
-    if (const std::string words = words_of_loss(closed->path, closed->recorder.close(why)); !words.empty()) lost_ = words;
+    if (const std::string words = recorder::words_of_loss(closed->path, closed->recorder.close(why)); !words.empty())
+      lost_ = words;
   });
 }
 
@@ -86,4 +87,4 @@ void Parts::expect_closed() {
   if (const std::string lost = std::exchange(lost_, {}); !lost.empty()) throw Error(lost);
 }
 
-}  // namespace forceshade::recorder
+}  // namespace forceshade::apparatus

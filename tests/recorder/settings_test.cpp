@@ -1,78 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/recorder/parts.h"
+#include "run/recorder/settings.h"
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
-#include "forceshade/recording.h"
-#include "run/recorder/layout.h"
-#include "run/recorder/settings.h"
-#include "tests/support/temporary_directory.h"
 #include "tests/support/words.h"
-#include "tests/world/in_the_world.h"
 
 namespace forceshade::recorder {
 namespace {
-
-using tests::TemporaryDirectory;
-
-TEST_IN_THE_WORLD(parts, that_cannot_be_made_leave_the_one_before_as_it_is) {
-  const TemporaryDirectory directory;
-  Parts parts(Recorder::Options{});
-  parts.push({.tick = 0});  // goes nowhere
-  parts.begin(directory.file("a.fsr"), {});
-  parts.push({.tick = 0});
-  EXPECT_THROW(parts.begin(directory.file("a.fsr"), {}), Error);
-  parts.push({.tick = 1});
-  parts.end("over");
-  Recording recording(directory.file("a.fsr"));
-  EXPECT_EQ(problems_of(recording), std::vector<std::string>{});
-  EXPECT_EQ(recording.extent().samples, 2U);
-}
-
-// A ring that is full while the disk is in order: nothing failed, and still samples are missing.
-TEST_IN_THE_WORLD(parts, that_lost_a_tick_say_so_even_where_the_disk_took_the_others) {
-  const TemporaryDirectory directory;
-  for (const bool has_next : {false, true}) {
-    Parts parts({.ring = 4, .interval = std::chrono::seconds(10)});
-    const std::string path = directory.file(has_next ? "b.fsr" : "a.fsr");
-    parts.begin(path, {});
-    for (std::uint64_t tick = 0; tick < 50; ++tick) parts.push({.tick = tick});
-    std::string words = "nothing";
-    try {
-      if (has_next) parts.begin(directory.file("c.fsr"), {});
-      parts.end("over");
-    } catch (const Error& error) {
-      words = error.what();
-    }
-    EXPECT_TRUE(words.starts_with(path + ": the disk was too slow; recorded ")) << words;
-    const std::uint64_t samples = Recording(path).extent().samples;
-    EXPECT_LT(samples, 50U);
-    EXPECT_NE(words.find("recorded " + std::to_string(samples) + " samples, lost " + std::to_string(50 - samples)),
-              std::string::npos)
-        << words;
-  }
-}
-
-// The lost ticks belong to the part before, and are reported by end(): the last part is whole.
-TEST_IN_THE_WORLD(parts, after_one_that_lost_ticks_have_their_own_end) {
-  const TemporaryDirectory directory;
-  Parts parts({.ring = 4, .interval = std::chrono::seconds(10)});
-  parts.begin(directory.file("a.fsr"), {});
-  for (std::uint64_t tick = 0; tick < 50; ++tick) parts.push({.tick = tick});
-  parts.begin(directory.file("b.fsr"), {});
-  parts.push({.tick = 50});
-  EXPECT_THROW(parts.end("over"), Error);
-  Recording last(directory.file("b.fsr"));
-  EXPECT_EQ(problems_of(last), std::vector<std::string>{});
-  EXPECT_EQ(last.extent().samples, 1U);
-  ASSERT_TRUE(last.ended());
-  EXPECT_EQ(last.metadata().at("end_reason"), "over");
-}
 
 std::vector<double*> numbers_of(device::SafetySettings& settings) {
   auto& limits = settings.limits;
@@ -155,7 +94,7 @@ TEST(settings, that_are_missing_or_odd_are_refused_by_their_key) {
   EXPECT_EQ(words("supervisor_slew_N_per_s", "1x"), "run.fsr: supervisor_slew_N_per_s is 1x; expected a number");
   EXPECT_EQ(words("supervisor_slew_N_per_s", "nan"), "run.fsr: supervisor_slew_N_per_s is nan; expected a number");
   EXPECT_EQ(words("supervised", "maybe"), "run.fsr: supervised is maybe; expected yes or no");
-  EXPECT_EQ(words(kLaterKey, "maybe"), std::string("run.fsr: ") + kLaterKey + " is maybe; expected yes or no");
+  EXPECT_EQ(words(kLaterKey, "maybe"), "run.fsr: " + std::string(kLaterKey) + " is maybe; expected yes or no");
   EXPECT_EQ(words("passivity", "magic"), "run.fsr: passivity is magic; expected observer, tank or damping");
   EXPECT_EQ(words("rate_hz", "0"), "run.fsr: rate_hz is 0; expected 100 to 10000");
   EXPECT_EQ(words("dead_man_button", "-1"), "run.fsr: dead_man_button is -1; expected none, or a button from 0 to 15");

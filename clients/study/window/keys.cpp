@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "window/keys.h"
+#include "study/window/keys.h"
 
 #include <algorithm>
 #include <utility>

@@ -7,13 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "window/section.h"
+
 namespace forceshade::window {
-
-struct Position {
-  double x = 0, y = 0, z = 0;  // right, away from the participant, up
-
-  bool operator==(const Position&) const = default;
-};
 
 // The felt scene, as one tick of the servo loop left it.
 struct Scene {
@@ -28,15 +24,12 @@ struct Scene {
   double width = 25.4;  // of each bump
 };
 
-// A profile across a bump on the plane z = 0, from x = -extent to +extent: a polyline. The bump stands at x = 0.
-struct ProfilePoint {
-  double x, z;
-};
 enum class Shape : std::uint8_t { plane, two_polygons, three_polygons, cylinder };  // in the order of the answers 1 to 4
 inline constexpr std::array<Shape, 4> kShapes{Shape::plane, Shape::two_polygons, Shape::three_polygons, Shape::cylinder};
 
-// The polygons sample the circle as the thesis has it (4.4.2, 4.4.3): at three or four points at equal angles. `radius` is at
-// least width/2, and `extent` more than it.
+// A profile across a bump on the plane z = 0, from x = -extent to +extent: a polyline. The bump stands at x = 0. The polygons
+// sample the circle as the thesis has it (4.4.2, 4.4.3): at three or four points at equal angles. `radius` is at least width/2,
+// and `extent` more than it.
 std::vector<ProfilePoint> profile(Shape shape, double width, double radius, double extent);
 
 // The bumps of the matching experiment are drawn with this radius, whatever they feel like: one that changed its size would

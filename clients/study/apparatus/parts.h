@@ -10,20 +10,20 @@
 #include "forceshade/recording.h"
 #include "system/system.h"
 
-namespace forceshade::recorder {
+namespace forceshade::apparatus {
 
 // Each tick is in exactly one part. Every part counts its ticks from 0, so that each is a whole recording by
 // itself; `part` in its metadata (from 1) says its place in the run. A Recorder writes each, with all that it promises.
 class Parts final : public device::SampleSink {
  public:
-  explicit Parts(const Recorder::Options& options);
+  explicit Parts(const recorder::Recorder::Options& options);
   // Without end() before, the last part stays marked as cut off.
   ~Parts() override;
 
   // Called by one thread: ticks go to this new file from now on, and the part before is closed meanwhile. Before the first
   // call ticks are dropped. Throws Error where the file cannot be made, and then the part before goes on; and where
   // the one before that has lost ticks.
-  void begin(const std::string& path, Metadata metadata);
+  void begin(const std::string& path, recorder::Metadata metadata);
 
   // Called by the same thread, when nothing more is pushed. Throws Error where a part has lost ticks.
   void end(const std::string& end_reason);
@@ -39,7 +39,7 @@ class Parts final : public device::SampleSink {
   void close(std::unique_ptr<Part> part, const std::string& why);
   void expect_closed();
 
-  Recorder::Options options_;
+  recorder::Recorder::Options options_;
   std::unique_ptr<Part> part_;
   std::atomic<Part*> current_ = nullptr, in_use_ = nullptr;  // the second: by the loop, just now
   int number_ = 0;
@@ -47,12 +47,4 @@ class Parts final : public device::SampleSink {
   system::Thread closing_;  // writes them
 };
 
-// The words for samples that a recording lacks: empty where every sample is in the recording of this path and the disk took all
-// of it.
-inline std::string words_of_loss(const std::string& path, const Recorder::Result& result) {
-  if (result.lost == 0 && result.error.empty()) return "";
-  return (result.error.empty() ? path + ": the disk was too slow" : result.error) + "; recorded " +
-         std::to_string(result.written) + " samples, lost " + std::to_string(result.lost);
-}
-
-}  // namespace forceshade::recorder
+}  // namespace forceshade::apparatus
