@@ -72,7 +72,11 @@ void print_sweeps(const properties::Sweeps& sweeps) {
               static_cast<double>(sweeps.inputs()) / std::max(sweeps.seconds, 1e-9) / 1e6, sweeps.mismatches());
 }
 
-int merge_plan(const std::string& folder, const OutFolder& out) {
+int merge(const std::vector<std::string>& words, const OutFolder& out) {
+  const std::string& folder = words.front();
+  if (words.size() > 1 || std::filesystem::is_regular_file(folder))
+    throw Error("certify merge: expected the folder of a plan, got " + files::printable(folder) +
+                "; points of several processes are a plan: forceshade certify plan --points N --out PLAN");
   const bool is_asked = out.path().empty();  // only how far it is
   const properties::MergedPlan merged = is_asked ? properties::MergedPlan{properties::state_of_plan(folder, interrupted()), {}}
                                                  : properties::merged_plan(folder, interrupted());
@@ -92,18 +96,6 @@ int merge_plan(const std::string& folder, const OutFolder& out) {
   write_file(evidence, properties::evidence_of(merged.certificate, state.missing));
   std::printf("incomplete, so there is no certificate yet; what the units found: %s\n", evidence.c_str());
   return kFailed;
-}
-
-int merge(const std::vector<std::string>& names, const OutFolder& out) {
-  if (names.size() == 1 && std::filesystem::is_directory(names.front())) return merge_plan(names.front(), out);
-  if (out.path().empty()) throw CLI::RequiredError("--out");
-  std::vector<properties::CertificateFile> files;
-  for (const std::string& name : names)
-    files.push_back({name, properties::from_json(properties::read_certificate(name), name)});
-  const properties::Certificate certificate = properties::merged(std::move(files));
-  out.expect_room_for(certificate_files());
-  print_sweeps(certificate.sweeps);
-  return write_certificate(certificate, out.folder());
 }
 
 }  // namespace
@@ -172,13 +164,11 @@ void add_certify_work(CLI::App& certify, int& result) {
 }
 
 void add_certify_merge(CLI::App& certify, int& result) {
-  const auto files = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = certify.add_subcommand(
-      "merge",
-      "Join certificates of points with different seeds, or the units of a plan; without --out, say how far the plan is");
-  command->add_option("files", *files, "certificate.json of one build; or the folder of a plan")->type_name("FILE")->required();
+  const auto words = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = certify.add_subcommand("merge", "Join the units of a plan; without --out, say how far the plan is");
+  command->add_option("folder", *words, kPlanFolderWords)->type_name("DIR")->required();
   const auto out = std::make_shared<OutFolder>(*command, kCertificateFolder);
-  command->callback([files, out, &result] { result = merge(*files, *out); });
+  command->callback([words, out, &result] { result = merge(*words, *out); });
 }
 
 }  // namespace forceshade::apps

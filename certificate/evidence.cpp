@@ -127,12 +127,12 @@ Assessment assessed(const Certificate& certificate) {
   Assessment worst{Standing::sufficient};
   if (certificate.subjects.empty())
     worst = {Standing::insufficient, "the certificate has sweeps only; driving needs points and properties too",
-             "forceshade certify --law ID --out DIR, and then forceshade certify merge with both certificates"};
+             "forceshade certify --law ID --out DIR"};
   if (!sweeps.results.empty() && !sweeps.is_whole())
     worst = {Standing::insufficient,
              "the sweeps are not complete: units " + std::to_string(sweeps.first) + " to " + std::to_string(sweeps.next) +
                  " of " + std::to_string(sweeps.units()) + " are done",
-             "the same command as before, which goes on, and forceshade certify merge with the other parts"};
+             "forceshade certify work PLAN, and then forceshade certify merge PLAN --out DIR"};
   std::vector<const SubjectResult*> insufficient;
   std::string lacks;
   for (const SubjectResult& subject : certificate.subjects) {

@@ -48,9 +48,7 @@ std::optional<std::string> insufficient(std::vector<const SubjectResult*> entrie
 
 std::optional<std::string> nothing_but_sweeps(const Certificate& certificate) {
   if (!certificate.subjects.empty()) return std::nullopt;
-  return "the certificate has sweeps only; driving needs one of points and properties too, which 'forceshade certify merge' "
-         "joins "
-         "to them";
+  return "the certificate has sweeps only; driving needs one of points and properties";
 }
 
 // The reason why none of the entries of its kind is alike.

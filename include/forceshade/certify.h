@@ -117,14 +117,4 @@ PlanState state_of_plan(const std::string& folder, const std::atomic<bool>& stop
 Worked work_on_plan(const std::string& folder, const PlanWorker& worker, const std::atomic<bool>& stop);
 MergedPlan merged_plan(const std::string& folder, const std::atomic<bool>& stop);
 
-struct CertificateFile {
-  std::string name;
-  Certificate certificate;
-};
-
-// At least two certificates in any order, of which one may have sweeps. Entries of one subject are added up: their seeds
-// differ, so their points do. Throws Error, naming the files, if builds differ, if sweeps are not whole or are in
-// two of them, or if two entries of a subject have a seed in common or contradict each other.
-Certificate merged(std::vector<CertificateFile> files);
-
 }  // namespace forceshade::properties

@@ -195,15 +195,5 @@ TEST(height_certificate, has_a_page_that_shows_the_map) {
     EXPECT_NE(page.find(words), std::string::npos) << words;
 }
 
-TEST(height_certificate, goes_together_with_sweeps_of_laws) {
-  const Certificate points = certificate_of({cone()});
-  Certificate swept{points.build, 0, {}, {}, {}, {}};
-  swept.sweeps = planned({{LawId::wall}, {.stiffness = 1}, {1}, false, true, false});
-  swept.sweeps.next = swept.sweeps.end;
-  const Certificate both = merged({{"points", points}, {"swept", swept}});
-  EXPECT_EQ(both.subjects.size(), 1U);
-  EXPECT_THROW(merged({{"both", both}, {"swept", swept}}), Error) << "merged already";
-}
-
 }  // namespace
 }  // namespace forceshade::properties

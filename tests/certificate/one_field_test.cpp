@@ -203,7 +203,7 @@ std::vector<OneField> fields_of_points() {
   return all;
 }
 
-// Each field of what a certificate of sweeps holds. `differs` is where the merged certificate does.
+// Each field of what a certificate of sweeps holds.
 std::vector<OneField> fields_of_sweeps() {
   std::vector<OneField> all{
       {[](Certificate& c) { c.sweeps.seconds += 1; }, {"/exhaustive/seconds"}},
@@ -217,8 +217,6 @@ std::vector<OneField> fields_of_sweeps() {
          ++c.sweeps.stages[2];
        },
        {"/exhaustive/calls_by_stage/binary64", "/exhaustive/calls_by_stage/wide"}},
-      {[](Certificate& c) { c.date = "2027-01-31T23:59:59Z"; }, {"/date"}},
-      {[](Certificate& c) { c.processor = "another"; }, {"/processor"}},
   };
   for (const std::size_t i : {0U, 1U}) {
     const std::string place = "/exhaustive/sweeps/" + std::to_string(i);
@@ -270,36 +268,15 @@ TEST(one_field, of_points_is_written_read_and_judged_alone) {
   }
 }
 
-// The made sweeps, and the points.
-std::vector<CertificateFile> made_files() {
-  const Certificate whole = tests::made_certificate_with_sweeps();
-  return {{"sweeps", {whole.build, 1, {}, whole.sweeps, whole.date, whole.processor}}, {"points", tests::made_certificate()}};
-}
-
-TEST(one_field, of_sweeps_reaches_the_merged_certificate) {
-  const Certificate base = merged(made_files());
+TEST(one_field, of_sweeps_beside_points_is_written_read_and_judged_alone) {
+  Certificate base = tests::made_certificate();
+  base.sweeps = tests::made_certificate_with_sweeps().sweeps;
   EXPECT_TRUE(base.held());
   EXPECT_EQ(refusal_of(base), "");
-  for (const OneField& field : fields_of_sweeps())
-    for (const bool in_order : {true, false}) {
-      std::vector<CertificateFile> files = made_files();
-      field.change(files[0].certificate);
-      files[0].certificate = again(files[0].certificate);
-      if (!in_order) std::reverse(files.begin(), files.end());
-      expect_row(merged(files), base, field, "sweeps");
-    }
-}
-
-TEST(one_field, of_points_reaches_the_merged_certificate) {
-  const Certificate base = merged(made_files());
-  for (const OneField& field : fields_of_points()) {
-    std::vector<CertificateFile> files = made_files();
-    field.change(files.back().certificate);
-    const bool is_of_build = !(files.back().certificate.build == tests::made_build());
-    if (is_of_build)
-      EXPECT_THROW(merged(files), Error);
-    else
-      expect_row(merged(files), base, field, "merged points");
+  for (const OneField& field : fields_of_sweeps()) {
+    Certificate changed = base;
+    field.change(changed);
+    expect_row(changed, base, field, "sweeps");
   }
 }
 

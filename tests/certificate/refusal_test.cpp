@@ -229,7 +229,7 @@ TEST(refusal, says_that_sweeps_alone_are_not_enough) {
   swept.subjects.clear();
   EXPECT_TRUE(swept.held());
   for (const std::string& said : {of_law(swept), of_map(swept)})
-    expect_words(said, "the certificate has sweeps only; driving needs one of points and properties too");
+    expect_words(said, "the certificate has sweeps only; driving needs one of points and properties");
 }
 
 TEST(refusal, names_what_differs_of_a_height_map) {

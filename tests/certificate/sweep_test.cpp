@@ -132,60 +132,16 @@ TEST(sweep, plan_has_what_each_law_needs) {
 }
 
 // As if everything had been swept.
-CertificateFile swept(const std::string& name) {
+Certificate swept() {
   Sweeps sweeps = planned({{LawId::wall, LawId::bump_1p}, kBump, {15.24F}, false, true, false});
   sweeps.next = sweeps.end;
   sweeps.seconds = 3;
   sweeps.results[0].inputs = 6;
-  return {name, {current_build(), 3, {}, sweeps, "2026-01-31T23:59:59Z", "one"}};
+  return {current_build(), 3, {}, sweeps, "2026-01-31T23:59:59Z", "one"};
 }
 
-CertificateFile of_points() {
-  CertificateFile points{"points", {current_build(), 1, {{}}, {}, "2026-02-01T00:00:00Z", "another"}};
-  points.certificate.subjects[0].seeds = {7};
-  return points;
-}
-
-TEST(merge, joins_sweeps_and_a_certificate_of_points_in_any_order) {
-  for (const bool sweeps_first : {true, false}) {
-    std::vector<CertificateFile> files{swept("sweeps"), of_points()};
-    if (!sweeps_first) std::swap(files[0], files[1]);
-    const Certificate both = merged(files);
-    EXPECT_EQ(both.seeds(), std::vector<std::uint64_t>{7});
-    EXPECT_EQ(both.subjects.size(), 1U);
-    EXPECT_EQ(both.sweeps.inputs(), 6U);
-    EXPECT_TRUE(both.sweeps.is_whole());
-    EXPECT_EQ(both.seconds, 4);
-    EXPECT_EQ(both.date, "2026-02-01T00:00:00Z") << "the latest";
-    EXPECT_EQ(both.processor, sweeps_first ? "one; another" : "another; one") << "in the order of the files";
-  }
-}
-
-TEST(merge, refuses_what_does_not_fit_and_names_it) {
-  const auto expect = [](const std::vector<CertificateFile>& files, const char* words) {
-    try {
-      merged(files);
-      ADD_FAILURE() << "merged: " << words;
-    } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
-    }
-  };
-  expect({}, "expected at least one certificate");
-  expect({of_points()}, "points: expected another certificate to join it to");
-  expect({swept("a"), of_points(), swept("b")}, "b: expected no sweeps; a has them");
-  CertificateFile part = swept("part");
-  --part.certificate.sweeps.next;
-  expect({of_points(), part}, "part: expected whole sweeps, got a part of them");
-  part = swept("part");
-  part.certificate.sweeps.first = 1;
-  expect({of_points(), part}, "part: expected whole sweeps, got a part of them");
-  CertificateFile other = of_points();
-  other.certificate.build.library_digest = "0";
-  expect({swept("sweeps"), other}, "points: expected the build of sweeps");
-}
-
-TEST(merge, does_not_certify_a_part_or_a_mismatch) {
-  Certificate part = swept("part").certificate, wrong = part;
+TEST(sweep, does_not_certify_a_part_or_a_mismatch) {
+  Certificate part = swept(), wrong = part;
   EXPECT_TRUE(part.held());
   part.sweeps.next = --part.sweeps.end;
   EXPECT_FALSE(part.held());

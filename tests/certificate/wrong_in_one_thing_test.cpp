@@ -27,13 +27,14 @@ constexpr Parameters kWithTies{5, 6, 0.5F};  // its axis is 4 mm deep: forces ar
 constexpr std::uint64_t kPoints = 5000;      // two chunks, of 4096 and 904
 constexpr std::size_t kLastOfChunk = 4095;
 
-// The certificate after it was written, read, merged with sweeps, written and read.
+// The certificate after it was written, read, given sweeps, written and read.
 Certificate after_the_whole_way(const Certificate& certificate) {
   const auto again = [](const Certificate& one) { return from_json(to_json(one), "here.json"); };
   Sweeps sweeps = planned({{LawId::wall}, kBumpOfLaw, {15.24F}, false, true, false});
   sweeps.next = sweeps.end;
-  const Certificate swept{current_build(), 1, {}, sweeps, certificate.date, certificate.processor};
-  return again(merged({{"points", again(certificate)}, {"sweeps", again(swept)}}));
+  Certificate both = again(certificate);
+  both.sweeps = sweeps;
+  return again(both);
 }
 
 Certificate checked_alone(const std::shared_ptr<const Subject>& subject, std::uint64_t points = kPoints, int cases = 10) {
