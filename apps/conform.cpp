@@ -110,8 +110,7 @@ void add_conform(CLI::App& app, int& result) {
   command
       ->add_option_function<std::string>("--timing", time,
                                          "measure the time of an answer to one position: half, 99.9 % and the slowest, and "
-                                         "fail where this took more than SECONDS; "
-                                         "count what a shared object allocates in it")
+                                         "fail where this took more than SECONDS")
       ->type_name("[SECONDS (0.000000001 to 3600)]")
       ->expected(0, 1)
       ->default_str(kNoLimit);

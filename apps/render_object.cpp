@@ -8,13 +8,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cerrno>
 #include <cfenv>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -30,99 +28,8 @@
 #include "properties/conformance/doors/process_door.h"
 #include "rendering/control_words.h"
 
-// Counts what the process allocates meanwhile, a shared object's calls among them.
-#if defined(__has_feature)
-#define FORCESHADE_HAS_FEATURE(name) __has_feature(name)
-#else
-#define FORCESHADE_HAS_FEATURE(name) 0
-#endif
-
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&   \
-    !FORCESHADE_HAS_FEATURE(address_sanitizer) && !FORCESHADE_HAS_FEATURE(thread_sanitizer) && \
-    !FORCESHADE_HAS_FEATURE(memory_sanitizer)
-#define FORCESHADE_COUNTS_ALLOCATIONS 1
-#else
-#define FORCESHADE_COUNTS_ALLOCATIONS 0
-#endif
-
-namespace {
-
-// They need no construction, since malloc is called before any.
-constinit std::atomic<bool> counting{false};
-constinit std::atomic<std::uint64_t> all_calls{0}, all_bytes{0};
-
-#if FORCESHADE_COUNTS_ALLOCATIONS
-void count(std::size_t bytes) noexcept {
-  if (!counting.load(std::memory_order_relaxed)) return;
-  all_calls.fetch_add(1, std::memory_order_relaxed);
-  all_bytes.fetch_add(bytes, std::memory_order_relaxed);
-}
-#endif
-
-}  // namespace
-
-// The program's definitions come before those of the C library, also for what it loads; these have other names there, too.
-// free() is here so that a library that is preloaded has either all of them or none.
-#if FORCESHADE_COUNTS_ALLOCATIONS
-#define FORCESHADE_SEEN __attribute__((visibility("default")))
-extern "C" {
-void* __libc_malloc(std::size_t size);                           // NOLINT(bugprone-reserved-identifier)
-void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT(bugprone-reserved-identifier)
-void* __libc_realloc(void* memory, std::size_t size);            // NOLINT(bugprone-reserved-identifier)
-void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT(bugprone-reserved-identifier)
-void __libc_free(void* memory);                                  // NOLINT(bugprone-reserved-identifier)
-
-FORCESHADE_SEEN void* malloc(std::size_t size) noexcept {
-  count(size);
-  return __libc_malloc(size);
-}
-FORCESHADE_SEEN void* calloc(std::size_t entries, std::size_t size) noexcept {
-  count(entries * size);
-  return __libc_calloc(entries, size);
-}
-FORCESHADE_SEEN void* realloc(void* memory, std::size_t size) noexcept {
-  count(size);
-  return __libc_realloc(memory, size);
-}
-FORCESHADE_SEEN void* memalign(std::size_t alignment, std::size_t size) noexcept {
-  count(size);
-  return __libc_memalign(alignment, size);
-}
-FORCESHADE_SEEN void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  return memalign(alignment, size);
-}
-FORCESHADE_SEEN int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
-  const bool is_power = alignment != 0 && (alignment & (alignment - 1)) == 0;
-  if (!is_power || alignment % sizeof(void*) != 0) return EINVAL;
-  void* const found = memalign(alignment, size);
-  if (found == nullptr) return ENOMEM;
-  *memory = found;
-  return 0;
-}
-FORCESHADE_SEEN void free(void* memory) noexcept {
-  __libc_free(memory);
-}
-}
-#endif
-
 namespace forceshade::apps {
 namespace {
-
-struct CountedAllocations {
-  std::uint64_t calls = 0, bytes = 0;  // requested bytes
-};
-
-// Begins and ends counting: calls of malloc, calloc, realloc, aligned_alloc, memalign and posix_memalign by any thread. The
-// operator new of the standard library calls malloc. What was counted before is kept.
-void count_allocations(bool is_counting) noexcept {
-  counting.store(is_counting, std::memory_order_relaxed);
-}
-
-// Nothing where they cannot be counted: under sanitizers, which have a malloc of their own, and without the GNU C library.
-std::optional<CountedAllocations> counted_allocations() noexcept {
-  if (FORCESHADE_COUNTS_ALLOCATIONS == 0) return std::nullopt;
-  return CountedAllocations{all_calls.load(std::memory_order_relaxed), all_bytes.load(std::memory_order_relaxed)};
-}
 
 constexpr const char* kEntry = "forceshade_renderer_entry";
 
@@ -232,13 +139,11 @@ class Renderer {
       throw ObjectFailed("it declares damping, and its table has no function answer_after");
     if (periods.empty()) periods.assign(count, 1);
     std::vector<Eigen::Vector3f> answers(kGuard + count + kGuard, Eigen::Vector3f::Constant(kUnwritten));
-    count_allocations(true);
     const float* const asked = positions.data()->data();
     float* const answered = answers[kGuard].data();
     const std::int32_t code = table_.answer_after != nullptr
                                   ? table_.answer_after(state_, asked, periods.data(), answered, count, is_reset ? 1 : 0)
                                   : table_.answer(state_, asked, answered, count, is_reset ? 1 : 0);
-    count_allocations(false);
     if (code != 0) throw ObjectFailed("its answer() returned " + std::to_string(code));
     const std::span<const Eigen::Vector3f> all(answers);
     for (const auto& guard : {all.first(kGuard), all.last(kGuard)})
@@ -252,13 +157,6 @@ class Renderer {
   std::string hello_;
 };
 
-// So far, in all answers.
-std::string line_of_allocations() {
-  nlohmann::json line = nlohmann::json::object();
-  if (const auto found = counted_allocations()) line = {{"calls", found->calls}, {"bytes", found->bytes}};
-  return line.dump();
-}
-
 void answer(const std::string& file, Lines& lines) {
   const auto first = lines.read();
   if (!first) return;
@@ -267,10 +165,6 @@ void answer(const std::string& file, Lines& lines) {
   Renderer renderer(table_of(file), scene.substr(0, scene.size() - 1));
   lines.write(renderer.hello());
   while (const auto line = lines.read()) {
-    if (*line == conformance::kAllocations) {
-      lines.write(line_of_allocations());
-      continue;
-    }
     const bool is_reset = line->starts_with(conformance::kNewPath);
     std::vector<std::uint32_t> periods;
     const auto positions = conformance::numbers_in(*line, is_reset ? conformance::kNewPath : conformance::kPositions, &periods);

@@ -173,8 +173,6 @@ std::string words_of(const Conformance& found, const Tolerance& tolerance) {
     words += "time of an answer: half within " + words_of_time(found.timing->p50) + ", 99.9 % within " +
              words_of_time(found.timing->p999) + ", the slowest " + words_of_time(found.timing->worst) + ", " +
              std::to_string(found.timing->answers) + " answers to one position each\n";
-  if (found.timing && found.timing->allocations)
-    words += "allocations in an answer, on average: " + words_of(*found.timing->allocations) + '\n';
   if (found.failure) words += "FAILED: " + *found.failure + '\n';
   return words;
 }
@@ -197,14 +195,9 @@ Json json_of(const Conformance& found, const Circumstances& circumstances) {
   if (found.counterexample) json["counterexample"] = json_of(*found.counterexample);
   json["invariants"] = Json::array();
   for (const Invariant& invariant : found.invariants) json["invariants"].push_back(json_of(invariant));
-  if (const auto& timing = found.timing) {
+  if (const auto& timing = found.timing)
     json["timing"] = {
         {"answers", timing->answers}, {"p50_s", timing->p50}, {"p99_9_s", timing->p999}, {"worst_s", timing->worst}};
-    if (const auto& allocations = timing->allocations) {
-      json["timing"]["allocations_per_answer"] = allocations->calls;
-      json["timing"]["bytes_per_answer"] = allocations->bytes;
-    }
-  }
   return json;
 }
 

@@ -7,17 +7,12 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "properties/conformance/hello.h"
 
 namespace forceshade::conformance {
-
-struct Allocations {
-  double calls = 0, bytes = 0;
-};
 
 // One thread at a time.
 class RendererUnderTest {
@@ -31,10 +26,6 @@ class RendererUnderTest {
   // renderer with damping gets any. Throws files::ProcessFailed; then no further call is of use.
   virtual std::vector<Eigen::Vector3f> answers(std::span<const Eigen::Vector3f> positions, bool is_reset,
                                                std::span<const std::uint32_t> periods) = 0;
-
-  // The number and size of its allocations in its answers so far; nothing where they are not counted. Throws
-  // files::ProcessFailed.
-  virtual std::optional<Allocations> allocations() { return std::nullopt; }
 
   // Nothing will be requested any more. Throws files::ProcessFailed.
   virtual void say_goodbye() = 0;

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,7 +31,6 @@ class SceneRenderer {
   std::vector<Eigen::Vector3f> forces_along(std::span<const Eigen::Vector3f> path, std::span<const std::uint32_t> periods = {});
   static constexpr std::size_t kBatch = 1024;
 
-  std::optional<Allocations> allocations() { return renderer_->allocations(); }
   void say_goodbye() { renderer_->say_goodbye(); }
 
  private:

@@ -24,10 +24,6 @@ std::string words_of_time(double seconds) {
   return digits(in_a_second * seconds, 3) + unit;
 }
 
-std::string words_of(const Allocations& in_an_answer) {
-  return digits(in_an_answer.calls, 6) + " times, " + digits(in_an_answer.bytes, 6) + " bytes";
-}
-
 Timing timing_of(std::vector<double> seconds) {
   if (seconds.empty()) return {};
   return {seconds.size(), quantile(seconds, 0.5), quantile(seconds, 0.999), std::ranges::max(seconds)};
@@ -36,7 +32,6 @@ Timing timing_of(std::vector<double> seconds) {
 Timing time_answers(SceneRenderer& renderer, std::span<const Eigen::Vector3f> path) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> seconds;
-  const std::optional<Allocations> before = renderer.allocations();
   const Clock::time_point begin = Clock::now();
   for (std::size_t i = 0; i < kTimed; ++i) {
     const std::size_t at = i % path.size();
@@ -46,11 +41,7 @@ Timing time_answers(SceneRenderer& renderer, std::span<const Eigen::Vector3f> pa
     seconds.push_back(std::chrono::duration<double>(answered - asked).count());
     if (answered - begin > kLongestTiming) break;
   }
-  Timing found = timing_of(std::move(seconds));
-  const auto answers = static_cast<double>(found.answers);
-  if (const auto after = renderer.allocations(); before && after)
-    found.allocations = Allocations{(after->calls - before->calls) / answers, (after->bytes - before->bytes) / answers};
-  return found;
+  return timing_of(std::move(seconds));
 }
 
 }  // namespace forceshade::conformance

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,14 +15,11 @@ namespace forceshade::conformance {
 // Seconds from a request of one position to its force, the way through the door included.
 struct Timing {
   std::uint64_t answers = 0;
-  double p50 = 0, p999 = 0, worst = 0;       // percentiles by nearest rank: so many were not slower
-  std::optional<Allocations> allocations{};  // in an answer, on average; nothing where they were not counted
+  double p50 = 0, p999 = 0, worst = 0;  // percentiles by nearest rank: so many were not slower
 };
 
 // "23.4 µs", "8.58 ms".
 std::string words_of_time(double seconds);
-// "2 times, 96 bytes".
-std::string words_of(const Allocations& in_an_answer);
 
 // All zero without answers.
 Timing timing_of(std::vector<double> seconds);

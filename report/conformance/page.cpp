@@ -182,14 +182,12 @@ std::string counterexample(const Conformance& found) {
 
 std::string timing(const std::optional<Timing>& its) {
   if (!its) return "";
-  std::vector<std::pair<std::string, std::string>> rows{
-      {"half within", words_of_time(its->p50)},
-      {"99.9\u202F% within", words_of_time(its->p999)},
-      {"the slowest", words_of_time(its->worst)},
-      {"measured", plural(its->answers, "answer") + ", each to a request of one position, from the request to its "
-                                                    "answer and with the way through the door"}};
-  if (its->allocations) rows.emplace_back("allocates, on average", words_of(*its->allocations));
-  return facts("The time of an answer", rows);
+  return facts("The time of an answer",
+               {{"half within", words_of_time(its->p50)},
+                {"99.9\u202F% within", words_of_time(its->p999)},
+                {"the slowest", words_of_time(its->worst)},
+                {"measured", plural(its->answers, "answer") + ", each to a request of one position, from the request to its "
+                                                              "answer and with the way through the door"}});
 }
 
 std::string capabilities(const std::string& name, const std::string& version, const nlohmann::ordered_json& declared) {

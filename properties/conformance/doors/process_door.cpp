@@ -20,11 +20,8 @@ constexpr const char* kWhose = "renderer";
 
 class ProcessRenderer final : public RendererUnderTest {
  public:
-  ProcessRenderer(const std::string& command, const Json& scene, const files::ProcessLimits& limits,
-                  const std::string& allocations_line)
-      : allocations_line_(allocations_line),
-        dialogue_(command, limits, kWhose),
-        hello_(hello_of(dialogue_.open(scene), scene)) {}
+  ProcessRenderer(const std::string& command, const Json& scene, const files::ProcessLimits& limits)
+      : dialogue_(command, limits, kWhose), hello_(hello_of(dialogue_.open(scene), scene)) {}
 
   const Hello& hello() const override { return hello_; }
 
@@ -33,24 +30,9 @@ class ProcessRenderer final : public RendererUnderTest {
     return answers_in(dialogue_.say(line_of(is_reset ? kNewPath : kPositions, positions, periods)), positions.size());
   }
 
-  std::optional<Allocations> allocations() override {
-    if (allocations_line_.empty()) return std::nullopt;
-    const Json said = dialogue_.ask(allocations_line_);
-    if (said.empty()) return std::nullopt;
-    const auto number = [&](const char* key) {
-      const auto found = said.find(key);
-      if (found == said.end() || !found->is_number_unsigned())
-        throw files::ProcessFailed("the renderer wrote " + files::shown_json(said) +
-                                   " of its allocations; expected numbers of them");
-      return found->get<double>();
-    };
-    return Allocations{number("calls"), number("bytes")};
-  }
-
   void say_goodbye() override { dialogue_.say_goodbye(); }
 
  private:
-  std::string allocations_line_;
   Dialogue dialogue_;
   Hello hello_;
 };
@@ -72,8 +54,8 @@ std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t cou
   return answers;
 }
 
-OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits, const std::string& allocations_line) {
-  return [=](const Json& scene) { return std::make_unique<ProcessRenderer>(command, scene, limits, allocations_line); };
+OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits) {
+  return [=](const Json& scene) { return std::make_unique<ProcessRenderer>(command, scene, limits); };
 }
 
 OpenRenderer object_door(const std::string& file, const files::ProcessLimits& limits) {
@@ -83,8 +65,7 @@ OpenRenderer object_door(const std::string& file, const files::ProcessLimits& li
   files::ProcessLimits its = limits;
   its.ended_well = kObjectEndedWell;
   // A name without a slash would be looked for among the system's libraries.
-  return process_door("exec " + files::quoted_for_shell(program) + ' ' + files::quoted_for_shell(fs::absolute(file)), its,
-                      std::string(kAllocations));
+  return process_door("exec " + files::quoted_for_shell(program) + ' ' + files::quoted_for_shell(fs::absolute(file)), its);
 }
 
 }  // namespace forceshade::conformance

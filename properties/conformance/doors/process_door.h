@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "files/child_process.h"
@@ -12,10 +11,8 @@
 
 namespace forceshade::conformance {
 
-// command: a line for /bin/sh. allocations_line: the line that asks it what it allocated (kAllocations); empty where it does
-// not count that.
-OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits = {},
-                          const std::string& allocations_line = "");
+// command: a line for /bin/sh.
+OpenRenderer process_door(const std::string& command, const files::ProcessLimits& limits = {});
 
 // The answers to so many positions in a line that a renderer wrote. Throws files::ProcessFailed.
 std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t count);
@@ -27,9 +24,6 @@ std::vector<Eigen::Vector3f> answers_in(const std::string& said, std::size_t cou
 // program.
 inline constexpr const char* kObjectProgram = "libexec/forceshade/forceshade-object";
 
-// The line that asks that process how often and how much the object allocated in its answers so far, which it answers with
-// {"calls":2,"bytes":96}, or {} where it does not know.
-inline constexpr std::string_view kAllocations = R"({"allocations":true})";
 // The exit code of that process after goodbye and close(): none that an object gives that ends it itself.
 inline constexpr int kObjectEndedWell = 83;
 
