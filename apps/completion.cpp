@@ -49,7 +49,7 @@ Values values_of(const CLI::Option& option) {
   return {words, "", optional};
 }
 
-// The branches of three case commands, which bash and zsh read alike.
+// The branches of three case commands.
 struct Tables {
   std::ostringstream commands, values, words;
 };
@@ -116,111 +116,6 @@ constexpr const char* kBashTail = R"(    esac
 complete -F _forceshade forceshade
 )";
 
-constexpr const char* kZshHead = R"(#compdef forceshade
-# zsh completion for forceshade: written by 'forceshade completion zsh'
-_forceshade_values() {  # words, -f or -d or nothing
-  case "$2" in
-    -f) _files ;;
-    -d) _files -/ ;;
-  esac
-  [[ -z $1 ]] || compadd -- ${=1}
-}
-_forceshade() {
-  local command=forceshade before=${words[CURRENT-1]} i word value= known= files= optional=1
-  for ((i = 2; i < CURRENT; i++)); do
-    word=${words[i]}
-    case "$command $word" in
-)";
-constexpr const char* kZshBetween = R"(    esac
-  done
-  # --option=value is one word to zsh.
-  if [[ $PREFIX == --*=* ]]; then
-    before=${PREFIX%%=*}
-    compset -P '*='
-  fi
-  case "$command $before" in
-)";
-constexpr const char* kZshThen = R"(    *) value=none ;;
-  esac
-  if [[ $value == none ]]; then
-    optional=1
-  else
-    _forceshade_values "$value" "$files"
-  fi
-  if [[ $optional == 1 ]]; then
-    files=
-    case "$command" in
-)";
-constexpr const char* kZshTail = R"(    esac
-    _forceshade_values "$known" "$files"
-  fi
-}
-# Found by its name in $fpath, this file is the function; read with `source`, it has to register it.
-if [[ ${funcstack[1]} == _forceshade ]]; then _forceshade "$@"; else compdef _forceshade forceshade; fi
-)";
-
-// In single quotes, for fish.
-std::string quoted(const std::string& text) {
-  std::string in_quotes = "'";
-  for (const char c : text) {
-    if (c == '\'' || c == '\\') in_quotes += '\\';
-    in_quotes += c;
-  }
-  return in_quotes + '\'';
-}
-
-// The words of fish for the values of an option or of a word without a name.
-std::string fish_values(const Values& values) {
-  std::string words = values.words.empty() ? "" : " -a " + quoted(values.words);
-  if (std::string(values.files) == "-f") return words + " -F";
-  if (std::string(values.files) == "-d") return words + " -a '(__fish_complete_directories)'";
-  return words;
-}
-
-// A line for each verb, option and positional word of the command, and of its verbs.
-void add_for_fish(const CLI::App& command, std::ostream& names, std::ostream& lines) {
-  const std::string name = full_name(command);
-  const std::string line = of_program("complete -c forceshade -n '__forceshade_is \"") + name + "\"'";
-  for (const CLI::Option* option : command.get_options()) {
-    const bool has_value = option->get_expected_max() > 0;
-    const Values values = has_value ? values_of(*option) : Values{};
-    if (option->get_positional() && !fish_values(values).empty()) lines << line << fish_values(values) << '\n';
-    if (option->get_positional() && option->get_type_name() == "COMMAND")
-      for (const CLI::App* other : verbs_of(*command.get_parent())) lines << line << " -a " << other->get_name() << '\n';
-    for (const std::string& long_name : option->get_lnames()) {
-      lines << line << " -l " << long_name;
-      if (has_value && !values.optional) lines << (std::string(values.files) == "-f" ? " -r" : " -x") << fish_values(values);
-      lines << " -d " << quoted(option->get_description()) << '\n';
-      // fish has no option whose value may be left out: what may follow is a word without a name.
-      if (has_value && values.optional)
-        lines << of_program("complete -c forceshade -n '__forceshade_is \"") << name << "\" --" << long_name << '\''
-              << fish_values(values) << '\n';
-    }
-  }
-  for (const CLI::App* verb : verbs_of(command)) {
-    names << ' ' << quoted(name + ' ' + verb->get_name());
-    lines << line << " -a " << verb->get_name() << " -d " << quoted(verb->get_description()) << '\n';
-    add_for_fish(*verb, names, lines);
-  }
-}
-
-constexpr const char* kFishHead = R"(# fish completion for forceshade: written by 'forceshade completion fish'
-# __forceshade_is COMMAND [OPTION]: whether the words before the cursor name this command, and the option is the last of them.
-function __forceshade_is
-    set -l before (commandline -opc)
-    set -l command forceshade
-    for word in $before[2..]
-        contains -- "$command $word")";
-constexpr const char* kFishThen = R"(
-        and set command "$command $word"
-    end
-    test "$command" = "$argv[1]"; and begin
-        not set -q argv[2]; or test "$before[-1]" = "$argv[2]"
-    end
-end
-complete -c forceshade -f
-)";
-
 }  // namespace
 
 std::string bash_completion(const CLI::App& program) {
@@ -230,31 +125,15 @@ std::string bash_completion(const CLI::App& program) {
          of_program(kBashTail);
 }
 
-std::string zsh_completion(const CLI::App& program) {
-  Tables tables;
-  add(program, tables);
-  return of_program(kZshHead) + tables.commands.str() + kZshBetween + tables.values.str() + of_program(kZshThen) +
-         tables.words.str() + of_program(kZshTail);
-}
-
-std::string fish_completion(const CLI::App& program) {
-  std::ostringstream names, lines;
-  add_for_fish(program, names, lines);
-  return of_program(kFishHead) + names.str() + of_program(kFishThen) + lines.str();
-}
-
 void add_completion(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("completion", of_program("Print what a shell loads to complete forceshade's commands and options"));
   const auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "the shell")
-      ->type_name("bash|zsh|fish")
+  command->add_option("shell", *shell, "the shell; zsh reads what is written for bash, after bashcompinit")
+      ->type_name("bash")
       ->required()
-      ->check(one_of({"bash", "zsh", "fish"}));
-  command->callback([&app, shell] {
-    const auto completion = *shell == "bash" ? bash_completion : *shell == "zsh" ? zsh_completion : fish_completion;
-    std::fputs(completion(app).c_str(), stdout);
-  });
+      ->check(one_of({"bash"}));
+  command->callback([&app, shell] { std::fputs(bash_completion(app).c_str(), stdout); });
 }
 
 }  // namespace forceshade::apps

@@ -49,10 +49,8 @@ std::string help_text(const CLI::App& command);
 // The page of one command in roff (man macros). It has no date, so that the same program writes the same page.
 std::string man_page(const CLI::App& command, const std::string& version);
 
-// For each shell: commands, options, and the values of options that are words, files or folders.
+// For bash: commands, options, and the values of options that are words, files or folders.
 std::string bash_completion(const CLI::App& program);
-std::string zsh_completion(const CLI::App& program);
-std::string fish_completion(const CLI::App& program);
 
 // forceshade man and forceshade completion. Call last: they describe what was added before and themselves.
 void add_man(CLI::App& app);

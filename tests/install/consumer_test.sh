@@ -146,7 +146,6 @@ grep -q 'expected install_manifest.txt in the build folder' "$scratch/log" || { 
 echo "== the rest"
 [ -s "$prefix/share/doc/forceshade/LICENSE" ] || fail "no licence file is installed"
 [ "$("$prefix/bin/forceshade" --version)" = "$("$build/apps/forceshade" --version)" ] || fail "the installed command has another digest"
-for file in man/man1/forceshade.1 man/man1/forceshade-device-check.1 bash-completion/completions/forceshade \
-  zsh/site-functions/_forceshade fish/vendor_completions.d/forceshade.fish; do
+for file in man/man1/forceshade.1 man/man1/forceshade-device-check.1 bash-completion/completions/forceshade; do
   [ -s "$prefix/share/$file" ] || fail "share/$file was not installed"
 done
