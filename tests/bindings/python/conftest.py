@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fixtures of the tests of the package for Python."""
 
-import csv
 import os
 import pathlib
 import signal
-from decimal import Decimal
 
 import numpy as np
 import pytest
@@ -17,23 +15,8 @@ GOLDEN = ROOT / "tests" / "golden"
 signal.signal(signal.SIGINT, signal.default_int_handler)  # which a script that starts the tests in the background ignores
 
 
-def binary32(text):
-    """A hexfloat, inf or nan of the golden files."""
-    return np.float32(float.fromhex(text))
-
-
-def rows_of(name):
-    with open(GOLDEN / name, newline="") as file:
-        return list(csv.DictReader(file))
-
-
 def same_bits(a, b):
     return np.array_equal(np.asarray(a, np.float32).view(np.uint32), np.asarray(b, np.float32).view(np.uint32))
-
-
-def number(text):
-    """Decimal digits, in whatever notation."""
-    return Decimal(text)
 
 
 def command():
