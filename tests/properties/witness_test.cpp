@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <random>
 
-#include "forceshade/fast.h"
 #include "properties/law_claims.h"
 #include "reference/energy.h"
 
@@ -106,48 +105,6 @@ TEST(witness, is_a_simple_loop_no_deeper_than_asked_that_generates_99_percent_of
 TEST(witness, of_a_conservative_law_is_none) {
   for (const LawId id : {LawId::wall, LawId::cylinder, LawId::bump_cylinder, LawId::bump_1p})
     EXPECT_TRUE(witness(std::get<Law>(Law::build(id, kBump)), 2).empty());
-}
-
-// The hand walks from a to b in small steps and gets the work of the force at the middle of each.
-double walked(const fast::Law& law, const PathPoint& a, const PathPoint& b, int steps) {
-  const Eigen::Vector3d from(a.x, 0, a.z), way = Eigen::Vector3d(b.x, 0, b.z) - from;
-  double generated = 0;
-  for (int k = 0; k < steps; ++k) {
-    const Eigen::Vector3d middle = from + way * ((k + 0.5) / steps);
-    generated += law.force(middle.cast<float>()).cast<double>().dot(way) / steps;
-  }
-  return generated;
-}
-
-TEST(witness, walked_on_the_fast_path_generates_as_much) {
-  constexpr double kStep = 1e-4;  // mm
-  const double K = 0.5, R = 15.24, alpha = std::asin(25.4 / (2 * R)), d = R * std::cos(alpha);
-  for (const LawId id : kActive)
-    for (const float depth : {0.5F, 2.0F, 6.0F}) {
-      const Law law = std::get<Law>(Law::build(id, kBump));
-      const auto fast = std::get<fast::Law>(fast::Law::build(id, kBump));
-      const std::vector<PathPoint> loop = witness(law, depth);
-      const auto D = static_cast<double>(depth);
-      // Between lines of jump the force changes by no more than this per mm, for ‖∇(H - z)‖ is 1/cos of a slope up to θ = 2α/3
-      // and the shaded direction turns by 1/d. The middle of a step stands for it to within a quarter of that times the step;
-      // rounding moves a position by 2⁻²⁰ mm and a force by 2⁻²⁴ of itself, at most. A line is crossed in a single step.
-      const double rate = K * (1 / std::cos(2 * alpha / 3) + D / d);
-      double generated = 0, tolerance = 0;
-      for (std::size_t i = 1; i < loop.size(); ++i) {
-        const double length = std::hypot(loop[i].x - loop[i - 1].x, loop[i].z - loop[i - 1].z);
-        const int steps = static_cast<int>(std::ceil(length / kStep));
-        generated += walked(fast, loop[i - 1], loop[i], steps);
-        tolerance += length * (rate * (length / steps / 4 + 0x1p-20) + K * D * (steps == 1 ? 1 : 0x1p-24));
-      }
-      const double most = loop_bound(law, depth).anywhere.high.convert_to<double>();
-      const double exact = work(law, loop).low.convert_to<double>();
-      std::printf("  %-15s D %g: bound %.6f, exact %.6f, walked %.6f mJ, within %.1e\n", name_of(id).data(), D, most, exact,
-                  generated, tolerance);
-      EXPECT_NEAR(generated, exact, tolerance);
-      EXPECT_GE(generated + tolerance, 0.99 * most);
-      EXPECT_LE(generated - tolerance, most);
-      EXPECT_LT(tolerance, 0.05 * most);
-    }
 }
 
 }  // namespace

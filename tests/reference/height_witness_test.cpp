@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "forceshade/fast.h"
 #include "reference/height_energy.h"
 #include "tests/height_maps/height_examples.h"
 
@@ -97,39 +96,6 @@ TEST(height_witness, goes_round_kinks_closer_than_a_binary32_step) {
 TEST(height_witness, of_a_field_with_a_potential_is_none) {
   for (const HeightExample& example : height_examples())
     EXPECT_TRUE(witness(build(example.map, Mode::conservative, 1), {}, 2).empty());
-}
-
-// Walked at no more than 2·10^-4 mm a step, the hand gets the work of the force at the middle of each.
-TEST(height_witness, walked_on_the_fast_path_generates_the_same) {
-  constexpr double kStep = 2e-4, K = 0.5, D = 0.5;
-  for (const HeightExample& example : height_examples())
-    for (const Mode mode : kActive)
-      for (const Slice& slice : kSlices) {
-        const HeightMapField law = build(example.map, mode, static_cast<float>(K));
-        const auto fast = std::get<fast::HeightMapField>(fast::HeightMapField::build(example.map, mode, static_cast<float>(K)));
-        const Path loop = witness(law, slice, static_cast<float>(D));
-        if (loop.empty()) continue;
-        double generated = 0, length = 0;
-        for (std::size_t i = 1; i < loop.size(); ++i) {
-          const Vector3d from = loop[i - 1].cast<double>(), way = loop[i].cast<double>() - from;
-          const int steps = static_cast<int>(std::ceil(way.norm() / kStep));
-          for (int step = 0; step < steps; ++step) {
-            const Vector3f at = (from + (step + 0.5) / steps * way).cast<float>();
-            const Vector3f force = fast.evaluate(at).force;
-            generated += force.cast<double>().dot(way) / steps;
-            if (!force.isZero()) length += way.norm() / steps;
-          }
-        }
-        const double most = loop_bound(law, slice, static_cast<float>(D)).most().high.convert_to<double>();
-        const double exact = work(law, loop).low.convert_to<double>();
-        // By no more than 2 N/mm does the force change off the kinks, which are gone round in steps of their own; positions are
-        // rounded by 2^-21 mm, forces by 2^-24 of K·D.
-        const double tolerance = length * (2 * (kStep / 4 + 0x1p-21) + K * D * 0x1p-24);
-        EXPECT_NEAR(generated, exact, tolerance) << example.name;
-        EXPECT_GE(generated + tolerance, 0.99 * most) << example.name;
-        EXPECT_LE(generated - tolerance, most) << example.name;
-        EXPECT_LT(tolerance, 0.2 * most) << example.name;
-      }
 }
 
 }  // namespace
