@@ -164,6 +164,20 @@ TEST(tick_budget, is_two_to_the_fourteenth_triangles) {
   }
 }
 
+// Each triangle at a vertex meets a flight through it, and to find how the vertex lies to it looks at each of them.
+TEST(tick_budget, a_tick_at_a_vertex_of_many_triangles_decides_on_each_of_them_but_a_few_times) {
+  constexpr std::uint32_t kTriangles = 200;
+  const tests::CostlyMesh one = tests::pole(kTriangles, 5);
+  for (const Sides sides : {Sides::front, Sides::both})
+    for (const float from : {3.0F, -3.0F}) {
+      tests::BothSides both(tests::unshaded(one.mesh, sides));
+      for (const Position& p : {Position{0, 0, from}, {0, 0, -from}, {0, 0, 0}, {0.3F, 0.1F, from}, {0.1F, -0.2F, -from}}) {
+        both.step(p);
+        EXPECT_LE(both.decisions()[0] + both.decisions()[1], 12 * kTriangles);
+      }
+    }
+}
+
 // The work of one tick: looks and moves, each of which looks at a triangle or two more.
 struct Cost {
   int looks = 0, moves = 0;
