@@ -126,18 +126,10 @@ struct Swing {
   int size, frequency, phase;  // in hundredths
 };
 
-std::ostream& operator<<(std::ostream& out, const Swing& swing) {
-  return out << "{" << swing.size << ", " << swing.frequency << ", " << swing.phase << "}";
-}
-
 // At most 12 mm, and 300 mm/s.
-rc::Gen<Swing> any_swing() {
-  return rc::gen::mapcat(rc::gen::inRange(10, 400), [](int frequency) {
-    const int fast = static_cast<int>(300 * 100 / (2 * M_PI * frequency / 100));
-    return rc::gen::build<Swing>(rc::gen::set(&Swing::size, rc::gen::inRange(1, std::min(1200, fast))),
-                                 rc::gen::set(&Swing::frequency, rc::gen::just(frequency)),
-                                 rc::gen::set(&Swing::phase, rc::gen::inRange(0, 100)));
-  });
+Swing any_swing(std::mt19937& random) {
+  const int frequency = drawn_from(random, 10, 399), fast = static_cast<int>(300 * 100 / (2 * M_PI * frequency / 100));
+  return {drawn_from(random, 1, std::min(1199, fast)), frequency, drawn_from(random, 0, 99)};
 }
 
 double at(const Swing& swing, double time) {
@@ -156,23 +148,26 @@ TEST(passivity_controller, lets_no_smooth_hand_feel_a_buzz) {
       for (const bool latency : {false, true}) {
         const PassivitySettings settings = passivity_settings({.resolution = 0.03F, .latency = latency}, 1000);
         std::size_t altered = 0;
-        expect_for_all(words_of(id) + ", " + words_of(kind) + (latency ? ", latency" : ""), 20261, 200, [&] {
-          const auto swings = *rc::gen::container<std::array<Swing, 6>>(any_swing());
-          const int deep = *rc::gen::inRange(-200, 800);  // hundredths of a mm, in the middle
-          const auto hand_at = [&](double time) {
-            return Position(at(swings[0], time) + at(swings[1], time), at(swings[2], time) + at(swings[3], time),
-                            0.3 * (at(swings[4], time) + at(swings[5], time)) - 0.01 * deep);
-          };
-          Hand hand(law_of(id), kind, settings);
-          for (int round = 0; round < 12; ++round) hand.go_round(stroke(kBump, 4), 0.2);
-          const Position from = hand.at;
-          for (int tick = 0; tick <= 1000; ++tick) hand.go_to(counted(from + (hand_at(0) - from) * (tick / 1000.0)));
-          hand.chatter = {};
-          for (int tick = 1; tick < 3000; ++tick) hand.go_to(counted(hand_at(tick / 1000.0)));
-          altered += hand.controller.account().altered;
-          RC_ASSERT(hand.chatter.ticks == 0U);
-          RC_ASSERT(hand.lowest >= -settings.epsilon - kRounding);
-        });
+        expect_for_all(words_of(id) + ", " + words_of(kind) + (latency ? ", latency" : ""), 20261, 200,
+                       [&](std::mt19937& random) {
+                         std::array<Swing, 6> swings;
+                         for (Swing& swing : swings) swing = any_swing(random);
+                         const int deep = drawn_from(random, -200, 799);  // hundredths of a mm, in the middle
+                         const auto hand_at = [&](double time) {
+                           return Position(at(swings[0], time) + at(swings[1], time), at(swings[2], time) + at(swings[3], time),
+                                           0.3 * (at(swings[4], time) + at(swings[5], time)) - 0.01 * deep);
+                         };
+                         Hand hand(law_of(id), kind, settings);
+                         for (int round = 0; round < 12; ++round) hand.go_round(stroke(kBump, 4), 0.2);
+                         const Position from = hand.at;
+                         for (int tick = 0; tick <= 1000; ++tick)
+                           hand.go_to(counted(from + (hand_at(0) - from) * (tick / 1000.0)));
+                         hand.chatter = {};
+                         for (int tick = 1; tick < 3000; ++tick) hand.go_to(counted(hand_at(tick / 1000.0)));
+                         altered += hand.controller.account().altered;
+                         EXPECT_EQ(hand.chatter.ticks, 0U);
+                         EXPECT_GE(hand.lowest, -settings.epsilon - kRounding);
+                       });
         EXPECT_TRUE(altered > 0 || id == LawId::wall) << words_of(id);
       }
 }
