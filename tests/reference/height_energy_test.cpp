@@ -6,12 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <random>
 
 #include "reference/energy.h"
 #include "tests/height_maps/height_examples.h"
-#include "tests/properties/random_loop.h"
-#include "tests/support/drawn.h"
 
 namespace forceshade::reference {
 namespace {
@@ -20,8 +17,6 @@ using height::Mode;
 using Along = Slice::Along;
 using Eigen::Vector3f;
 using Path = std::vector<Vector3f>;
-
-constexpr std::array kActive{Mode::true_height, Mode::force_shaded};
 
 HeightMapField build(HeightMap map, Mode mode, float stiffness = 1) {
   return std::get<HeightMapField>(HeightMapField::build(std::move(map), mode, stiffness));
@@ -141,33 +136,6 @@ TEST(height_energy, polygons_shaded_by_a_ridge_are_the_law_bump_2p_shaded) {
     expect_near(bound.counter_clockwise, low(law.anywhere), "counter-clockwise");
     expect_near(bound.clockwise, low(law.anywhere), "clockwise");
   }
-}
-
-TEST(height_energy, no_simple_loop_generates_more_than_the_bound) {
-  std::mt19937 random(4);
-  double best = 0;
-  for (const HeightExample& example : height_examples())
-    for (const Mode mode : kActive)
-      for (const Slice& slice : {Slice{Along::x, 1.3F, -7, 6}, {Along::y, 0.7F, -5, 6}}) {
-        // The lowest and the highest place, so that no loop is deeper than the bound is asked for.
-        double least = 0, most = 0;
-        for (double s = -7; mode == Mode::true_height && s <= 6; s += 0.01) {
-          const double U = slice.along == Along::x ? example.U(s, 1.3) : example.U(0.7, s);
-          least = std::min(least, U);
-          most = std::max(most, U);
-        }
-        const HeightMapField law = build(example.map, mode);
-        const float bottom = static_cast<float>(least) - 0.5F, top = static_cast<float>(most) + 0.25F;
-        const SliceBound bound = loop_bound(law, slice, top - bottom);
-        for (std::size_t i = 0; i < tests::drawn(10); ++i) {
-          const Interval generated = work(law, random_loop(random, slice, bottom, top));
-          EXPECT_LE(low(generated), bound.counter_clockwise.high) << example.name;
-          EXPECT_LE(-generated.high, bound.clockwise.high) << example.name;
-          if (bound.counter_clockwise.high > 0) best = std::max(best, low(generated) / low(bound.counter_clockwise));
-        }
-      }
-  std::printf("  the best generates %.0f %% of it\n", 100 * best);
-  EXPECT_GT(best, 0.3) << "loops that come nowhere near it test nothing";
 }
 
 TEST(height_energy, of_a_loop_is_the_difference_of_what_pays_and_what_costs_inside) {
