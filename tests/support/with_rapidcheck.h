@@ -10,9 +10,15 @@
 #include <utility>
 
 #include "forceshade/properties.h"
-#include "tests/support/silent.h"
 
 namespace forceshade::tests {
+
+class Silent : public rc::detail::TestListener {
+ public:
+  void onTestCaseFinished(const rc::detail::CaseDescription&) override {}
+  void onShrinkTried(const rc::detail::CaseDescription&, bool) override {}
+  void onTestFinished(const rc::detail::TestMetadata&, const rc::detail::TestResult&) override {}
+};
 
 class RapidCheckChooser final : public properties::Chooser {
  private:
