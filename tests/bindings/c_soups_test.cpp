@@ -177,31 +177,6 @@ TEST(c_soups, give_the_bits_the_status_and_the_state_of_cpp_step_by_step_resumed
   EXPECT_GT(slipping, 50U);
 }
 
-TEST(c_soups, are_shared_by_threads_in_a_batch) {
-  const tests::SoupPath path = tests::read_soup_path(kSoups + "crossing_balls.txt");
-  const forceshade_subject subject = subject_of(path, {kShaded, false});
-  constexpr std::size_t kPaths = 3100;  // enough for three threads
-  std::vector<forceshade_state> states(kPaths, beginning()), others(kPaths, beginning());
-  std::vector<float> at(3 * kPaths), one(at.size()), three(at.size());
-  std::vector<forceshade_status> said_one(kPaths), said_three(kPaths);
-  std::size_t contacts = 0;
-  for (std::size_t tick = 0; tick < 3; ++tick) {
-    for (std::size_t i = 0; i < kPaths; ++i)
-      std::ranges::copy(tests::position_of(path.ticks[(i + tick) % path.ticks.size()]), &at[3 * i]);
-    forceshade_batch batch = tests::batch_of(at, one, said_one);
-    ASSERT_EQ(forceshade_advance(subject, states.data(), &batch, nullptr), FORCESHADE_OK) << forceshade_message();
-    batch = tests::batch_of(at, three, said_three);
-    batch.threads = 3;
-    ASSERT_EQ(forceshade_advance(subject, others.data(), &batch, nullptr), FORCESHADE_OK);
-    EXPECT_EQ(std::memcmp(one.data(), three.data(), sizeof(float) * one.size()), 0);
-    EXPECT_EQ(said_one, said_three);
-    EXPECT_TRUE(std::ranges::equal(states, others, is_same));
-    contacts += static_cast<std::size_t>(std::ranges::count(said_one, FORCESHADE_CONTACT));
-  }
-  EXPECT_GT(contacts, kPaths / 4);
-  forceshade_subject_free(subject);
-}
-
 // Two boxes with a common face.
 mesh::TriangleMesh boxes() {
   return tests::read_soup_path(kSoups + "cubes_face.txt").mesh;
