@@ -65,31 +65,32 @@ def digest_of(file, names):
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
 
 
+def changed(lines):
+    """The files of these lines of code.txt that differ from their digests."""
+    split = [line.split() for line in lines if not line.startswith("#")]
+    return [file for file, *names, digest in split if digest_of(file, names) != digest]
+
+
 def main():
     renewed = sys.argv[2:] if sys.argv[1:2] == ["--renew"] else []
     if len(sys.argv) > 1 and not renewed:
         raise SystemExit(__doc__)
-    lines, changed, known = [], [], set()
-    for line in LIST.read_text().splitlines():
-        if not line.startswith("#"):
-            file, *names, digest = line.split()
-            known.add(file)
-            now = digest_of(file, names)
-            if file in renewed:
-                line = " ".join([file, *names, now])
-            elif now != digest:
-                changed.append(file)
-        lines.append(line)
+    lines = LIST.read_text().splitlines()
     for file in renewed:
-        if file not in known:
+        places = [place for place, line in enumerate(lines) if line.split()[0] == file]
+        if not places:
             raise SystemExit(f"proofs/code.txt: expected a line of {file}")
+        for place in places:
+            _, *names, _ = lines[place].split()
+            lines[place] = " ".join([file, *names, digest_of(file, names)])
     if renewed:
         LIST.write_text("\n".join(lines) + "\n")
-    for file in changed:
+    differing = changed(lines)
+    for file in differing:
         what = ("does not state what a person has read: does it say less?" if file.endswith(".v") else
                 "is not the code that definitions of proofs/ were written from: look at them again,")
         print(f"{file} {what} Then\n  proofs/digests.py --renew {file}")
-    return 1 if changed else 0
+    return 1 if differing else 0
 
 
 if __name__ == "__main__":
