@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reference/numbers/numbers.h"
+#include "reference/numbers/multiprecision.h"
 
 namespace forceshade::reference {
 

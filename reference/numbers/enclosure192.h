@@ -6,7 +6,7 @@
 #include <boost/multiprecision/mpfi.hpp>
 
 #include "reference/numbers/interval_ends.h"
-#include "reference/numbers/numbers.h"
+#include "reference/numbers/multiprecision.h"
 
 namespace forceshade::reference {
 

@@ -14,7 +14,7 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <vector>
 
-#include "reference/numbers/numbers.h"
+#include "reference/numbers/multiprecision.h"
 
 namespace forceshade::reference {
 

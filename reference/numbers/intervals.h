@@ -2,7 +2,7 @@
 #pragma once
 // Order and choice among enclosures, where "surely" means for every pair of numbers the two may stand for.
 
-#include "reference/numbers/numbers.h"
+#include "reference/numbers/multiprecision.h"
 
 namespace forceshade::reference {
 
