@@ -14,7 +14,7 @@ printed=$("$@" | tr -d '\r') || {
 same=$(grep -v '^#' "$hashes" | grep -Fxf <(echo "$printed") || true)
 of() { grep -c "$1" <<< "$2" || true; }  # how many lines begin so
 stored=$(grep -v '^#' "$hashes")
-for kind in "laws ^\(wall\|cylinder\|bump\)" "height-maps ^height-map" "meshes ^\(mesh\|scene\)"; do
+for kind in "laws ^\(wall\|cylinder\|bump\)" "height-maps ^height-map" "meshes ^\(mesh\|scene\|damping\)"; do
   echo "${kind%% *}: $(of "${kind#* }" "$same") of $(of "${kind#* }" "$stored") golden hashes"
 done
 diff <(echo "$stored") <(echo "$printed") || { echo "FAILED: these are other bits"; exit 1; }
