@@ -57,9 +57,10 @@ const forceshadeArguments = (() => {
     return value;
   }
 
+  // Places that nothing was put in are undefined, as those who read the list see them; flatMap() would leave them out.
   function list(what, value) {
     if (!Array.isArray(value)) throw badValue(what, "an array", got(value));
-    return value;
+    return Array.from(value);
   }
 
   // An array of so many numbers, or of three for each position.
@@ -70,14 +71,22 @@ const forceshadeArguments = (() => {
     }
     for (let i = 0; i < values.length; ++i)
       if (typeof values[i] !== "number") throw badValue(what, "numbers", `${got(values[i])} at ${i}`);
+    // An array without a number may still be none: its buffer was transferred, or it is of BigInts.
+    if (values.length === 0 && ArrayBuffer.isView(values))
+      try {
+        new Float32Array(0).set(values);
+      } catch {
+        throw badValue(what, "an array of numbers", "one of BigInts, or one whose buffer was transferred");
+      }
     // Only then, since an object that merely has a length may have one for which there is no memory.
     return Array.isArray(values) || ArrayBuffer.isView(values) ? values : Array.from(values);
   }
 
-  // Numbers from 0, of which WebAssembly would otherwise take the lowest 32 bits.
-  function indices(what, values) {
+  // Numbers from 0, of which WebAssembly would otherwise take the lowest 32 bits, or 8 of a status.
+  function indices(what, values, most = 0xffffffff) {
     for (const value of values)
-      if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) throw badValue(what, "whole numbers from 0", got(value));
+      if (!Number.isInteger(value) || value < 0 || value > most)
+        throw badValue(what, `whole numbers from 0${most < 0xffffffff ? ` to ${most}` : ""}`, got(value));
     return values;
   }
 

@@ -193,7 +193,7 @@
       const names = ["place", "side", "slipping", "position", "index", "parameter", "meeting", "further", "cell"];
       known("state", state, names, "a state, as state() answers it");
       // One that was kept before meshes could be irregular has no further members.
-      const its = { meeting: MEETINGS[0], further: [0, 0], cell: [0, 0], ...state };
+      const { meeting = MEETINGS[0], further = [0, 0], cell = [0, 0] } = state, its = { ...state, meeting, further, cell };
       const pairs = (...keys) => keys.flatMap((key) => Array.from(indices(key, floats(key, its[key], 2))));
       const all = [oneOf("place", its.place, PLACES), oneOf("side", its.side, SIDES), flag("slipping", its.slipping) ? 1 : 0,
                    ...floats("position", its.position, 3), ...pairs("index", "parameter"), oneOf("meeting", its.meeting, MEETINGS),
@@ -244,7 +244,7 @@
       const since = periods === undefined ? null : { Type: Uint32Array, values: indices("periods", floats("periods", periods, count)) };
       const values = [{ Type: Float32Array, values: this._numbers }, { Type: Float32Array, values: this._state }, since,
                       { Type: Float32Array, values: positions }, { Type: Float32Array, values: floats("forces", forces, 3 * count) },
-                      { Type: Uint8Array, values: indices("statuses", floats("statuses", statuses, count)) }];
+                      { Type: Uint8Array, values: indices("statuses", floats("statuses", statuses, count), STATUSES.length - 1) }];
       return memory.lend(values, (numbers, state, each, from, to, said) => {
         memory.check(memory.module._web_damping_steps(numbers, state, each, count, from, to, said));
         this._state.set(memory.floats(state, 8));
@@ -345,8 +345,9 @@
 
     damping(options) {
       const names = ["rate", "share", "damping", "most", "drag", "fullAt"];
-      const all = { share: 1, damping: 0, most: 2, drag: 0, fullAt: 0.25, ...known("damping", options, names, "options with rate") };
-      return new Damping(this._memory, names.map((name) => number(name, all[name])));
+      const { rate, share = 1, damping = 0, most = 2, drag = 0, fullAt = 0.25 } = known("damping", options, names, "options with rate");
+      const numbers = Object.entries({ rate, share, damping, most, drag, fullAt });
+      return new Damping(this._memory, numbers.map(([name, value]) => number(name, value)));
     }
 
     scene(objects) {

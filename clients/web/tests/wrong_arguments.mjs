@@ -5,7 +5,13 @@ import assert from "node:assert/strict";
 
 const VALUES = [undefined, null, 3, -1, 0.5, NaN, "x", "", "wall\0", true, Symbol("s"), 1n, {}, [], [1, 2, "3"], [[1, 2, 3]], () => 0,
                 new Date(0), Object.create(null), new Map(), new DataView(new ArrayBuffer(12)), new BigInt64Array(3), { length: 3 },
-                { length: 1e9 }, { length: 3e9 }];
+                { length: 1e9 }, { length: 3e9 }, new BigInt64Array(0), transferred(), new Array(2)];
+
+function transferred() {
+  const values = new Float32Array(9);
+  structuredClone(values.buffer, { transfer: [values.buffer] });
+  return values;
+}
 
 export function refusesWrongArguments(library, ForceshadeError) {
   const law = (options) => library.law("wall", { stiffness: 1, ...options });
@@ -118,6 +124,12 @@ export function refusesWrongArguments(library, ForceshadeError) {
     [/^translation: expected an array of 3 numbers, got an array of 4$/,
       () => scene.step([0, 0, 0], [{ ...pose, translation: [0, 0, 0, 0] }])],
     [/^rotation: expected an array of 4 numbers, got an array of 3$/, () => scene.step([0, 0, 0], [{ ...pose, rotation: [1, 0, 0] }])],
+    [/^pose: expected an object with translation and rotation, got undefined$/, () => scene.step([0, 0, 0], new Array(1))],
+    [/^material: expected an object with .*, got undefined$/, () => mesh({ materials: new Array(1) })],
+    [/^positions: expected an array of numbers, got one of BigInts, or one whose buffer was transferred$/,
+      () => wall.forces(transferred())],
+    ...[4, 256, 257].map((value) => [new RegExp(`^statuses: expected whole numbers from 0 to 3, got the number ${value}$`),
+      () => oil.steps([0, 0, 0], { ...answers, statuses: [value] })]),
     [/^edge: expected a text without NUL, got the text "tile\\u0000"$/, () => map({ edge: "tile\0" })],
     [/^law: expected one of .*, got the text "x{40}…"$/, () => library.law("x".repeat(41))],
     [/^law: expected one of .*, got the text "x{40}"$/, () => library.law("x".repeat(40))],
@@ -128,6 +140,11 @@ export function refusesWrongArguments(library, ForceshadeError) {
     assert.throws(call, (error) => error instanceof ForceshadeError && error.result === "BAD_VALUE" && words.test(error.message),
       String(call));
 
+  // An option that is undefined is one that is not given.
+  law({ radius: undefined, width: undefined });
+  mesh({ crease: undefined, sides: undefined, materials: undefined });
+  path.resume({ ...state, meeting: undefined, further: undefined, cell: undefined });
+  library.damping({ rate: 1000, share: undefined, damping: undefined, most: undefined, drag: undefined, fullAt: undefined });
   assert.doesNotThrow(() => wall.force({ length: 3, 0: 0, 1: 0, 2: 1 })); // an ArrayLike, as forceshade.d.ts has it
   for (const one of [library, wall, path, scene, oil]) assert.ok(JSON.stringify(one).length < 300);
   for (const one of [wall, path, scene, oil]) assert.deepEqual(Object.keys(one), []);
