@@ -52,19 +52,13 @@ struct AnalyzeOptions {
 };
 
 experiments::Results read_folders(const std::vector<std::string>& folders) {
-  experiments::Results all;
-  std::set<std::filesystem::path> seen;
+  experiments::GatheredResults gathered;
   for (const std::string& folder : folders) {
-    std::error_code unresolved;
-    const std::filesystem::path path = std::filesystem::canonical(folder, unresolved);
-    if (!unresolved && !seen.insert(path).second) throw Error(folder + ": expected each folder once");
-    const bool is_session = std::filesystem::exists(path / "trials.jsonl");
-    experiments::Results one =
-        is_session ? experiments::results_of(experiments::read_session(path)) : experiments::read_results(folder);
-    all.matching.insert(all.matching.end(), one.matching.begin(), one.matching.end());
-    all.classification.insert(all.classification.end(), one.classification.begin(), one.classification.end());
-    all.radius_changes.insert(all.radius_changes.end(), one.radius_changes.begin(), one.radius_changes.end());
+    const bool is_session = std::filesystem::exists(std::filesystem::path(folder) / "trials.jsonl");
+    gathered.add(is_session ? experiments::results_of(experiments::read_session(folder)) : experiments::read_results(folder),
+                 folder);
   }
+  experiments::Results all = std::move(gathered.all);
   for (const std::string& name : analysis::participants_of(all))
     if (name == analysis::kOverall) throw Error("participant: expected a name other than \"overall\", which the tables use");
   if (all.matching.empty() && all.classification.empty())

@@ -15,6 +15,7 @@
 #include "apps/subject_option.h"
 #include "device/placement_text.h"
 #include "files/printable.h"
+#include "study/analysis/tables.h"
 #include "study/apparatus/certificates.h"
 #include "study/apparatus/motion.h"
 #include "study/apparatus/session_run.h"
@@ -177,9 +178,9 @@ struct RunOptions {
 };
 
 int run(const RunOptions& options) {
-  if (!experiments::is_participant(options.participant))
-    throw Error("--participant: expected a pseudonym of at most 32 letters, digits and dashes, got \"" + options.participant +
-                '"');
+  if (!experiments::is_participant(options.participant) || options.participant == analysis::kOverall)
+    throw Error("--participant: expected a pseudonym of at most 32 letters, digits and dashes, and not \"" +
+                std::string(analysis::kOverall) + "\", which the tables use, got \"" + options.participant + '"');
   const Protocol protocol = experiments::read_protocol(options.protocol);
   const SessionOptions session = options.driving.options();
   const std::uint64_t seed = options.seed.value_or(system::random());
@@ -213,6 +214,8 @@ struct ExportOptions {
 
 int write_out(const ExportOptions& options) {
   if (options.csv.empty() && options.bids.empty()) throw Error("expected --csv DIR, --bids DIR or both; got neither");
+  if (fs::weakly_canonical(fs::absolute(options.csv)) == fs::weakly_canonical(fs::absolute(options.bids)))
+    throw Error("--bids: expected another folder than --csv, got \"" + options.bids + '"');
   const std::vector<fs::path> folders(options.sessions.begin(), options.sessions.end());
   const std::unique_ptr<files::OutputFolder> csv = new_folder("--csv", options.csv), bids = new_folder("--bids", options.bids);
   const experiments::Results results = experiments::results_of(folders);

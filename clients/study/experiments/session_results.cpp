@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "files/input_file.h"
 #include "files/output_file.h"
+#include "files/printable.h"
 
 namespace forceshade::experiments {
 namespace {
@@ -20,12 +19,6 @@ struct Going {
   int steps = 0;
   std::vector<RadiusChange> changes;
 };
-
-void append(Results& all, const Results& more) {
-  all.matching.insert(all.matching.end(), more.matching.begin(), more.matching.end());
-  all.classification.insert(all.classification.end(), more.classification.begin(), more.classification.end());
-  all.radius_changes.insert(all.radius_changes.end(), more.radius_changes.begin(), more.radius_changes.end());
-}
 
 }  // namespace
 
@@ -109,9 +102,22 @@ Results results_of(const SavedSession& session) {
   return all;
 }
 
+void GatheredResults::add(const Results& more, const std::filesystem::path& folder) {
+  const auto expect_new = [&](const auto& trials, bool is_matching) {
+    for (const auto& one : trials)
+      if (!seen_.emplace(one.participant, one.trial, is_matching).second)
+        throw Error(folder, "trial " + std::to_string(one.trial) + " of participant " + files::printable(one.participant) +
+                                " is in an earlier folder, too: each participant does an experiment once");
+  };
+  expect_new(more.matching, true);
+  expect_new(more.classification, false);
+  all.matching.insert(all.matching.end(), more.matching.begin(), more.matching.end());
+  all.classification.insert(all.classification.end(), more.classification.begin(), more.classification.end());
+  all.radius_changes.insert(all.radius_changes.end(), more.radius_changes.begin(), more.radius_changes.end());
+}
+
 Results results_of(std::span<const std::filesystem::path> folders) {
-  Results all;
-  std::set<std::tuple<std::string, int, bool>> seen;
+  GatheredResults gathered;
   std::map<std::string, std::string> by_folded;
   for (const std::filesystem::path& folder : folders) {
     const SavedSession session = read_session(folder);
@@ -120,18 +126,9 @@ Results results_of(std::span<const std::filesystem::path> folders) {
       throw Error(folder,
                   "participants " + at->second + " and " + name +
                       " differ in capital letters alone, which many programs and file systems do not tell apart: rename one");
-    const Results results = results_of(session);
-    const auto expect_new = [&](const auto& trials, bool is_matching) {
-      for (const auto& one : trials)
-        if (!seen.insert({one.participant, one.trial, is_matching}).second)
-          throw Error(folder, "trial " + std::to_string(one.trial) + " of participant " + one.participant +
-                                  " is in an earlier session, too: each participant does an experiment once");
-    };
-    expect_new(results.matching, true);
-    expect_new(results.classification, false);
-    append(all, results);
+    gathered.add(results_of(session), folder);
   }
-  return all;
+  return std::move(gathered.all);
 }
 
 }  // namespace forceshade::experiments

@@ -90,7 +90,9 @@ expect 0 "Device: phantom (18 trials)." -- analyze people --bootstrap 100
 same '[["A","B"],[],{"simulated:premium-1.5":18},18]' \
   "$(analyze models --bootstrap 100 --json | jq -c '.answered_by | [.virtual_participants, .people, .trials_by_device, .trials_not_certified]')"
 expect 2 "got both: A is a virtual participant, a model, and P is a person; analyse them separately" -- analyze models people --out none
-expect 2 "got both: A is a virtual participant, a model, and A is not recorded as one" -- analyze models hand --out none
+mkdir unknown
+sed 's/^A,/U,/; s/^B,/V,/' hand/matching.csv > unknown/matching.csv
+expect 2 "got both: A is a virtual participant, a model, and U is not recorded as one" -- analyze models unknown --out none
 PATH=/nonexistent expect 0 "" -- analyze models --bootstrap 100 --out of-models
 expect 0 "2 virtual participants, 18 matching" -- cat of-models/report.html
 expect 0 ",virtual participant" -- cat of-models/tables.csv
@@ -99,7 +101,9 @@ expect 0 ",virtual participant" -- cat of-models/tables.csv
 sed '4s/A,3/A,x/' hand/matching.csv > broken/matching.csv
 expect 2 'broken/matching.csv:4: column 2 (trial): expected a whole number from 1 to 1000000, got "x"' -- analyze broken --out none
 expect 2 'empty: expected matching.csv, classification.csv or both, found neither' -- analyze empty --out none
-expect 2 'hand: expected each folder once' -- analyze hand ./hand --out none
+expect 2 './hand: trial 1 of participant A is in an earlier folder, too' -- analyze hand ./hand --out none
+cp -r hand copy
+expect 2 'copy: trial 1 of participant A is in an earlier folder, too' -- analyze hand copy --out none
 head -1 hand/matching.csv > empty/matching.csv
 expect 2 'empty: expected at least one trial, got none' -- analyze empty --out none
 sed 's/^A,/overall,/' hand/matching.csv > broken/matching.csv

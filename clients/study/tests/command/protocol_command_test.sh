@@ -9,6 +9,9 @@ expect 2 'unknown command "analyse"; expected one of: experiment analyze man com
 expect 2 "'forceshade-study help experiment check' shows what is expected" -- "$study" experiment check --sekonds 3
 expect 2 "--watchdog-timeout: expected without --free-run, got both" -- "$study" experiment run p.toml --participant P --session s \
   --certificates none --device null --free-run --watchdog-timeout 1
+expect 2 'and not "overall", which the tables use, got "overall"' -- "$study" experiment run p.toml --participant overall --session s \
+  --device mouse --certificates none
+expect 2 '--bids: expected another folder than --csv, got "./x"' -- "$study" experiment export s --csv x --bids ./x
 for command in "" experiment "experiment check" "experiment prepare" "experiment run" "experiment resume" "experiment virtual" \
   "experiment export" "experiment verify" "experiment recompute" analyze man completion; do
   same "" "$("$study" help $command | grep -nE '^.{101,}$')"
