@@ -164,6 +164,22 @@ expect 2 '--columns: has no fz' -- "$forceshade" conform recording "$clean" --co
 expect 2 '--columns: expected one of mm, cm, m, in, because the column px does not end in its unit' -- \
   "$forceshade" conform recording "$clean" "${columns[@]%,m,mN}"
 expect 2 '--columns: the column x_mm ends in mm; expected this unit, got m' -- wall turned.csv --columns m
+# Units in brackets, and times in two columns, as exports of sensors and of ROS have them.
+sed '1s/.*/time (s),x [mm],y [mm],z [mm],Fx(N),Fy(N),Fz(N)/' level.csv > brackets.csv
+named="t=time (s),x=x [mm],y=y [mm],z=z [mm],fx=Fx(N),fy=Fy(N),fz=Fz(N)"
+same "$(wall level.csv | tail -n +2)" "$(wall brackets.csv --columns "$named" | tail -n +2)"
+expect 2 '--columns: the column x [mm] ends in mm; expected this unit, got m' -- wall brackets.csv --columns "$named,m"
+expect 2 '--columns: the column time (s) ends in s; expected this unit, got ms' -- wall brackets.csv --columns "$named,ms"
+awk -F, 'NR == 1 { print "secs,nsecs,x,y,z,fx,fy,fz" } NR > 1 { ms = 980 + $1 * 1000; sub(/^[^,]*,/, "")
+  printf "%d,%d,%s\n", 1700000000 + int(ms / 1000), ms % 1000 * 1000000, $0 }' level.csv > stamps.csv
+stamps=,x=x,y=y,z=z,fx=fx,fy=fy,fz=fz,mm,N
+same "$(wall level.csv | tail -n +2)" "$(wall stamps.csv --columns t=secs+nsecs$stamps | tail -n +2)"
+expect 1 'FAILED: time increases' -- wall stamps.csv --columns t=nsecs$stamps,ns
+expect 2 'each once; got "ns"' -- wall stamps.csv --columns t=secs+nsecs$stamps,ns
+expect 2 'column 8 (fz): expected a whole number, got "0.5"' -- wall stamps.csv --columns t=secs+fz${stamps/fz=fz/fz=nsecs}
+sed '2s/,980000000,/,1980000000,/' stamps.csv > later.csv
+expect 2 'later.csv:2: column 2 (nsecs): expected less than a second in ns, got "1980000000"' -- wall later.csv --columns t=secs+nsecs$stamps
+expect 2 '--columns: t: expected SECONDS+NANOSECONDS' -- wall stamps.csv --columns t=secs+$stamps
 expect 2 '--columns: x and y are both px;' -- "$forceshade" conform recording "$clean" --columns t=time_s,x=px,y=px,z=pz,fx=fx,fy=fy,fz=fz,m,mN
 expect 2 'and of force (N, mN), each once; got "kN"' -- wall turned.csv --columns mm,kN
 expect 2 '--frame: expected three different ones' -- wall turned.csv --frame x,y,y

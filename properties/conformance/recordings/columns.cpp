@@ -26,6 +26,13 @@ const FileUnit* find(std::span<const FileUnit> units, std::string_view name) {
   return found == units.end() ? nullptr : &*found;
 }
 
+// The last word of a column's name: of x_mm, "x mm", "x [mm]" and x(mm) it is mm. Empty where the name is one word.
+std::string_view last_word(std::string_view name) {
+  if (name.ends_with(']') || name.ends_with(')')) name.remove_suffix(1);
+  const std::size_t before = name.find_last_of("_ [(");
+  return before == std::string_view::npos ? std::string_view() : name.substr(before + 1);
+}
+
 // Takes the unit of these columns, one of `units`, out of the given ones; or that in which each name ends.
 files::Decimal unit_of(std::span<const std::string> names, std::span<const FileUnit> units, std::vector<std::string>& given) {
   std::string choices;
@@ -35,8 +42,8 @@ files::Decimal unit_of(std::span<const std::string> names, std::span<const FileU
   const FileUnit* unit = is_given ? find(units, *word) : nullptr;
   if (is_given) given.erase(word);
   for (const std::string& name : names) {
-    const std::string_view ending = std::string_view(name).substr(std::min(name.rfind('_') + 1, name.size()));
-    const FileUnit* const its = name.find('_') == std::string::npos ? nullptr : find(units, ending);
+    const std::string_view ending = last_word(name);
+    const FileUnit* const its = find(units, ending);
     if (its == nullptr && is_given) continue;
     if (its == nullptr)
       throw Error("--columns: expected one of " + choices + ", because the column " + name + " does not end in its unit");
@@ -86,8 +93,14 @@ Columns columns_of(const std::string& text) {
     }
     columns.names = given;
   }
+  if (const std::size_t plus = columns.names[0].find('+'); plus != std::string::npos) {
+    columns.nanoseconds = columns.names[0].substr(plus + 1);
+    columns.names[0].resize(plus);
+    if (plus == 0 || columns.nanoseconds.empty()) throw refused("t: expected SECONDS+NANOSECONDS");
+  }
   const std::span<const std::string> names(columns.names);
-  columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, units).exponent());
+  if (columns.nanoseconds.empty())
+    columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, units).exponent());
   columns.millimetres = unit_of(names.subspan(1, 3), kLengths, units);
   columns.newtons = unit_of(names.last(3), kForces, units);
   if (!units.empty())

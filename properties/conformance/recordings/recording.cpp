@@ -48,6 +48,17 @@ double in_unit(const files::Reader& reader, std::size_t i, const files::Decimal&
   return std::nextafter(nearest, static_cast<double>(as_binary32));
 }
 
+// The time in whole seconds and whole ns, as messages of ROS have it.
+ExactTime time_of_two(const files::Reader& reader, std::size_t nanoseconds) {
+  for (const std::size_t i : {std::size_t{0}, nanoseconds})
+    if (const std::string& text = reader.text(i);
+        text.empty() || text.size() > 18 || text.find_first_not_of("0123456789") != std::string::npos)
+      throw reader.unexpected(i, "a whole number");
+  const std::string& rest = reader.text(nanoseconds);
+  if (rest.size() > 9) throw reader.unexpected(nanoseconds, "less than a second in ns");
+  return {reader.text(0) + '.' + std::string(9 - rest.size(), '0') + rest, 0};
+}
+
 }  // namespace
 
 std::string Measurements::place(std::size_t sample) const {
@@ -56,20 +67,21 @@ std::string Measurements::place(std::size_t sample) const {
 
 Measurements read_measurements(std::istream& in, const std::string& file, const Columns& columns) {
   using Layout = files::Reader::Layout;
-  files::Reader reader(in, file, {columns.names.begin(), columns.names.end()}, {"status"},
-                       columns.are_numbered() ? Layout::without_header : Layout::csv);
-  constexpr std::size_t kStatus = 7;
+  std::vector<std::string> names(columns.names.begin(), columns.names.end());
+  const std::size_t nanoseconds = names.size(), status = nanoseconds + (columns.nanoseconds.empty() ? 0 : 1);
+  if (status > nanoseconds) names.push_back(columns.nanoseconds);
+  files::Reader reader(in, file, std::move(names), {"status"}, columns.are_numbered() ? Layout::without_header : Layout::csv);
   Measurements measured{file, {}};
   ExactTime first, before;
   while (reader.next()) {
-    if (reader.has(kStatus) && reader.text(kStatus) == "end") continue;
+    if (reader.has(status) && reader.text(status) == "end") continue;
     const auto finite = [&](std::size_t i) {
       const double number = reader.binary64(i);
       if (!std::isfinite(number)) throw reader.unexpected(i, "a finite number");
       return number;
     };
     Measured next;
-    const ExactTime time(reader.text(0), finite(0));
+    const ExactTime time = status > nanoseconds ? time_of_two(reader, nanoseconds) : ExactTime(reader.text(0), finite(0));
     if (measured.samples.empty()) first = before = time;
     next.time = time.seconds_since(first, columns.power_of_seconds);
     next.interval = time.seconds_since(before, columns.power_of_seconds);
