@@ -28,10 +28,10 @@ std::vector<std::string_view> shading_names() {
   return names;
 }
 
-Description described(height::Grid samples, height::Mode mode, float stiffness) {
+Description described(height::Grid samples, height::Mode mode, float stiffness, const Monitor& monitor) {
   std::ranges::transform(samples.values, samples.values.begin(), heights::without_tiny);
   if (samples.interpolant == height::Interpolant::cubic_spline) {
-    heights::make_coefficients(samples.values, samples.columns, samples.rows, samples.edge);
+    heights::make_coefficients(samples.values, samples.columns, samples.rows, samples.edge, monitor);
     std::ranges::transform(samples.values, samples.values.begin(), heights::without_tiny);
   }
   HeightMap map;

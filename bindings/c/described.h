@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "forceshade/checks.h"
 #include "forceshade/description.h"
 #include "forceshade/error.h"
 #include "forceshade/fast.h"
@@ -32,8 +33,8 @@ inline constexpr auto kModeNames = [] {
 // All but the scheme of textures, which a mesh of arrays has no corners for.
 std::vector<std::string_view> shading_names();
 
-// values: heights in mm, within kLargestHeight, from the smallest y and x.
-Description described(height::Grid samples, height::Mode mode, float stiffness);
+// values: heights in mm, within kLargestHeight, from the smallest y and x. Throws Interrupted.
+Description described(height::Grid samples, height::Mode mode, float stiffness, const Monitor& monitor = {});
 
 // The reason why a mesh cannot have these, in words; empty where it can.
 std::string refusal_of(const mesh::CheckedMesh& triangles, mesh::Shading shading, mesh::Contact contact);

@@ -36,10 +36,12 @@ bool is_held(PyObject* number) noexcept {
   return type == "numpy.float32" || type == "numpy.float16" || type.starts_with("numpy.int") || type.starts_with("numpy.uint");
 }
 
-// True for NumPy's complex numbers, too, of which float() takes a part. It runs nothing of Python, which could fail.
-bool is_complex(PyObject* number) noexcept {
+// True for what float() takes and that is no real number: booleans, complex numbers, of which it takes a part, and masked
+// ones, NumPy's too. It runs nothing of Python, which could fail.
+bool is_no_real(PyObject* number) noexcept {
   const std::string_view type = Py_TYPE(number)->tp_name;
-  return PyComplex_Check(number) || type.starts_with("numpy.complex") || type == "numpy.clongdouble";
+  return PyBool_Check(number) || PyComplex_Check(number) || type.starts_with("numpy.bool") ||
+         type.starts_with("numpy.complex") || type == "numpy.clongdouble" || type.starts_with("Masked");
 }
 
 // Turns the binary64 number that is nearest to a Fraction or a long double into the one beside it whose last digit is odd,
@@ -69,7 +71,7 @@ bool read_float(PyObject* number, const char* name, const char* unit, bool is_ro
     const double value = PyFloat_AsDouble(number);
     return (value != -1 || PyErr_Occurred() == nullptr) && narrowed(value, is_rounded, read);
   }
-  if (PyBool_Check(number) || PyUnicode_Check(number) || is_complex(number))
+  if (PyUnicode_Check(number) || is_no_real(number))
     return fail(PyExc_TypeError, name, unit, "a number in ", number);
   if (PyLong_Check(number)) {
     int beyond = 0;

@@ -77,7 +77,8 @@ Description map_of_samples(const py::buffer& heights, float pitch, const std::st
   grid.edge = static_cast<height::Edge>(choice("edge", edge, c::kEdges));
   const height::Mode mode = height::kModes[choice("render", render, c::kModeNames)].mode;
   grid.values.reserve(static_cast<std::size_t>(rows * columns));
-  for (std::size_t row = 0; row < grid.rows; ++row)
+  for (std::size_t row = 0; row < grid.rows; ++row) {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const float value = at<float>(samples, row, column);
       if (!(std::fabs(value) <= c::kLargestHeight))
@@ -85,8 +86,10 @@ Description map_of_samples(const py::buffer& heights, float pitch, const std::st
                               "; expected -10000 to 10000 mm");
       grid.values.push_back(value);
     }
-  const py::gil_scoped_release released;
-  return c::described(std::move(grid), mode, stiffness);
+  }
+  return interruptible([&](const std::atomic<bool>& stop) {
+    return c::described(std::move(grid), mode, stiffness, Monitor({}, stop));
+  });
 }
 
 // A picture or an array file.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rendering/heights/coefficients.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace forceshade::heights {
@@ -42,10 +43,18 @@ void filter(double* data, std::int64_t n, std::int64_t stride, std::int64_t lane
 
 }  // namespace
 
-void make_coefficients(std::vector<float>& values, std::uint32_t columns, std::uint32_t rows, height::Edge edge) {
+void make_coefficients(std::vector<float>& values, std::uint32_t columns, std::uint32_t rows, height::Edge edge,
+                       const Monitor& monitor) {
+  constexpr std::uint32_t kLanes = 64;  // some lines of the cache, and some ms at most
   std::vector<double> data(values.begin(), values.end());
-  for (std::size_t row = 0; row < rows; ++row) filter(&data[row * columns], columns, 1, 1, edge);
-  filter(data.data(), rows, columns, columns, edge);
+  for (std::size_t row = 0; row < rows; ++row) {
+    monitor.at(0.5 * static_cast<double>(row) / rows);
+    filter(&data[row * columns], columns, 1, 1, edge);
+  }
+  for (std::uint32_t column = 0; column < columns; column += kLanes) {
+    monitor.at(0.5 + 0.5 * column / columns);
+    filter(&data[column], rows, columns, std::min(kLanes, columns - column), edge);
+  }
   for (std::size_t i = 0; i < data.size(); ++i) values[i] = static_cast<float>(data[i]);
 }
 

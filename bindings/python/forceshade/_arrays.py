@@ -77,11 +77,19 @@ def decimal_of(value: Any) -> str:
     return str(_DIGITS.divide(Decimal(over), Decimal(under)))
 
 
-def expect_no_mask(values: object, name: str) -> None:
-    """Refuses masks, which numpy.asarray() drops without a word."""
-    rows = values if isinstance(values, (list, tuple)) else ()
-    if any(isinstance(one, np.ma.MaskedArray) for one in (values, *rows)):
+def _has_mask(values: object) -> bool:
+    if isinstance(values, (list, tuple)):
+        return any(_has_mask(one) for one in values if not isinstance(one, (float, int)))
+    return isinstance(values, np.ma.MaskedArray)
+
+
+def array_of(values: object, name: str) -> npt.NDArray[Any]:
+    """The values as an array. Refuses masks, which numpy.asarray() drops without a word, also those of values that make an array
+    when they are asked."""
+    array = None if _has_mask(values) else np.asanyarray(values)
+    if array is None or _has_mask(array):
         raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.compressed()")
+    return np.asarray(array)
 
 
 def _is_changed(array: npt.NDArray[Any], narrow: Floats) -> bool:
@@ -106,14 +114,13 @@ def as_floats(values: object, name: str, rounding: Rounding) -> Floats:
     """The values as binary32, the same memory where it can be, else rounded, with a warning where that was not asked for and
     changed one. `name` is plural: "positions"."""
     may_round = expect_rounding(rounding)
-    expect_no_mask(values, name)
     try:
-        array = np.asarray(values)
+        array = array_of(values, name)
     except ValueError:
         raise ValueError(f"{name} are lists of different lengths; expected an array of numbers") from None
     kind, dtype = array.dtype.kind, array.dtype
     if kind not in "iuf":
-        what = "objects, such as lists of different lengths" if kind == "O" else f"of type {dtype}"
+        what = f"of type {dtype}" if kind != "O" else "objects of " + ", ".join(sorted({type(one).__name__ for one in array.flat})[:3])
         raise TypeError(f"{name} are {what}; expected numbers")
     if kind == "f" and dtype.itemsize <= 4:
         if dtype == np.float32 and array.flags.aligned and dtype.isnative:

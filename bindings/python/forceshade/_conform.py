@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _forceshade
+from ._arrays import array_of
 from ._checks import _count, _expect_subject
 from ._subject import Subject, word_of
 
@@ -91,7 +92,7 @@ class _Function:
 
 
 def _checked(answers: object, count: int) -> Floats:
-    array = np.asarray(answers)
+    array = array_of(answers, "answers")
     if array.dtype != np.float32:
         raise TypeError(f"expected answers as float32, got {array.dtype}; .astype(numpy.float32) rounds them to the nearest")
     if array.shape != (count, 3):

@@ -34,8 +34,7 @@ def periods_of(periods: Periods, shape: tuple[int, ...]) -> npt.NDArray[np.uint3
     """One for each position."""
     if periods is None:
         return None
-    _arrays.expect_no_mask(periods, "periods")
-    array = np.asarray(periods)
+    array = _arrays.array_of(periods, "periods")
     if array.dtype.kind not in "iu":
         raise TypeError(f"periods are of type {array.dtype}; expected integers")
     if (array < 0).any() or (array >= 2**32).any():

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _forceshade
-from ._arrays import expect_no_mask, narrow_of
+from ._arrays import array_of, narrow_of
 from ._subject import File, stiffness_of, text_of
 
 Friction = Union[float, tuple[float, float]]  # a coefficient, or a static and a dynamic one
@@ -33,8 +33,7 @@ def materials_of(
     numbers: list[int] = []
     if materials is not None:
         listed, given = materials
-        expect_no_mask(given, "materials")
-        array = np.asarray(given)
+        array = array_of(given, "materials")
         if array.ndim != 1 or array.dtype.kind not in "iu" or (array < 0).any() or (array >= len(listed)).any():
             raise ValueError(f"materials: expected for each triangle the number of its material, 0 to {len(listed) - 1}")
         numbers = array.tolist()

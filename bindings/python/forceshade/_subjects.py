@@ -214,8 +214,7 @@ class HeightMap(Subject):
 
 
 def _indices(triangles: npt.ArrayLike, count: int) -> npt.NDArray[np.uint32]:
-    _arrays.expect_no_mask(triangles, "triangles")
-    array: npt.NDArray[Any] = np.asarray(triangles)
+    array = _arrays.array_of(triangles, "triangles")
     if array.dtype.kind not in "iu":
         raise TypeError(f"triangles are of type {array.dtype}; expected integers, the numbers of vertices from 0")
     if array.ndim != 2 or array.shape[1] != 3:
@@ -287,11 +286,12 @@ class Mesh(Subject):
             "materials": copy.deepcopy(materials),
         }
         source: tuple[str, ...] = ()
+        is_file = isinstance(vertices, (str, os.PathLike))
         options: dict[str, Any] = {"sides": sides, "shading": shading, "contact": contact}
         for key, value in options.items():
-            if value is not None:
+            if value is not None and not (is_file and str(value).startswith(_TEXTURE)):  # whose name need be no UTF-8
                 word_of(value, key)
-        if isinstance(vertices, (str, os.PathLike)):
+        if is_file:
             if triangles is not None:
                 raise TypeError("a file has its own triangles; expected Mesh(file, ...)")
             if unit is None:

@@ -4,6 +4,8 @@
 import copy
 import ctypes
 import threading
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -21,6 +23,13 @@ def refused(kind, words, call, *arguments, **keywords):
     assert "\n" not in str(caught.value) and "incompatible" not in str(caught.value)
 
 
+class GivesMask:
+    """As a variable of a netCDF file does."""
+
+    def __array__(self, dtype=None, copy=None):
+        return np.ma.array([1, 2, 3], mask=[0, 0, 1])
+
+
 @pytest.mark.parametrize(
     "at, kind, words",
     [
@@ -30,9 +39,13 @@ def refused(kind, words, call, *arguments, **keywords):
         ([["a", "b", "c"]], TypeError, "positions are of type <U1; expected numbers"),
         (np.zeros((2, 3), complex), TypeError, "positions are of type complex128"),
         (np.zeros((2, 3), bool), TypeError, "positions are of type bool"),
-        (None, TypeError, "positions are objects, such as lists of different lengths; expected numbers"),
+        (None, TypeError, "positions are objects of NoneType; expected numbers"),
+        ([[Fraction(1, 3), Decimal(1), 2]], TypeError, "positions are objects of Decimal, Fraction, int; expected numbers"),
         (np.ma.zeros((2, 3), F), TypeError, "positions are a masked array"),
         ([np.ma.zeros(3, F)], TypeError, "positions are a masked array"),
+        ([[np.ma.zeros(3, F)]], TypeError, "positions are a masked array"),
+        ([[0, np.ma.masked, 1]], TypeError, "positions are a masked array"),
+        (GivesMask(), TypeError, "positions are a masked array"),
     ],
 )
 def test_positions(bump, at, kind, words):
@@ -82,6 +95,8 @@ def test_one_position(bump):
         refused(TypeError, "x: expected a number in mm, got None", call, None, 0, 0)
         refused(TypeError, "x: expected a number in mm, got True", call, True, 0, 0)
         refused(TypeError, "x: expected a number in mm, got 1j", call, 1j, 0, 0)
+        refused(TypeError, "x: expected a number in mm, got True", call, np.True_, 0, 0)
+        refused(TypeError, "x: expected a number in mm, got masked", call, np.ma.masked, 0, 0)
         refused(ValueError, "z: expected -2^53 to 2^53 mm", call, 0, 0, 10**30)
         refused(TypeError, "expected three numbers x, y, z in mm", call, 1, 2)
         refused(TypeError, "forces() takes arrays of positions", call, [1, 2, 3])
@@ -187,6 +202,7 @@ def test_what_is_no_ascii_is_named_and_cut_behind_a_character(tmp_path):
     refused(forceshade.Error, r'expected a coordinate, got "\xff\xfe"', forceshade.Mesh, tmp_path / "mesh.off", unit="mm")
     refused(ValueError, "stiffness: expected characters that UTF-8 has, got '\\udcff'", forceshade.Law, "wall", stiffness="\udcff")
     refused(ValueError, "law: expected characters that UTF-8 has, got '\\udcff'", forceshade.Law, "\udcff")
+    refused(ValueError, "shading: expected characters that UTF-8 has", forceshade.Mesh, *TETRAHEDRON, shading="texture:\udcff")
 
 
 def test_a_state_has_whole_numbers(bump):

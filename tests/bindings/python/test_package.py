@@ -25,6 +25,17 @@ def test_the_examples_of_the_docstrings_run(name):
     assert doctest.testmod(module, extraglobs=names).failed == 0
 
 
+def test_a_sub_interpreter_is_refused():
+    """As those of web servers, in which the import waited for ever."""
+    inner = f"import sys; sys.path[:0] = {sys.path!r}; import forceshade._forceshade"
+    code = f"import _xxsubinterpreters as sub; sub.run_string(sub.create(), {inner!r})"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    if "No module named '_xxsubinterpreters'" in ended.stderr:
+        pytest.skip("this Python has no _xxsubinterpreters")
+    assert ended.returncode == 1
+    assert "forceshade cannot be imported in a sub-interpreter; expected the main one of its process" in ended.stderr
+
+
 def test_everything_public_is_documented():
     for key in forceshade.__all__:
         thing = getattr(forceshade, key)
