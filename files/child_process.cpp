@@ -97,7 +97,7 @@ ChildProcess::ChildProcess(const std::string& command, const ProcessLimits& limi
     sigset_t none;
     sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
-    for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
+    for (const int number : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
     ::execve("/bin/sh", const_cast<char* const*>(arguments.data()), environ);
   };
   keeper_ = ::fork();

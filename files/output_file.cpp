@@ -12,11 +12,13 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <regex>
 #include <streambuf>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <utility>
@@ -95,10 +97,17 @@ std::string followed(const std::string& path) {
   return at;
 }
 
+std::string with_ending(const std::string& path, std::string_view ending) {
+  const std::size_t begin = path.rfind('/') + 1;  // 0 where there is none
+  std::size_t end = std::min(path.size(), begin + NAME_MAX - ending.size());
+  while (end < path.size() && end > begin && (static_cast<unsigned char>(path[end]) & 0xc0U) == 0x80U) --end;
+  return path.substr(0, end).append(ending);
+}
+
 std::string partial_name(const std::string& path) {
-  std::array<char, 9> digits{};
-  std::snprintf(digits.data(), digits.size(), "%08x", static_cast<unsigned>(system::random()));
-  return path + ".partial-" + digits.data();
+  std::array<char, 32> ending{};
+  std::snprintf(ending.data(), ending.size(), ".partial-%08x", static_cast<unsigned>(system::random()));
+  return with_ending(path, ending.data());
 }
 
 std::string final_name(const std::string& path) {

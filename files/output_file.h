@@ -5,6 +5,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 #include "forceshade/error.h"
 
@@ -54,6 +55,9 @@ bool is_written_directly(const std::string& path);
 // The name at the end of the symbolic links that begin at this one, whether or not there is a file. Throws OutputError where
 // they lead in a circle.
 std::string followed(const std::string& path);
+
+// The path and this ending. Of a name that becomes too long for a file system, the last characters make room.
+std::string with_ending(const std::string& path, std::string_view ending);
 
 // PATH.partial-XXXXXXXX with eight random hexadecimal digits.
 std::string partial_name(const std::string& path);

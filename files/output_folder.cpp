@@ -56,7 +56,7 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(plain(path)) {
   do {
     is_there_ = fs::is_directory(path_, ignored);
     const std::string stem = is_there_ ? path_.string() + '/' : path_.string();
-    while (!has_claimed(stem + kPartial)) {
+    while (!has_claimed(with_ending(stem, kPartial))) {
     }
     for (int failed = EEXIST; partial_.empty() && failed == EEXIST;) {  // no locks here
       partial_ = partial_name(stem);

@@ -17,6 +17,7 @@
 #include <functional>
 #include <thread>
 
+#include "files/output_folder.h"
 #include "tests/support/temporary_directory.h"
 #include "tests/support/words.h"
 
@@ -24,6 +25,12 @@ namespace forceshade::files {
 namespace {
 
 using tests::TemporaryDirectory;
+
+std::string words_of(const std::string& word, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += word;
+  return all;
+}
 
 TEST(output_file, appears_whole_at_commit) {
   const TemporaryDirectory directory;
@@ -36,6 +43,22 @@ TEST(output_file, appears_whole_at_commit) {
   file.commit();
   EXPECT_EQ(directory.read("out.csv"), "after");
   EXPECT_EQ(directory.entries(), 1);
+}
+
+// The partial name is longer than the name by 17 bytes, and no name has more than 255.
+TEST(output_file, may_have_the_longest_name_that_there_is) {
+  const TemporaryDirectory directory;
+  for (const std::string& name : {std::string(255, 'a'), std::string(239, 'b'), "c" + words_of("\u00e4", 127)}) {
+    write_file(directory.file(name), name);
+    EXPECT_EQ(directory.read(name), name);
+    OutputFolder folder(directory.file("in/" + name));
+    folder.write("in", name);
+    folder.commit();
+    EXPECT_EQ(directory.read("in/" + name + "/in"), name);
+  }
+  EXPECT_EQ(with_ending("a/b", ".end"), "a/b.end");
+  EXPECT_EQ(with_ending("a/" + words_of("\u00e4", 127), "0123"), "a/" + words_of("\u00e4", 125) + "0123");
+  EXPECT_EQ(with_ending("a/" + std::string(300, 'b'), "0123").size(), 257);
 }
 
 // Two runs with one name: the one that ends last was to replace nothing, or what it had seen.
