@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <system_error>
@@ -17,6 +18,7 @@
 namespace forceshade::apps {
 
 void open_standard_streams() {
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit of a file's size fails then, as on a full disk
   // Opened the wrong way round, so that using one fails. open() takes the lowest number that is free.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);

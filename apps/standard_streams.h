@@ -9,7 +9,8 @@
 namespace forceshade::apps {
 
 // Opens the closed ones of the three: else a file that is opened later would get its number and what is printed. Afterwards all
-// three are open; reading or writing a formerly closed one fails. Call first.
+// three are open; reading or writing a formerly closed one fails, and so does writing beyond the limit of a file's size, which
+// would end the process. Call first.
 void open_standard_streams();
 
 // Writes what was printed and std::cout to standard output. Throws files::OutputError if that fails, or if an earlier write

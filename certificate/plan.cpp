@@ -7,6 +7,7 @@
 #include "certificate/build_json.h"
 #include "certificate/findings_json.h"
 #include "certificate/json_fields.h"
+#include "files/printable.h"
 #include "rendering/identity/identity_json.h"
 
 namespace forceshade::properties {
@@ -15,6 +16,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kPlanSchema = 1;
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = files::character_size(text);
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
 
 Json sweeps_json(const SweepPlan& plan) {
   Json laws = Json::array(), radii = Json::array();
@@ -151,7 +161,11 @@ std::string to_json(const Plan& plan) {
     json["sweeps"] = sweeps_json(plan.sweeps);
   } else {
     Json subject = Json::array();
-    for (const auto& [key, value] : plan.subject) subject.push_back({{"key", key}, {"value", value}});
+    for (const auto& [key, value] : plan.subject) {
+      if (!is_utf8(value))
+        throw Error("--" + key + ": expected a name in UTF-8, as a plan's file is, got " + files::shown(value));
+      subject.push_back({{"key", key}, {"value", value}});
+    }
     json.update({{"subject", subject},
                  {"identities", plan.identities},
                  {"points", plan.points},

@@ -34,8 +34,8 @@ void expect_made(py::handle type) {
 
 }  // namespace
 
-// pybind11 waits for ever in a sub-interpreter, as web servers have them: for the lock that this thread has. So another function
-// is called first, which has the name that Python looks for.
+// pybind11 waits for ever in a sub-interpreter, as web servers have them: for the lock that this thread has. So another
+// function is called first, which has the name that Python looks for.
 #define PyInit__forceshade init_in_the_main_interpreter
 PYBIND11_MODULE(_forceshade, module) {
   module.doc() = "The compiled part of forceshade.";
@@ -80,6 +80,7 @@ PYBIND11_MODULE(_forceshade, module) {
 #undef PyInit__forceshade
 PyMODINIT_FUNC PyInit__forceshade() {
   if (PyInterpreterState_Get() == PyInterpreterState_Main()) return init_in_the_main_interpreter();
-  PyErr_SetString(PyExc_ImportError, "forceshade cannot be imported in a sub-interpreter; expected the main one of its process");
+  PyErr_SetString(PyExc_ImportError,
+                  "forceshade cannot be imported in a sub-interpreter; expected the main one of its process");
   return nullptr;
 }

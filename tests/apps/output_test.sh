@@ -19,6 +19,11 @@ same "$row" "$(cat piped)"
 expect 0 "<testsuites" -- sh -c "'$forceshade' properties --law wall --cases 20 --junit /dev/stdout | cat"
 same 1 "$("$forceshade" laws --json /dev/stdout | wc -l)"
 expect 2 "/dev/full: cannot write: No space left on device" -- force --out /dev/full
+# A limit of the size of files is a full disk: what was begun is removed.
+(ulimit -f 0; expect 2 "limited.csv: cannot write: File too large" -- force --out limited.csv) || exit 1
+(ulimit -f 1; expect 2 "limited/certificate.json: cannot write: File too large" -- \
+  "$forceshade" certify --law wall --points 1000 --cases 10 --out limited) || exit 1
+same "" "$(ls -d limited*)"
 for name in - /dev/stdout /dev/null named in.csv; do
   expect 2 "--out: expected a directory, for the command writes several files, got \"$name\"" -- "$forceshade" plot --law wall --out $name
 done

@@ -108,6 +108,10 @@ sed -i 's/"library_digest": "0/"library_digest": "1/; t; s/"library_digest": "./
 expect 2 "the plan is for another build of the library" -- certify merge other
 expect 2 "one/plan.json: is there already" -- certify plan --law wall --out one
 expect 2 "no/plan.json" -- work no
+printf 'OFF\n3 1 0\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n' > $'\xff.off'
+expect 2 '--mesh: expected a name in UTF-8, as a plan'"'"'s file is, got "' -- certify plan --mesh $'\xff.off' --unit mm --out latin
+also '\xff.off"'
+[ ! -e latin ] || { echo "FAILED: a plan that was refused left a folder"; exit 1; }
 certify plan "${what[@]}" --seed 2 --units 20 --out seed > /dev/null; rm -r seed/results; cp -r one/results seed
 expect 2 "the digest of the plan" -- certify merge seed --out no
 

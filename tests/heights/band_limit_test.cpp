@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -141,6 +142,25 @@ TEST(band_limit, noise_becomes_smooth) {
   const Picture smooth = rough.limited(Edge::tile, 16);
   EXPECT_LT(roughness(smooth), smooth.largest() * kTurn * kTurn / (16 * 16));
   EXPECT_GT(roughness(rough), rough.largest());
+}
+
+// Ctrl-C is heard at each row and each 64 columns, and heights that are not replaced yet stay.
+TEST(spline_coefficients, are_made_whole_or_not_at_all) {
+  constexpr int kReports = 7 + 2;
+  const Picture before(70, 7, [&](double i, double j) { return std::sin(i * j); });
+  for (int last = 1; last <= kReports; ++last) {
+    Picture after = before;
+    std::atomic<bool> stop = false;
+    int reports = 0;
+    const Monitor monitor([&](double) { stop = ++reports == last; }, stop);
+    const auto make = [&] { make_coefficients(after.heights, after.columns, after.rows, Edge::clamp, monitor); };
+    if (last < kReports)
+      EXPECT_THROW(make(), Interrupted) << last;
+    else
+      make();
+    EXPECT_EQ(reports, last);
+    EXPECT_EQ(after.heights == before.heights, last < kReports);
+  }
 }
 
 // A wave of f per sample through the spline: besides itself, of every whole k an image at k + f, (f/(k + f))⁴ as high beside it

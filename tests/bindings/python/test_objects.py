@@ -48,9 +48,10 @@ def test_a_pickled_mesh_finds_its_materials_and_its_texture_from_another_folder(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mesh.obj").write_text("v 0 0 0\nv 9 0 0\nv 0 9 0\nvt 0 0\nvt 1 0\nvt 0 1\ng rough\nf 1/1 2/2 3/3\n")
     (tmp_path / "rough.toml").write_text('[[material]]\nname = "rough"\nfaces = ["0"]\nfriction = 0.5\n')
-    (tmp_path / "waves.toml").write_bytes((ROOT / "examples/grating.toml").read_bytes())
+    (tmp_path / "\udcff.toml").write_bytes((ROOT / "examples/grating.toml").read_bytes())
     rough = forceshade.Mesh("mesh.obj", unit="mm", shading="none", materials="rough.toml")
-    waves = forceshade.Mesh("mesh.obj", unit="mm", shading="texture:waves.toml", texture_scale=9)
+    waves = forceshade.Mesh("mesh.obj", unit="mm", shading="texture:\udcff.toml", texture_scale=9)
+    assert "shading texture" in repr(waves)
     pickled = pickle.dumps([rough, waves])
     monkeypatch.chdir("/")
     assert pickle.loads(pickled) == [rough, waves]
