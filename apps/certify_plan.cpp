@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <thread>
 
 #include "apps/certificate_files.h"
@@ -74,8 +75,10 @@ void print_sweeps(const properties::Sweeps& sweeps) {
 
 int merge(const std::vector<std::string>& words, const OutFolder& out) {
   const std::string& folder = words.front();
-  if (words.size() > 1 || std::filesystem::is_regular_file(folder))
-    throw Error("certify merge: expected the folder of a plan, got " + files::printable(folder) +
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(folder, ignored);
+  if (is_file || words.size() > 1)
+    throw Error("certify merge: expected the folder of one plan, got " + files::printable(is_file ? folder : words[1]) +
                 "; points of several processes are a plan: forceshade certify plan --points N --out PLAN");
   const bool is_asked = out.path().empty();  // only how far it is
   const properties::MergedPlan merged = is_asked ? properties::MergedPlan{properties::state_of_plan(folder, interrupted()), {}}

@@ -40,6 +40,8 @@ constexpr std::array kFormer{
     FormerWords{"certify --sweeps", "forceshade certify plan --exhaustive LIST"},
     FormerWords{"certify --shards", "forceshade certify plan --units N"},
     FormerWords{"certify status", "forceshade certify merge PLAN"},
+    FormerWords{"completion zsh", "forceshade completion bash", ", which zsh reads after compinit and bashcompinit"},
+    FormerWords{"completion fish", "forceshade completion bash", ", for bash and zsh"},
     FormerWords{"energy --step", "forceshade force FILE", ", along a path: each row has the force of a tick"},
     FormerWords{"recording info", "forceshade recording check FILE"},
     FormerWords{"recording verify", "forceshade recording check FILE"},

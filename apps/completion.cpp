@@ -43,6 +43,7 @@ Values values_of(const CLI::Option& option) {
   if (type == "DEVICE") return {device_words(), "", optional};
   if (type == "ID") return {law_names(option), "", optional};
   if (type == "[LIST]") return {"directions heights lines", "", optional};
+  if (type == "bash") return {"bash", "", optional};
   if (type.find('|') == std::string::npos) return {};
   std::string words = type;
   std::replace(words.begin(), words.end(), '|', ' ');
@@ -129,7 +130,7 @@ void add_completion(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("completion", of_program("Print what a shell loads to complete forceshade's commands and options"));
   const auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "the shell; zsh reads what is written for bash, after bashcompinit")
+  command->add_option("shell", *shell, "the shell; zsh reads what is written for bash, after compinit and bashcompinit")
       ->type_name("bash")
       ->required()
       ->check(one_of({"bash"}));

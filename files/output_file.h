@@ -56,7 +56,8 @@ bool is_written_directly(const std::string& path);
 // they lead in a circle.
 std::string followed(const std::string& path);
 
-// The path and this ending. Of a name that becomes too long for a file system, the last characters make room.
+// The path and this ending. Of a name that becomes too long for a file system, the last characters make room. Two
+// such names may become one.
 std::string with_ending(const std::string& path, std::string_view ending);
 
 // PATH.partial-XXXXXXXX with eight random hexadecimal digits.

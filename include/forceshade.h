@@ -21,8 +21,9 @@
  * sentence for people in forceshade_message(). What a function was to write is then unchanged, unless it says otherwise. Nothing
  * throws, aborts, prints, or changes the floating-point environment.
  *
- * Threads. Subjects do not change: any number of threads may use one, as long as none frees it meanwhile. A session is for one
- * thread at a time: a second one gets FORCESHADE_BUSY. All other functions may be called from any thread at any time.
+ * Threads. Subjects do not change: any number of threads may use one, as long as none frees it meanwhile. A session or a scene is
+ * for one thread at a time: a second one gets FORCESHADE_BUSY. So is a state of damping, which nothing guards. All other functions
+ * may be called from any thread at any time.
  *
  * Real time. forceshade_force(), forceshade_forces() and the functions that step a session allocate nothing and take no lock, but
  * memory where very many triangles meet (docs/soups.md). The thread has to be as forceshade_arithmetic_fault() demands.
@@ -59,7 +60,7 @@ enum {
   FORCESHADE_BAD_VALUE = 4,      /* a number outside its domain, or an unknown word */
   FORCESHADE_BAD_INPUT = 5,      /* a file or text that is refused; the message has file and line */
   FORCESHADE_WRONG_KIND = 6,     /* a request that a subject of this kind cannot answer */
-  FORCESHADE_BUSY = 7,           /* another thread is in this session */
+  FORCESHADE_BUSY = 7,           /* another thread is in this session or scene */
   FORCESHADE_BAD_ARITHMETIC = 8, /* the calling thread's: forceshade_arithmetic_fault() */
   FORCESHADE_NO_MEMORY = 9,
   FORCESHADE_FAILED = 10,        /* anything else */

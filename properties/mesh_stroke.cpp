@@ -13,7 +13,7 @@
 namespace forceshade::properties {
 namespace {
 
-using Decimal100 = boost::multiprecision::cpp_bin_float_100;
+using Digits100 = boost::multiprecision::cpp_bin_float_100;
 
 constexpr std::size_t kTriangles = 16;             // that are tried
 constexpr double kTicksToTry = 400;                // of a stroke
@@ -82,13 +82,13 @@ class Tried {
     const double ticks =
         std::clamp(K_ * stroke.length * stroke.length / (2 * kShareOfSampling * about), kTicksToTry, kMostTicks);
     auto session = open_.open();
-    Decimal100 work = 0, squares = 0;
+    Digits100 work = 0, squares = 0;
     MeshPosition last{};
     std::array<float, 3> push{};
     walk(stroke.corners, stroke.length / ticks, [&](const MeshPosition& position) {
       if (stroke.ticks++ > 0)
         for (std::size_t i = 0; i < 3; ++i) {
-          const Decimal100 step = Decimal100(position[i]) - last[i];
+          const Digits100 step = Digits100(position[i]) - last[i];
           work += push[i] * step;
           squares += step * step;
         }
@@ -97,7 +97,7 @@ class Tried {
       if (stroke.ticks % 1024 == 0) monitor.at(std::min(1.0, static_cast<double>(stroke.ticks) / ticks));
     });
     stroke.work = static_cast<double>(work);
-    stroke.sampling = static_cast<double>(Decimal100(K_ / 2 * squares));
+    stroke.sampling = static_cast<double>(Digits100(K_ / 2 * squares));
   }
 
  private:

@@ -41,7 +41,7 @@ bool is_held(PyObject* number) noexcept {
 bool is_no_real(PyObject* number) noexcept {
   const std::string_view type = Py_TYPE(number)->tp_name;
   return PyBool_Check(number) || PyComplex_Check(number) || type.starts_with("numpy.bool") ||
-         type.starts_with("numpy.complex") || type == "numpy.clongdouble" || type.starts_with("Masked");
+         type.starts_with("numpy.complex") || type == "numpy.clongdouble" || type == "MaskedArray" || type == "MaskedConstant";
 }
 
 // Turns the binary64 number that is nearest to a Fraction or a long double into the one beside it whose last digit is odd,
@@ -71,8 +71,7 @@ bool read_float(PyObject* number, const char* name, const char* unit, bool is_ro
     const double value = PyFloat_AsDouble(number);
     return (value != -1 || PyErr_Occurred() == nullptr) && narrowed(value, is_rounded, read);
   }
-  if (PyUnicode_Check(number) || is_no_real(number))
-    return fail(PyExc_TypeError, name, unit, "a number in ", number);
+  if (PyUnicode_Check(number) || is_no_real(number)) return fail(PyExc_TypeError, name, unit, "a number in ", number);
   if (PyLong_Check(number)) {
     int beyond = 0;
     const long long integer = PyLong_AsLongLongAndOverflow(number, &beyond);

@@ -87,9 +87,8 @@ Description map_of_samples(const py::buffer& heights, float pitch, const std::st
       grid.values.push_back(value);
     }
   }
-  return interruptible([&](const std::atomic<bool>& stop) {
-    return c::described(std::move(grid), mode, stiffness, Monitor({}, stop));
-  });
+  return interruptible(
+      [&](const std::atomic<bool>& stop) { return c::described(std::move(grid), mode, stiffness, Monitor({}, stop)); });
 }
 
 // A picture or an array file.

@@ -57,10 +57,11 @@ const forceshadeArguments = (() => {
     return value;
   }
 
-  // Places that nothing was put in are undefined, as those who read the list see them; flatMap() would leave them out.
+  // The list up to its first place without a value, which its readers refuse; flatMap() would leave such a place out.
   function list(what, value) {
     if (!Array.isArray(value)) throw badValue(what, "an array", got(value));
-    return Array.from(value);
+    const hole = value.findIndex((one) => one === undefined);
+    return hole < 0 ? value : [...value.slice(0, hole), undefined];
   }
 
   // An array of so many numbers, or of three for each position.

@@ -2,6 +2,7 @@
 #pragma once
 // A corner normal: in binary64, with bounds of its error, and in the intervals that decide what these leave in doubt.
 
+#include <array>
 #include <optional>
 #include <vector>
 

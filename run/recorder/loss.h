@@ -8,8 +8,7 @@
 
 namespace forceshade::recorder {
 
-// Empty where every sample is in the recording of this path and the disk took all
-// of it.
+// The words are empty where every sample is in the recording of this path and the disk took all of it.
 inline std::string words_of_loss(const std::string& path, const Recorder::Result& result) {
   if (result.lost == 0 && result.error.empty()) return "";
   return (result.error.empty() ? path + ": the disk was too slow" : result.error) + "; recorded " +

@@ -89,6 +89,7 @@ completes folder forceshade plot --out f
 completes 'a file.csv' forceshade energy --json a
 completes --depth forceshade energy --json --de
 completes recording forceshade man rec
+completes bash forceshade completion b
 completes 'a file.csv' forceshade recording check a
 completes simulated forceshade drive --device s
 completes simulated forceshade device check s

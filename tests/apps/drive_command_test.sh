@@ -58,7 +58,7 @@ expect 1 "another build" -- drive --law bump-1p-shaded --certificate other.json
 sed 's/"renderer": "library"/"renderer": "program"/' here/certificate.json > own.json
 expect 1 "refused to drive: own.json: the certificate is of a program's own renderer for bump-1p-shaded; driving needs one of the" -- \
   drive --law bump-1p-shaded --certificate own.json
-expect 2 "certify merge: expected the folder of a plan, got here/certificate.json; points of several" -- \
+expect 2 "certify merge: expected the folder of one plan, got here/certificate.json; points of several" -- \
   "$forceshade" certify merge here/certificate.json --out both
 expect 2 "expected a forceshade certificate" -- drive --law wall --certificate in.csv
 expect 2 "replay" -- "$forceshade" drive --law wall --certificate none --device teapot:x

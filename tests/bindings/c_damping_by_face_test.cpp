@@ -55,8 +55,8 @@ TEST_F(CDampingByFace, of_the_subjects_file_says_that_materials_limit_it) {
   EXPECT_EQ(std::memcmp(&its, &kDamping, sizeof its), 0);
 }
 
-// From 0.125 mm above to 0.5 mm below in a period, at 640 mm/s; the spring's force is 0.25 N. In the scene the square is 2 mm
-// farther on.
+// A way from 0.125 mm above to 0.5 mm below in a period, at 640 mm/s; the spring's force is 0.25 N. In the scene the square is
+// 2 mm farther on.
 TEST_F(CDampingByFace, is_what_the_material_lets_act) {
   struct Case {
     float x, y;

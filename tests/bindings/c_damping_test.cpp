@@ -262,7 +262,7 @@ TEST_F(CDamping, of_a_subjects_file_is_that_of_its_table_at_a_rate) {
   for (const forceshade_subject subject : {plain, oily}) forceshade_subject_free(subject);
 }
 
-// As by two calls, where no material limits it.
+// Gives what two calls give, where no material limits it.
 TEST_F(CDamping, of_a_session_in_one_call_is_that_of_two) {
   const forceshade_subject mesh = tests::tetrahedron("edge", true);
   forceshade_session session{};

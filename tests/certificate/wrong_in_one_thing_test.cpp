@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A renderer that is wrong in one thing goes the whole way: certify, write, read, merge, write, read. No device is opened for
+// A renderer that is wrong in one thing goes the whole way: certify, write, read, beside sweeps, write, read. No device is opened for
 // it. Each fault is one row of a table.
 
 #include <gtest/gtest.h>
@@ -23,7 +23,8 @@ namespace {
 using fast::InstructionSet;
 
 constexpr Parameters kBumpOfLaw{15.24F, 25.4F, 0.5F};
-constexpr std::uint64_t kPoints = 5000;  // two chunks, of 4096 and 904
+constexpr Parameters kWithTies{5, 6, 0.5F};  // its axis is 4 mm deep: forces are rational, and ties need the last stage
+constexpr std::uint64_t kPoints = 5000;      // two chunks, of 4096 and 904
 constexpr std::size_t kLastOfChunk = 4095;
 
 // The certificate after it was written, read, given sweeps, written and read.
@@ -141,6 +142,20 @@ TEST(wrong_in_one_thing, a_component_or_the_status_of_the_single_call) {
       }
 }
 
+TEST(wrong_in_one_thing, one_stage_of_the_single_call) {
+  for (std::size_t stage = 0; stage < kStageNames.size(); ++stage) {
+    const Certificate certificate = checked_alone(wrong_law(LawId::cylinder, false, kWithTies, [=](Renderer renderer) {
+      return with_wrong_steps(renderer, {2, [stage](std::size_t, const fast::Evaluation& answer) {
+                                           return static_cast<std::size_t>(answer.stage) == stage;
+                                         }});
+    }));
+    const SubjectResult& found = certificate.subjects[0];
+    EXPECT_GT(found.mismatches, 0U) << kStageNames[stage];
+    EXPECT_EQ(found.mismatches, found.points_by_stage.at(std::string(kStageNames[stage])));
+    expect_refused(certificate, std::string(kStageNames[stage]));
+  }
+}
+
 TEST(wrong_in_one_thing, a_component_of_one_set_s_batch_call) {
   for (const InstructionSet set : fast::kInstructionSets) {
     if (!fast::is_available(set)) continue;
@@ -210,16 +225,107 @@ TEST(wrong_in_one_thing, a_single_call_of_one_set_that_does_not_write_an_answer_
   expect_refused(certificate, "unwritten");
 }
 
-// inconsistent_renderer_test has the words for answers of single calls that change.
-TEST(wrong_in_one_thing, a_batch_call_that_throws) {
+// Each in one case, the first or the last. Passivity also in one loop that belongs to it whatever is drawn.
+class WithOneFailure final : public tests::SubjectWrapper {
+ public:
+  WithOneFailure(std::shared_ptr<const Subject> its, std::string_view property, int at)
+      : SubjectWrapper(its), its_(std::move(its)), property_(property), at_(at) {}
+
+  std::vector<Eigen::Vector3f> draw_path(Chooser& choose) const override {
+    is_wrong_ = property_ == "equivalence" && drawn_++ >= at_;
+    return its_->draw_path(choose);
+  }
+  const Rendering& rendering() const override {
+    rendering_ = its_->rendering();
+    if (is_wrong_)
+      rendering_.renderer =
+          with_wrong_steps(rendering_.renderer, {2, [](std::size_t, const fast::Evaluation&) { return true; }});
+    return rendering_;
+  }
+  Violation check_continuity(Chooser& choose) const override { return of("continuity", its_->check_continuity(choose)); }
+  Violation check_unit_normals(Chooser& choose) const override { return of("unit normals", its_->check_unit_normals(choose)); }
+  Violation check_passivity(Chooser& choose) const override { return of("passivity", its_->check_passivity(choose)); }
+  std::vector<std::function<Violation()>> fixed_loops() const override {
+    auto loops = its_->fixed_loops();
+    if (property_ == "fixed loop") loops.at(at_ == 0 ? 0 : loops.size() - 1) = [] { return Violation("a loop gives energy"); };
+    return loops;
+  }
+
+ private:
+  Violation of(std::string_view property, Violation right) const {
+    if (property_ != property || drawn_++ < at_) return right;
+    return Violation("this case fails");
+  }
+
+  std::shared_ptr<const Subject> its_;
+  std::string property_;
+  int at_;
+  mutable int drawn_ = 0;
+  mutable bool is_wrong_ = false;
+  mutable Rendering rendering_;
+};
+
+TEST(wrong_in_one_thing, one_property_in_its_first_or_last_case) {
+  constexpr int kAll = 20;  // cases; of passivity a tenth
+  for (const std::string_view property : {"equivalence", "continuity", "unit normals", "passivity", "fixed loop"})
+    for (const bool is_last : {false, true}) {
+      const int all = property == "passivity" ? kAll / 10 : kAll;
+      const auto right = std::make_shared<LawSubject>(LawId::bump_2p, kBumpOfLaw);
+      const Certificate certificate =
+          checked_alone(std::make_shared<WithOneFailure>(right, property, is_last ? all - 1 : 0), 100, kAll);
+      const SubjectResult& found = certificate.subjects[0];
+      const std::string what = std::string(property) + (is_last ? ", last" : ", first");
+      EXPECT_EQ(found.mismatches + found.spread.mismatches, 0U) << what;
+      const std::string_view failed = property == "fixed loop" ? "passivity" : property;
+      for (const PropertyResult& one : found.properties) {
+        EXPECT_EQ(one.held, one.name != failed) << what << ": " << one.name;
+        EXPECT_EQ(one.counterexample.empty(), one.held) << what << ": " << one.name;
+        if (one.name != failed || property == "fixed loop") continue;
+        EXPECT_EQ(one.cases, is_last ? static_cast<std::uint64_t>(all) : 1U) << what << ": the case that failed is counted";
+      }
+      expect_refused(certificate, what);
+    }
+}
+
+// A renderer without a batch call whose answers change. The words of certify name that.
+TEST(wrong_in_one_thing, answers_that_are_random_or_remembered_or_thrown) {
+  const RenderedLaw right = std::get<RenderedLaw>(fast_rendering(LawId::bump_2p, kBumpOfLaw));
+  const auto words_for = [&](const ForceAt& renderer) {
+    RenderedLaw rendered = right;
+    rendered.force_at = renderer;
+    const Certificate certificate = checked_alone(std::make_shared<LawSubject>(rendered), 1000);
+    expect_refused(certificate, "inconsistent");
+    return certificate.subjects[0].counterexamples;
+  };
+  const auto expect_in = [](const std::string& said, const char* words) {
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  };
+  const auto random = words_for([&, calls = std::make_shared<int>(0)](const Eigen::Vector3f& position) {
+    Rendered answer = right.force_at(position);
+    if (++*calls % 7 == 0) answer.force.z() += 1;
+    return answer;
+  });
+  expect_in(random.at(0), "gives two answers for one input");
+  const auto thrown_at = words_for([&](const Eigen::Vector3f& position) {
+    if (position.x() > 1) throw std::runtime_error("no such place");
+    return right.force_at(position);
+  });
+  EXPECT_EQ(thrown_at.size(), kCounterexamples);
+  for (const std::string& words : thrown_at) expect_in(words, " mm the renderer throws: no such place");
+  const auto remembering = wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Renderer renderer) {
+    return with_wrong_steps(renderer, {2, [](std::size_t step, const fast::Evaluation&) { return step > 0; }});
+  });
+  const Certificate certificate = checked_alone(remembering, 1000);
+  expect_in(certificate.subjects[0].counterexamples.at(0), "keeps state that its definition does not have");
+  expect_refused(certificate, "remembering");
+
   const auto throwing = wrong_law(LawId::bump_2p, false, kBumpOfLaw, [](Renderer renderer) {
     renderer.batch = [](auto, auto, InstructionSet) -> fast::BatchResult { throw std::runtime_error("no memory"); };
     return renderer;
   });
   const Certificate thrown = checked_alone(throwing, 1000);
-  const std::string said = thrown.subjects[0].counterexamples.at(0);
-  EXPECT_NE(said.find("the batch call (scalar) of 1000 positions from x = "), std::string::npos) << said;
-  EXPECT_NE(said.find(" mm on throws: no memory"), std::string::npos) << said;
+  expect_in(thrown.subjects[0].counterexamples.at(0), "the batch call (scalar) of 1000 positions from x = ");
+  expect_in(thrown.subjects[0].counterexamples.at(0), " mm on throws: no memory");
   expect_refused(thrown, "a throwing batch call");
 }
 

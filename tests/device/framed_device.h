@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <variant>
@@ -65,6 +67,27 @@ inline void expect_ticks_without_allocation(Device& device) {
   }
   device.command({0, 0, 0});
   EXPECT_EQ(tests::allocations(), before);
+}
+
+// A force far beyond its highest is shortened, and one that is not finite is refused.
+inline void command_too_much(Device& device) {
+  ASSERT_FALSE(device.start(1000));
+  device.allow({.work = 1e6, .longest_step = 1});
+  for (int tick = 0; tick < 50; ++tick) {
+    wait_for_frame(device);
+    device.read();
+    EXPECT_FALSE(device.command({0, 0, 100}));
+  }
+  EXPECT_TRUE(device.command({0, 0, std::numeric_limits<float>::quiet_NaN()}));
+}
+
+// verdict: of a stand-in, whose client commanded too much of a device whose highest force is that.
+inline void expect_highest_force(const nlohmann::json& verdict, double highest) {
+  EXPECT_EQ(verdict["faults"], nlohmann::json::object());
+  const double largest = verdict["sessions"][0]["largest_force_N"];
+  EXPECT_LE(largest, highest);
+  EXPECT_GT(largest, highest - 0.1);
+  EXPECT_EQ(verdict["sessions"][0]["force_at_end_N"], 0);
 }
 
 }  // namespace forceshade::device

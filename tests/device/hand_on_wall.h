@@ -3,6 +3,7 @@
 // A hand on a virtual wall under the servo loop, supervisor and passivity controller included, in simulated time.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <variant>
 #include <vector>

@@ -7,14 +7,25 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <string_view>
 
+#include "reference/meshes/descent.h"
+#include "reference/meshes/directions.h"
+#include "tests/meshes/passing.h"
 #include "tests/meshes/random_paths.h"
 
 namespace forceshade {
 namespace {
 
 using mesh::Place;
+using mesh::Side;
 using reference::GodObject;
+using reference::meshes::Feature;
+using reference::meshes::Fold;
+using reference::meshes::Fraction;
+using reference::meshes::Integer;
+using reference::meshes::Surface;
+using reference::meshes::Vector;
 using tests::built;
 using tests::Counts;
 using tests::Friction;
@@ -83,6 +94,107 @@ TEST(god_object_consequences, fewer_moves_a_tick_lead_to_the_same_state_and_from
         friction);
 }
 
+// By winding numbers, in exact predicates.
+TEST(god_object_consequences, it_never_gets_into_a_closed_mesh_nor_out_of_one_that_blocks_both_sides) {
+  std::mt19937_64 random(1);
+  std::vector<mesh::TrianglePoints> triangles;
+  std::optional<int> wound;
+  for (const Friction friction : kEachFriction) {
+    std::vector<std::string> expected{"kept out", "left from behind"};
+    if (friction == Friction::none) expected.emplace_back("kept in");
+    on_random_paths(
+        7, 330, 200, expected,
+        [&](const Scene& scene, const Step& step, Counts& counts) {
+          constexpr std::array<std::string_view, 4> kClosed{"bipyramid", "slab", "star", "torus"};
+          if (std::ranges::find(kClosed, tests::kMeshFamilies[scene.made.family]) == kClosed.end()) return;
+          const auto& vertices = scene.made.mesh.vertices;
+          const auto is_near = [](float x) { return std::fabs(x) <= 5000; };  // which a winding number's ray leaves
+          if (!std::ranges::all_of(vertices, [&](const Position& v) { return std::ranges::all_of(v, is_near); })) return;
+          if (step.before.place == Place::nowhere) {
+            wound.reset();
+            triangles.clear();
+            for (const auto& [a, b, c] : scene.made.mesh.triangles)
+              triangles.push_back({vertices[a], vertices[b], vertices[c]});
+          }
+          if (step.tick.status != Status::free) return;
+          const std::optional<int> winds = tests::winding(triangles, step.tick.after.position, random);
+          if (winds && wound) {
+            const bool blocks_both = scene.made.sides == mesh::Sides::both;
+            EXPECT_LE(*winds, *wound);
+            EXPECT_TRUE(!blocks_both || *winds == *wound);
+            counts["kept out"] += *wound == 0;
+            counts["left from behind"] += *winds < *wound;
+            counts["kept in"] += blocks_both && *wound > 0;
+          }
+          if (winds) wound = winds;
+        },
+        friction);
+  }
+}
+
+// The squared distance of p from a closed triangle.
+Fraction squared_distance(const Surface& surface, std::size_t index, const Vector& p) {
+  const auto& triangle = surface.triangles()[index];
+  const auto corner = [&](std::size_t i) { return p - surface.vertices()[triangle.vertices[i]]; };
+  const Vector &e = triangle.sides[0], f = -triangle.sides[2], w = corner(0);
+  const Integer ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), we = dot(w, e), wf = dot(w, f);
+  const Integer whole = ee * ff - ef * ef, beta = we * ff - wf * ef, gamma = wf * ee - we * ef;
+  if (beta >= 0 && gamma >= 0 && beta + gamma <= whole) {
+    const Vector off = whole * w - beta * e - gamma * f;
+    return {dot(off, off), whole * whole};
+  }
+  std::optional<Fraction> least;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector &side = triangle.sides[i], from = corner(i);
+    const Integer length = dot(side, side), along = std::clamp(Integer(dot(from, side)), Integer(0), length);
+    const Vector off = length * from - along * side;
+    const Fraction distance{dot(off, off), length * length};
+    if (!least || distance < *least) least = distance;
+  }
+  return *least;
+}
+
+TEST(god_object_consequences, every_rest_but_a_refusal_is_a_local_minimum_and_off_p_never_at_the_rim_or_on_a_wide_edge) {
+  const std::vector<std::string> expected{"refused", "nearest of its triangles", "nearest on the surface alone", "narrow",
+                                          "at the rim"};
+  on_random_paths(8, 330, 200, expected, [](const Scene& scene, const Step& step, Counts& counts) {
+    if (step.tick.status != Status::contact) return;
+    const auto end = descend(scene.ground(), step.before, step.position, step.position, 256);
+    const auto& rest = end.rest.value();
+    const Vector p = reference::meshes::exact_point(step.position);
+    const Feature& feature = rest.r.feature;
+    const bool is_at_p = is_zero(rest.D_over);
+    const bool is_at_rim = scene.surface.is_at_rim(feature);
+    if (!is_at_p) {
+      // u at r is -D, from a point with other parameters than the state's: rests at a foot are no refusals.
+      const auto ways = directions(scene.surface, feature, -rest.D_over);
+      const auto own =
+          rest.side == Side::front ? reference::meshes::DirectionKind::front : reference::meshes::DirectionKind::back;
+      if (ways.is_nearer || ways.way == own || ways.way == reference::meshes::DirectionKind::open) {
+        ++counts["refused"];
+        EXPECT_EQ(rest.D_under, 1) << "a refusal rests at a point of the grid";
+        return;
+      }
+    }
+    const Fraction distance{dot(rest.D_over, rest.D_over), rest.D_under * rest.D_under};
+    for (const std::size_t i : scene.surface.triangles_at(feature))
+      EXPECT_EQ(squared_distance(scene.surface, i, p), distance) << "triangle " << i;
+    ++counts["nearest of its triangles"];
+    for (std::size_t i = 0; i < scene.surface.triangles().size(); ++i)
+      if (squared_distance(scene.surface, i, p) < distance) {
+        ++counts["nearest on the surface alone"];
+        break;
+      }
+    counts["at the rim"] += is_at_rim;
+    EXPECT_TRUE(is_at_p || !is_at_rim) << "at the rim";
+    if (feature.place != Place::edge || is_at_rim) return;
+    const Fold fold = scene.surface.edges()[feature.index].fold;
+    const bool is_narrow = rest.side == Side::front ? fold == Fold::narrow : fold == Fold::wide;
+    counts["narrow"] += is_narrow && !is_at_p;
+    EXPECT_TRUE(is_narrow || is_at_p || fold == Fold::flat);
+  });
+}
+
 // Returns true if each coordinate times 2^places is exact and a coordinate too.
 bool can_be_scaled(const Position& position, int places) {
   return std::ranges::all_of(position, [&](float x) {
@@ -128,7 +240,7 @@ TEST(god_object_consequences, a_quarter_turn_and_a_size_times_a_power_of_two_cha
           EXPECT_EQ(tick.moves, step.tick.moves) << show(tick);
           EXPECT_EQ(tick.after, after) << show(tick);
           for (std::size_t axis = 0; axis < 3; ++axis)  // below 2^-126 a component has fewer digits
-            if (std::fabs(moved(step.tick.force, 0)[axis]) >= 0x1p-100F) {
+            if (const float its = std::fabs(moved(step.tick.force, 0)[axis]); its == 0 || its >= 0x1p-100F) {
               EXPECT_EQ(tick.force[axis], force[axis]) << show(tick);
             }
           ++counts["moved"];

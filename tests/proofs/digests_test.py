@@ -37,7 +37,7 @@ with tempfile.TemporaryDirectory() as folder:
     spec.loader.exec_module(digests)
 
     def refused(file, text):
-        """By the lines of this file: no other line reads it."""
+        """Asks the lines of this file alone, since no other line reads it."""
         kept = (root / file).read_text()
         (root / file).write_text(text)
         found = digests.changed([" ".join(line) for line in LINES if line[0] == file])

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers both sides compute with: their roundings are right, and those of the reference enclose. ball_corners_test has the
-// others.
+// The numbers both sides compute with: their enclosures enclose, their bounds are not idle, their roundings are right.
 
 #include "reference/numbers/numbers.h"
 
@@ -8,6 +7,7 @@
 
 #include <random>
 
+#include "fast/numbers/big_float_ball.h"
 #include "fast/numbers/double_double.h"
 #include "fast/numbers/first_stage.h"
 #include "properties/binary32.h"
@@ -50,6 +50,58 @@ class Numbers : public ::testing::Test {
   void SetUp() override { reference::set_precision(6000); }
   std::mt19937_64 random{7};
 };
+
+TEST_F(Numbers, double_double_encloses_and_its_bound_is_not_idle) {
+  double worst = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Operands o = operands(random);
+    const auto value =
+        expression<fast::DoubleDouble>(o, &fast::DoubleDouble::exactly, [](const auto& v) { return square_root(v); });
+    const auto error = static_cast<double>(Multiprecision(abs(truth(o) - Multiprecision(value.hi) - Multiprecision(value.lo))));
+    ASSERT_LE(error, value.error) << o.a << ' ' << o.b;
+    worst = std::max(worst, error / value.error);
+  }
+  std::printf("  worst error/bound %.3f\n", worst);
+  EXPECT_GT(worst, 0.01) << "the bound is idle";
+}
+
+TEST_F(Numbers, wide_encloses_to_its_full_width) {
+  using BigFloatBall = fast::BigFloatBall<64>;
+  for (int i = 0; i < 300; ++i) {
+    const Operands o = operands(random);
+    const auto value = expression<BigFloatBall>(o, &BigFloatBall::exactly, [](const auto& v) { return square_root(v); });
+    EXPECT_LT(value.error_exponent(), -3900);
+    // Taken apart into binary64 pieces, largest first.
+    Multiprecision sum = 0;
+    BigFloatBall rest = value;
+    for (int piece = 0; piece < 90; ++piece) {
+      const double head = approximately(rest);
+      if (head == 0) break;
+      sum += head;
+      rest = midpoint(rest - BigFloatBall::exactly(head));
+    }
+    const Multiprecision error = abs(truth(o) - sum);
+    // The pieces stop at binary64's own end, 2^-1074.
+    EXPECT_LE(error, pow(Multiprecision(2), -1060)) << o.a << ' ' << o.b;
+  }
+}
+
+TEST_F(Numbers, wide_knows_zero) {
+  using BigFloatBall = fast::BigFloatBall<32>;
+  const BigFloatBall two = BigFloatBall::exactly(2), root = square_root(two);
+  EXPECT_EQ(sign(root * root - two), fast::Sign::zero);
+  EXPECT_EQ(sign(root - BigFloatBall::exactly(1.4142135623730951)), fast::Sign::negative);
+  EXPECT_EQ(sign(BigFloatBall::exactly(0)), fast::Sign::zero);
+  EXPECT_EQ(sign(BigFloatBall::exactly(-0x1p-1000)), fast::Sign::negative);
+}
+
+TEST_F(Numbers, a_divisor_that_may_be_zero_leaves_everything_unknown) {
+  using fast::DoubleDouble;
+  const DoubleDouble third = DoubleDouble::exactly(1) / DoubleDouble::exactly(3);
+  const DoubleDouble may_be_zero = third * DoubleDouble::exactly(3) - DoubleDouble::exactly(1);
+  EXPECT_EQ(sign(may_be_zero), fast::Sign::unknown);
+  EXPECT_EQ(sign(DoubleDouble::exactly(1) / may_be_zero), fast::Sign::unknown);
+}
 
 TEST_F(Numbers, rounding_of_a_ball_is_to_nearest_even_or_unknown) {
   using fast::DoubleDouble;

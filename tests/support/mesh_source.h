@@ -2,8 +2,14 @@
 #pragma once
 // Random meshes that are hard for a god-object.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "tests/support/solids.h"
 
@@ -38,7 +44,7 @@ class MeshSource : private Solids {
     return {x, y, uniform(-1, 1)};
   }
 
-  // What corner(0), corner(1) and corner(2) draw, in this order.
+  // The draws of corner(0), corner(1) and corner(2), in this order.
   template <class Corner>
   static auto three(const Corner& corner) {
     const auto first = corner(0), second = corner(1);
@@ -166,7 +172,7 @@ class MeshSource : private Solids {
 
   // Elsewhere, of another size, turned, renumbered.
   mesh::TriangleMesh placed(Solid solid) {
-    // Where each coordinate is then exactly a binary32 of the domain, and not one that is read as 0.
+    // Does so where each coordinate is then exactly a binary32 of the domain, and not one that is read as 0.
     const auto change = [&](const auto& changed) {
       const auto can_be = [&](double x) {
         return reference::in_domain(static_cast<float>(changed(x))) && narrow(changed(x)) == changed(x);

@@ -77,15 +77,15 @@ def decimal_of(value: Any) -> str:
     return str(_DIGITS.divide(Decimal(over), Decimal(under)))
 
 
-def _has_mask(values: object) -> bool:
-    if isinstance(values, (list, tuple)):
-        return any(_has_mask(one) for one in values if not isinstance(one, (float, int)))
+def _has_mask(values: object, depth: int = 0) -> bool:
+    if isinstance(values, (list, tuple)):  # no array is deeper than 32
+        return depth < 32 and any(_has_mask(one, depth + 1) for one in values if not isinstance(one, (float, int)))
     return isinstance(values, np.ma.MaskedArray)
 
 
 def array_of(values: object, name: str) -> npt.NDArray[Any]:
     """The values as an array. Refuses masks, which numpy.asarray() drops without a word, also those of values that make an array
-    when they are asked."""
+    themselves."""
     array = None if _has_mask(values) else np.asanyarray(values)
     if array is None or _has_mask(array):
         raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.compressed()")
@@ -120,7 +120,7 @@ def as_floats(values: object, name: str, rounding: Rounding) -> Floats:
         raise ValueError(f"{name} are lists of different lengths; expected an array of numbers") from None
     kind, dtype = array.dtype.kind, array.dtype
     if kind not in "iuf":
-        what = f"of type {dtype}" if kind != "O" else "objects of " + ", ".join(sorted({type(one).__name__ for one in array.flat})[:3])
+        what = f"of type {dtype}" if kind != "O" or array.size == 0 else "objects of " + ", ".join(sorted({type(one).__name__ for one in array.flat})[:3])
         raise TypeError(f"{name} are {what}; expected numbers")
     if kind == "f" and dtype.itemsize <= 4:
         if dtype == np.float32 and array.flags.aligned and dtype.isnative:

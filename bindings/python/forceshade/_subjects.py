@@ -289,7 +289,8 @@ class Mesh(Subject):
         is_file = isinstance(vertices, (str, os.PathLike))
         options: dict[str, Any] = {"sides": sides, "shading": shading, "contact": contact}
         for key, value in options.items():
-            if value is not None and not (is_file and str(value).startswith(_TEXTURE)):  # whose name need be no UTF-8
+            is_texture = is_file and key == "shading" and isinstance(value, str) and value.startswith(_TEXTURE)
+            if value is not None and not is_texture:  # whose file's name need be no UTF-8
                 word_of(value, key)
         if is_file:
             if triangles is not None:

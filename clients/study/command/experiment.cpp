@@ -214,7 +214,8 @@ struct ExportOptions {
 
 int write_out(const ExportOptions& options) {
   if (options.csv.empty() && options.bids.empty()) throw Error("expected --csv DIR, --bids DIR or both; got neither");
-  if (fs::weakly_canonical(fs::absolute(options.csv)) == fs::weakly_canonical(fs::absolute(options.bids)))
+  const auto whole = [](const std::string& folder) { return fs::weakly_canonical(fs::absolute(folder) / ""); };
+  if (!options.csv.empty() && !options.bids.empty() && whole(options.csv) == whole(options.bids))
     throw Error("--bids: expected another folder than --csv, got \"" + options.bids + '"');
   const std::vector<fs::path> folders(options.sessions.begin(), options.sessions.end());
   const std::unique_ptr<files::OutputFolder> csv = new_folder("--csv", options.csv), bids = new_folder("--bids", options.bids);

@@ -97,6 +97,8 @@ Columns columns_of(const std::string& text) {
     columns.nanoseconds = columns.names[0].substr(plus + 1);
     columns.names[0].resize(plus);
     if (plus == 0 || columns.nanoseconds.empty()) throw refused("t: expected SECONDS+NANOSECONDS");
+    if (std::ranges::count(columns.names, columns.nanoseconds) > 0)
+      throw refused("t: " + columns.nanoseconds + " is named twice");
   }
   const std::span<const std::string> names(columns.names);
   if (columns.nanoseconds.empty())

@@ -184,7 +184,8 @@ def test_the_table_of_a_file_counts_at_a_rate(tmp_path, wall):
 
 
 def drawn_dampings():
-    """A generator of random numbers, and the numbers of a damping: 20 of each, or FORCESHADE_DRAWS times as many."""
+    """Seeds, each with its random numbers and the parameters of a damping that is not off: 16 of 20 seeds, or FORCESHADE_DRAWS times
+    as many."""
     for seed in range(20 * int(os.environ.get("FORCESHADE_DRAWS", 1))):
         draw = np.random.default_rng(seed)
         lists = ((1000, 200, 999.9, 4096), (1, 0.5, 0.3, 2**-10), (0.002, 2**-9, 0.1, 0), (2, 1, 1.7, np.inf), (0, 0.001, 2**-10),
@@ -195,7 +196,7 @@ def drawn_dampings():
 
 
 def test_drawn_ticks_are_those_of_the_program_in_rationals(monkeypatch):
-    """2000 ticks, or FORCESHADE_DRAWS times as many."""
+    """1600 ticks, or FORCESHADE_DRAWS times as many."""
     monkeypatch.syspath_prepend(ROOT / "tests" / "golden")
     from make_damping_golden import Damping as Rational
 
@@ -214,7 +215,7 @@ def test_drawn_ticks_are_those_of_the_program_in_rationals(monkeypatch):
 
 
 def test_drawn_ticks_on_faces_that_limit_damping_are_those_of_the_program_in_rationals(monkeypatch):
-    """2000 ticks, or FORCESHADE_DRAWS times as many, on two faces of a square and on the edge between them, where x = y."""
+    """1600 ticks, or FORCESHADE_DRAWS times as many, on two faces of a square and on the edge between them, where x = y."""
     monkeypatch.syspath_prepend(ROOT / "tests" / "golden")
     from make_damping_golden import Damping as Rational
 

@@ -2,6 +2,7 @@
 """Sessions, files, identities, and the examples of the documentation."""
 
 import contextlib
+import csv
 import doctest
 import importlib
 import json
@@ -9,11 +10,12 @@ import sqlite3
 import subprocess
 import sys
 import types
+from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from conftest import ROOT, command, positions, same_bits
+from conftest import GOLDEN, ROOT, command, positions, same_bits
 
 import forceshade
 
@@ -23,6 +25,15 @@ def test_the_examples_of_the_docstrings_run(name):
     module = importlib.import_module("forceshade" + name)
     names = {key: getattr(forceshade, key) for key in forceshade.__all__}
     assert doctest.testmod(module, extraglobs=names).failed == 0
+
+
+def test_the_geometry_has_every_digit():
+    with open(GOLDEN / "bump_geometry.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            radius, width = (np.float32(float.fromhex(row[key])) for key in ("R_mm", "w_mm"))
+            its = forceshade.geometry(radius=radius, width=width, digits=50)
+            keys = ("d_mm", "h_mm", "w_prime_mm", "h_prime_mm", "theta_rad")
+            assert [Decimal(text) for text in its] == [Decimal(row[key]) for key in keys], row
 
 
 def test_a_sub_interpreter_is_refused():

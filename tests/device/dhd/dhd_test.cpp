@@ -59,6 +59,24 @@ TEST_F(dhd_device, is_driven_whatever_the_documents_leave_open_and_makes_no_faul
   }
 }
 
+TEST_F(dhd_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_is_not_finite) {
+  StandIn stand_in(kPatientDevice + "model=falcon");
+  {
+    const auto device = open_dhd("#0", kPatient, nobody);
+    const Capabilities its = device->capabilities();
+    EXPECT_EQ(its.model, "Falcon");
+    EXPECT_EQ(its.serial, "");
+    EXPECT_EQ(its.driver, "libdhd.so.3");
+    EXPECT_EQ(its.workspace_high.z(), 40);
+    EXPECT_EQ(its.buttons, 4);
+    EXPECT_NE(its.forces.find("which no certificate covers"), std::string_view::npos);
+    command_too_much(*device);
+  }
+  const nlohmann::json verdict = stand_in.verdict();
+  expect_highest_force(verdict, 8);
+  EXPECT_EQ(verdict["sessions"][0]["end"], "closed");
+}
+
 TEST(timed_calls, run_in_turn_in_one_thread_and_throw_what_they_throw) {
   TimedCalls calls;
   std::thread::id first, second;

@@ -136,5 +136,18 @@ TEST_F(haply_device, is_driven_whatever_the_documents_leave_open_and_makes_no_fa
   }
 }
 
+// The service gets the forces that the frames were given to hold, and no force acts after the last command.
+TEST_F(haply_device, shortens_what_is_beyond_its_highest_force_and_refuses_what_is_not_finite) {
+  HaplyStandIn stand_in(kPatientDevice);
+  {
+    const auto device = open_haply("", kPatient, nobody);
+    EXPECT_EQ(device->capabilities().model, "inverse3");
+    EXPECT_EQ(device->capabilities().driver, "Inverse Service 3.5.1");
+    EXPECT_NE(device->capabilities().forces.find("force gate gain 0.3"), std::string_view::npos);
+    command_too_much(*device);
+  }
+  expect_highest_force(stand_in.verdict(), 5);
+}
+
 }  // namespace
 }  // namespace forceshade::device

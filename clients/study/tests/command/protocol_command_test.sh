@@ -12,6 +12,7 @@ expect 2 "--watchdog-timeout: expected without --free-run, got both" -- "$study"
 expect 2 'and not "overall", which the tables use, got "overall"' -- "$study" experiment run p.toml --participant overall --session s \
   --device mouse --certificates none
 expect 2 '--bids: expected another folder than --csv, got "./x"' -- "$study" experiment export s --csv x --bids ./x
+expect 2 '--bids: expected another folder than --csv, got "x/"' -- "$study" experiment export s --csv x --bids x/
 for command in "" experiment "experiment check" "experiment prepare" "experiment run" "experiment resume" "experiment virtual" \
   "experiment export" "experiment verify" "experiment recompute" analyze man completion; do
   same "" "$("$study" help $command | grep -nE '^.{101,}$')"
