@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <system_error>
 
 #include "report/html.h"
@@ -87,15 +86,7 @@ std::string run_gnuplot(std::string_view commands) {
   std::string name = "gnuplot", no_user_settings = "--default-settings", file = "/dev/stdin";
   std::array<char*, 4> arguments{name.data(), no_user_settings.data(), file.data(), nullptr};
   pid_t child = 0;
-  posix_spawnattr_t attributes;  // with the system's own answer to a file's largest size, which the command ignores
-  sigset_t defaults;
-  ::sigemptyset(&defaults);
-  ::sigaddset(&defaults, SIGXFSZ);
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawnattr_setsigdefault(&attributes, &defaults);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
-  const int reason = ::posix_spawnp(&child, name.c_str(), actions.get(), &attributes, arguments.data(), environ);
-  ::posix_spawnattr_destroy(&attributes);
+  const int reason = ::posix_spawnp(&child, name.c_str(), actions.get(), nullptr, arguments.data(), environ);
   if (reason == ENOENT) throw PlotError("gnuplot was not found: install the package gnuplot-nox");
   if (reason != 0) fail("cannot start gnuplot", reason);
 

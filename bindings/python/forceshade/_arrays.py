@@ -120,7 +120,8 @@ def as_floats(values: object, name: str, rounding: Rounding) -> Floats:
         raise ValueError(f"{name} are lists of different lengths; expected an array of numbers") from None
     kind, dtype = array.dtype.kind, array.dtype
     if kind not in "iuf":
-        what = f"of type {dtype}" if kind != "O" or array.size == 0 else "objects of " + ", ".join(sorted({type(one).__name__ for one in array.flat})[:3])
+        types = sorted({type(one).__name__ for one in array.flat})[:3] if kind == "O" else []
+        what = "objects of " + ", ".join(types) if types else f"of type {dtype}"
         raise TypeError(f"{name} are {what}; expected numbers")
     if kind == "f" and dtype.itemsize <= 4:
         if dtype == np.float32 and array.flags.aligned and dtype.isnative:
