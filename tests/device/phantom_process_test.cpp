@@ -30,9 +30,12 @@ using stand_in_hd::Moment;
 constexpr Phantom::Options kHurried{
     .watchdog_timeout = 1s, .open = 10min, .start = 10min, .calibration = 10min, .rate_tolerance = 1};
 
+// Commands again and again: where this process stood still, the frames took the force away.
 void expect_obeys(Phantom& device) {
-  device.command({0, 0, 1});
-  wait_until([] { return stand_in_hd::arm().force == Eigen::Vector3d(0, 1, 0); });
+  wait_until([&] {
+    device.command({0, 0, 1});
+    return stand_in_hd::arm().force == Eigen::Vector3d(0, 1, 0);
+  });
 }
 
 std::string words_of_fault(Phantom& device) {
