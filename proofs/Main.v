@@ -1,9 +1,10 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
 (* The theorem of each law: the code answers every position as the specification says. spec/Laws.v is the specification, 120 lines
-   without a proof; code/Code.v is what the code was written down as. For all parameters of the domain and all bits of x, y and z, NaNs too:
+   without a proof; code/Code.v has the code as people wrote it down. For all parameters of the domain and all bits of x, y and z, NaNs too:
    - where a coordinate is not in range, the answer is invalid and no force;
-   - else the status is free or contact as the exact force is, and each component is the exact one rounded once to binary32.
-   is_fused says whether a first stage fuses a multiplication with an addition, which compilers and vectors may; it is right in both ways.
+   - else the status is free or contact as the exact force is, and each component is the exact one rounded once to binary32,
+     at the coordinates as they are read: one below 2^-30 mm is 0.
+   is_fused says whether a first stage fuses the multiplications and additions that its code names for it; it is right in both ways.
    Third stages compute with lists of 64-bit limbs and 64-bit exponents (proofs/limbs/WideNumbers.v). `outside` is what a machine makes of a
    number that does not fit an exponent: the theorems hold for any, since none arises.
    proofs/code.txt has a digest of this file, of Laws.v and of Code.v, so that a statement that is weakened is seen without Coq. *)
