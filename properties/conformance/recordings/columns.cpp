@@ -20,35 +20,54 @@ struct FileUnit {
 constexpr std::array kTimes{FileUnit{"s", "1"}, FileUnit{"ms", "1e-3"}, FileUnit{"us", "1e-6"}, FileUnit{"ns", "1e-9"}};
 constexpr std::array kLengths{FileUnit{"mm", "1"}, FileUnit{"cm", "10"}, FileUnit{"m", "1000"}, FileUnit{"in", "25.4"}};
 constexpr std::array kForces{FileUnit{"N", "1"}, FileUnit{"mN", "1e-3"}};
+// Endings in small letters that are other units, which are not read.
+constexpr std::string_view kOtherTimes = " min µs μs ", kOtherLengths = " um µm μm nm dm km mil inch ft ",
+                           kOtherForces = " nm kn un µn μn g kg gf kgf lb lbf oz ozf dyn mv ";
 
 const FileUnit* find(std::span<const FileUnit> units, std::string_view name) {
   const auto found = std::ranges::find(units, name, &FileUnit::name);
   return found == units.end() ? nullptr : &*found;
 }
 
-// The last word of a column's name: of x_mm, "x mm", "x [mm]" and x(mm) it is mm. Empty where the name is one word.
+// The last word of a column's name: of x_mm, "x mm", "x [mm]" and x(mm) it is mm, of t_msec it is ms. Empty where the name is
+// one word.
 std::string_view last_word(std::string_view name) {
   if (name.ends_with(']') || name.ends_with(')')) name.remove_suffix(1);
   const std::size_t before = name.find_last_of("_ [(");
-  return before == std::string_view::npos ? std::string_view() : name.substr(before + 1);
+  std::string_view word = before == std::string_view::npos ? std::string_view() : name.substr(before + 1);
+  for (const std::string_view seconds : {"secs", "sec"})
+    if (word.ends_with(seconds)) word.remove_suffix(seconds.size() - 1);
+  return word;
+}
+
+std::string in_small_letters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return small;
 }
 
 // Takes the unit of these columns, one of `units`, out of the given ones; or that in which each name ends.
-files::Decimal unit_of(std::span<const std::string> names, std::span<const FileUnit> units, std::vector<std::string>& given) {
-  std::string choices;
-  for (const FileUnit& unit : units) choices += (choices.empty() ? "" : ", ") + std::string(unit.name);
+files::Decimal unit_of(std::span<const std::string> names, std::span<const FileUnit> units, std::string_view others,
+                       std::vector<std::string>& given) {
+  std::string choices, unread(others);
+  for (const FileUnit& unit : units) {
+    choices += (choices.empty() ? "" : ", ") + std::string(unit.name);
+    unread += in_small_letters(unit.name) + ' ';
+  }
   const auto word = std::ranges::find_if(given, [&](const std::string& name) { return find(units, name) != nullptr; });
   const bool is_given = word != given.end();
   const FileUnit* unit = is_given ? find(units, *word) : nullptr;
   if (is_given) given.erase(word);
   for (const std::string& name : names) {
-    const std::string_view ending = last_word(name);
+    const std::string ending(last_word(name)), small = in_small_letters(ending);
     const FileUnit* const its = find(units, ending);
-    if (its == nullptr && is_given) continue;
+    const bool is_other = !ending.empty() && unread.find(' ' + small + ' ') != std::string::npos;
+    if (its == nullptr && is_given && (!is_other || small == in_small_letters(unit->name))) continue;
     if (its == nullptr)
-      throw Error("--columns: expected one of " + choices + ", because the column " + name + " does not end in its unit");
+      throw Error("--columns: expected one of " + choices + ", because the column " + name +
+                  (is_other ? " ends in " + ending : " does not end in its unit"));
     if (unit != nullptr && unit != its)
-      throw Error("--columns: the column " + name + " ends in " + std::string(ending) +
+      throw Error("--columns: the column " + name + " ends in " + ending +
                   (is_given ? "; expected this unit, got " : "; expected the unit ") + std::string(unit->name));
     unit = its;
   }
@@ -101,10 +120,13 @@ Columns columns_of(const std::string& text) {
       throw refused("t: " + columns.nanoseconds + " is named twice");
   }
   const std::span<const std::string> names(columns.names);
-  if (columns.nanoseconds.empty())
-    columns.power_of_seconds = static_cast<int>(unit_of(names.first(1), kTimes, units).exponent());
-  columns.millimetres = unit_of(names.subspan(1, 3), kLengths, units);
-  columns.newtons = unit_of(names.last(3), kForces, units);
+  std::vector<std::string> seconds{"s"}, nanoseconds{"ns"};
+  const bool are_two = !columns.nanoseconds.empty();
+  const files::Decimal time = unit_of(names.first(1), kTimes, kOtherTimes, are_two ? seconds : units);
+  columns.power_of_seconds = static_cast<int>(time.exponent());
+  if (are_two) unit_of({&columns.nanoseconds, 1}, kTimes, kOtherTimes, nanoseconds);
+  columns.millimetres = unit_of(names.subspan(1, 3), kLengths, kOtherLengths, units);
+  columns.newtons = unit_of(names.last(3), kForces, kOtherForces, units);
   if (!units.empty())
     throw Error(
         "--columns: expected a unit of time (s, ms, us, ns), of length (mm, cm, m, in) and of force (N, mN), each once; got "
