@@ -211,7 +211,8 @@ void Reader::expect_no_other_column() const {
 }
 
 void Reader::name_columns(std::string_view words) {
-  if (!read_row()) throw error(1, std::string(words) + ", got an empty file");
+  const auto says_comma = [&] { return line_ == 1 && (line_text_ == "sep=,\n" || line_text_ == "\"sep=,\"\n"); };
+  if (!read_row() || (says_comma() && !read_row())) throw error(1, std::string(words) + ", got an empty file");
   header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));
   if (layout_ == Layout::csv) return;
   for (std::size_t i = 0; i < header_.size(); ++i) header_[i] = std::to_string(i + 1);

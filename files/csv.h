@@ -17,8 +17,8 @@ struct csv_parser;
 namespace forceshade::files {
 
 // UTF-8 with or without a byte order mark, lines ended by LF or CRLF, blank lines skipped, spaces around a field dropped,
-// quotes as in RFC 4180, every row as long as the header. A row of more than kLongestRow bytes is an error, so that
-// neither a binary file nor a forgotten quote fills the memory.
+// quotes as in RFC 4180, every row as long as the header, in front of which Excel's sep=, may stand. A row of more than
+// kLongestRow bytes is an error, so that neither a binary file nor a forgotten quote fills the memory.
 class Reader {
  public:
   static constexpr std::size_t kLongestRow = std::size_t{1} << 20;

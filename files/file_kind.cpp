@@ -90,6 +90,9 @@ std::string text_kind(std::string_view text) {
   text = from_first_line(text);
   if (begins_as_json(text)) return std::string(kJsonFile);
   if (text.starts_with('<')) return std::string(kXmlFile);
+  // Excel's line in front of the header, sep=; or "sep=;".
+  if (text.substr(text.starts_with('"') ? 1 : 0).starts_with("sep=") && text.find_first_of(",;\t|") < 6)
+    return std::string(kCsvFile);
   if (begins_as_toml(text.substr(0, text.find('\n')))) return std::string(kTomlFile);
   return begins_as_csv(text) ? std::string(kCsvFile) : "";
 }

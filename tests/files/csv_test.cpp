@@ -40,13 +40,14 @@ float number(const std::string& text) {
 
 using Rows = std::vector<std::pair<float, float>>;
 
-// In any order of the columns, with others between them, CRLF, a byte-order mark, blank lines, no last newline, spaces and
-// quotes.
+// In any order of the columns, with others between them, CRLF, a byte-order mark, blank lines, no last newline, spaces, quotes
+// and Excel's line in front.
 TEST(csv, reads_named_columns_however_they_are_written) {
-  for (const char* text : {"b,note,a\n2,x,1\n4,y,3\n",
-                           "\xEF\xBB\xBF"
-                           "a,b\r\n\r\n1,2\r\n \t\r\n\r\n3,4",
-                           "a,b\r\n1,2\r\n3,4\r", "\"a\" , b\n \"1\",\t2 \n3,4"})
+  for (const char* text :
+       {"b,note,a\n2,x,1\n4,y,3\n",
+        "\xEF\xBB\xBF"
+        "a,b\r\n\r\n1,2\r\n \t\r\n\r\n3,4",
+        "a,b\r\n1,2\r\n3,4\r", "\"a\" , b\n \"1\",\t2 \n3,4", "sep=,\r\na,b\n1,2\n3,4", "\"sep=,\"\na,b\n1,2\n3,4"})
     EXPECT_EQ(rows_of(text), (Rows{{1, 2}, {3, 4}})) << text;
 }
 
@@ -111,7 +112,8 @@ TEST(csv, shows_a_long_value_in_short) {
 // The lines are counted as an editor does; C1 control characters are text to UTF-8, and commands to a terminal.
 TEST(csv, names_the_place_of_what_is_wrong) {
   const std::string header = "expected a header row with columns a, b, got an empty file",
-                    quote = "expected quotes around a whole field and doubled inside it, got a stray one";
+                    quote = "expected quotes around a whole field and doubled inside it, got a stray one",
+                    semicolons = "expected commas between the columns, and points in decimals, got semicolons in ";
   for (const auto& [text, words] : std::vector<std::pair<std::string, std::string>>{
            {"", "1: " + header},
            {"\n \n", "1: " + header},
@@ -124,6 +126,11 @@ TEST(csv, names_the_place_of_what_is_wrong) {
             " expected a CSV file, got a program"},
            {"\xd0\xcf\x11\xe0", " expected a CSV file, got an Excel or another Office file"},
            {"\x89HDF\r\n", " expected a CSV file, got an HDF5 file"},
+           {"sep=;\na;b\n", "1: " + semicolons + "\"sep=;\""},
+           {"\"sep=;\"\na;b\n", "1: " + semicolons + "\"sep=;\""},
+           {"sep=,\n", "1: " + header},
+           {"sep=;,\n", "1: no column a: expected columns a, b, got \"sep=;, \""},
+           {"sep = 1\n", " expected a CSV file, got a TOML file"},
            {"a \t\n", "1: no column b: expected columns a, b, got \"a\""},
            {"a,b,c,a\n", "1: columns 1 and 4 are both called a"},
            {"a,x,b\n1,2,3\n\n4,5\n", "4: expected 3 fields, got 2: column 3 (b) is missing"},
