@@ -8,7 +8,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -18,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kPartial = ".partial-00000000";
-
 // The path without a slash at its end.
 fs::path plain(const fs::path& path) {
   const fs::path normal = path.lexically_normal();
@@ -28,6 +30,17 @@ fs::path plain(const fs::path& path) {
 
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+// The name of the partial folder. Where it has no room for the whole name of PATH, it has a number made of that (FNV-1a).
+std::string locked_name(const std::string& stem) {
+  const std::string name = with_ending(stem, ".partial-00000000");
+  if (name.starts_with(stem)) return name;
+  std::uint32_t number = 0x811c9dc5;
+  for (const char c : fs::path(stem).filename().string()) number = (number ^ static_cast<unsigned char>(c)) * 0x1000193U;
+  std::array<char, 32> ending{};
+  std::snprintf(ending.data(), ending.size(), ".partial-%08x", static_cast<unsigned>(number));
+  return with_ending(stem, ending.data());
 }
 
 void sync_folders(const fs::path& folder) {
@@ -56,7 +69,7 @@ OutputFolder::OutputFolder(const fs::path& path) : path_(plain(path)) {
   do {
     is_there_ = fs::is_directory(path_, ignored);
     const std::string stem = is_there_ ? path_.string() + '/' : path_.string();
-    while (!has_claimed(with_ending(stem, kPartial))) {
+    while (!has_claimed(locked_name(stem))) {
     }
     for (int failed = EEXIST; partial_.empty() && failed == EEXIST;) {  // no locks here
       partial_ = partial_name(stem);

@@ -10,9 +10,10 @@
 namespace forceshade::files {
 
 // Files are written into a partial folder: PATH.partial-00000000 beside a PATH that is not there, PATH/.partial-00000000 in one
-// that is. commit() puts them in place once every byte of them has reached the disk: a new PATH by one rename; in a PATH that
-// is there one rename follows the other, and if one fails, those before it are undone. Without commit() nothing is left; only
-// a process that is killed leaves the partial folder, which nothing reads, and which the next one for the same PATH removes.
+// that is; of a name of PATH that is cut, the digits are made of the whole name. commit() puts them in place once every byte of
+// them has reached the disk: a new PATH by one rename; in a PATH that is there one rename follows the other, and if one fails,
+// those before it are undone. Without commit() nothing is left; only a process that is killed leaves the partial folder, which
+// nothing reads, and which the next one for the same PATH removes.
 //
 // The partial folder is locked (flock), so that one PATH has one OutputFolder at a time, in this process and in all of the
 // machine. A command that works for long makes its OutputFolder before the work. A file system without such locks, as NFS is,

@@ -137,6 +137,17 @@ TEST(output_folder, has_a_path_alone_until_it_ends) {
   for (const char* name : {"new", "there"}) EXPECT_TRUE(std::filesystem::is_empty(directory.file(name))) << name;
 }
 
+// The partial name has room for 238 bytes.
+TEST(output_folder, has_a_longest_name_alone_however_it_is_written) {
+  const TemporaryDirectory directory;
+  const std::string stem = directory.file(std::string(238, 'a'));
+  const OutputFolder folder(stem + "b");
+  EXPECT_NO_THROW(OutputFolder{stem});
+  EXPECT_NO_THROW(OutputFolder(stem + "c"));
+  EXPECT_NO_THROW(OutputFolder(stem + std::string(17, 'b')));
+  EXPECT_THROW(OutputFolder(std::filesystem::relative(stem + "b")), OutputError);
+}
+
 // A folder that somebody else put there meanwhile stays, and is not mixed with what was written.
 TEST(output_folder, does_not_mix_with_a_path_that_came_meanwhile) {
   const TemporaryDirectory directory;
