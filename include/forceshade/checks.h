@@ -17,6 +17,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -39,7 +40,8 @@ class Monitor {
 
   // done: in [0, 1]. Throws Interrupted once stop is set.
   void at(double done) const {
-    if (stop_ != nullptr && *stop_) throw Interrupted();
+    // A throw expression would not compile with -fno-exceptions.
+    if (stop_ != nullptr && *stop_) std::rethrow_exception(std::make_exception_ptr(Interrupted()));
     if (report_) report_(from_ + done * (to_ - from_));
   }
 
