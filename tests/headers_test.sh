@@ -38,7 +38,8 @@ for header in $all; do
 done
 [ "$(wc -w <<<"$headers")" -ge 45 ] || { echo "expected 45 headers or more, found:$headers"; exit 1; }
 # A program without exceptions includes the public ones.
-printf '#include "%s"\n' include/forceshade/*.h | "$compiler" "${options[@]}" -fno-exceptions -x c++ - || { echo "FAILED: -fno-exceptions"; exit 1; }
+printf '#include "%s"\n' include/forceshade/*.h | "$compiler" "${options[@]}" -fno-exceptions -x c++ - ||
+  { echo "FAILED: -fno-exceptions"; exit 1; }
 # shellcheck disable=SC2086
 printf '%s\n' $headers | xargs -P "$(nproc)" -I{} env FORCESHADE_HEADER={} "$0" "$compiler" "$source" "$@" || exit 1
 echo "$(wc -w <<<"$headers") headers compile by themselves, and $with_another that these include first"
