@@ -60,6 +60,15 @@ def test_every_folder_with_a_library_is_a_module():
     assert found > 10
 
 
+def test_every_command_of_cmake_is_quoted_for_the_shell():
+    """A build in a folder with brackets in its name would fail otherwise."""
+    commands = [(path, command) for path in ROOT.glob("[a-z]*/**/CMakeLists.txt") if "build" not in name_of(path)
+                for command in re.findall(r"^ *add_custom_(?:command|target)\(([^()]* COMMAND [^()]*)\)", text_of(path), re.MULTILINE)]
+    assert len(commands) >= 5
+    for path, command in commands:
+        expect("VERBATIM" in command, f"{name_of(path)}: {command}")
+
+
 def test_every_module_is_in_the_picture_that_scripts_modules_draws():
     picture = text_of("docs/modules.svg")
     for module in modules():
