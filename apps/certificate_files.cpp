@@ -10,6 +10,7 @@
 #include "files/printable.h"
 #include "forceshade/certificate.h"
 #include "rendering/breakdown.h"
+#include "text/number_text.h"
 
 namespace forceshade::apps {
 namespace {
@@ -40,10 +41,8 @@ std::string verdict(const properties::Certificate& certificate, properties::Stan
   const char* word = failed                                           ? "FAILED, not certified"
                      : standing == properties::Standing::insufficient ? "held, not certified"
                                                                       : "certified";
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.1f s", certificate.seconds);
-  return word + (": " + std::to_string(points)) + " points in all, " + seconds + (seeds.size() == 1 ? ", seed " : ", seeds ") +
-         properties::in_words(seeds);
+  return word + (": " + std::to_string(points)) + " points in all, " + formatted("%.1f s", certificate.seconds) +
+         (seeds.size() == 1 ? ", seed " : ", seeds ") + properties::in_words(seeds);
 }
 
 }  // namespace

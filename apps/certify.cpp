@@ -4,7 +4,6 @@
 #include "forceshade/certify.h"
 
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <thread>
 
@@ -18,6 +17,7 @@
 #include "apps/subject_option.h"
 #include "apps/tell.h"
 #include "files/printable.h"
+#include "text/number_text.h"
 
 namespace forceshade::apps {
 namespace {
@@ -41,9 +41,7 @@ class CertifyProgress {
   }
   void draw() {
     const double seconds = std::chrono::duration<double>(ProgressLine::Clock::now() - start_).count();
-    char rate[32];
-    std::snprintf(rate, sizeof rate, "%.3g points/s  ", done_ * points_ / std::max(seconds, 1e-9));
-    line_.draw(done_, rate + name_);
+    line_.draw(done_, formatted("%.3g points/s  ", done_ * points_ / std::max(seconds, 1e-9)) + name_);
   }
 
  private:

@@ -9,6 +9,7 @@
 #include "run/rule_names.h"
 #include "run/summary.h"
 #include "run/words.h"
+#include "text/number_text.h"
 
 namespace forceshade::apps {
 namespace {
@@ -45,12 +46,9 @@ void print_safety(const ServoResult& run) {
     add("the device's own forces were off in " + std::to_string(run.forces_off_ticks) + " ticks");
     if (run.forces_off) limited += ", the last among them" + (*run.forces_off ? std::string(": ") + run.forces_off : "");
   }
-  if (run.fades > 0) {
-    char faded[96];
-    std::snprintf(faded, sizeof faded, "faded %d time%s by the device's frames, for %.2f s in all", run.fades,
-                  run.fades == 1 ? "" : "s", run.faded);
-    add(faded);
-  }
+  if (run.fades > 0)
+    add(formatted("faded %d time%s by the device's frames, for %.2f s in all", run.fades, run.fades == 1 ? "" : "s",
+                  run.faded));
   std::printf("%s\n", limited.empty() ? "nothing limited" : limited.c_str());
 }
 

@@ -64,10 +64,8 @@ struct Verdict {
 
 // mJ of the loops in either sense, in words.
 std::string words_of(const reference::Interval& counter_clockwise, const reference::Interval& clockwise, const char* right) {
-  std::array<char, 128> text{};
-  std::snprintf(text.data(), text.size(), "%.6g mJ counter-clockwise, %.6g mJ clockwise (%s right, z up)",
-                binary64(counter_clockwise)[1], binary64(clockwise)[1], right);
-  return text.data();
+  return formatted("%.6g mJ counter-clockwise, %.6g mJ clockwise (%s right, z up)", binary64(counter_clockwise)[1],
+                   binary64(clockwise)[1], right);
 }
 
 Verdict verdict_on(const reference::Law& law, float depth) {
@@ -100,9 +98,8 @@ Verdict verdict_on(const reference::HeightMapField& law, const std::string& name
   const auto witness = reference::witness(law, slice, depth, monitor.part(0.4, 0.7));
   const bool is_x = slice.along == reference::Slice::Along::x;
   const double at = static_cast<double>(slice.at), from = static_cast<double>(slice.from), to = static_cast<double>(slice.to);
-  std::array<char, 128> where{};
-  std::snprintf(where.data(), where.size(), "over %s = %g mm, %s from %g to %g mm, ", is_x ? "y" : "x", at, is_x ? "x" : "y",
-                from, to);
+  const std::string where =
+      formatted("over %s = %g mm, %s from %g to %g mm, ", is_x ? "y" : "x", at, is_x ? "x" : "y", from, to);
   Verdict verdict{
       .name = name + ", " + std::string(name_of(law.mode())),
       .of = {{"height_map", name},

@@ -2,11 +2,10 @@
 #include "apps/junit.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <span>
 
 #include "files/printable.h"
+#include "text/number_text.h"
 
 namespace forceshade::apps {
 namespace {
@@ -53,24 +52,17 @@ std::string attribute(const char* name, std::string_view value) {
   return std::string(" ") + name + "=\"" + xml_line(value) + '"';
 }
 
-// Seconds, with a point in every locale that the command can have: it sets none.
-std::string seconds(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.3f", value);
-  return text.data();
-}
-
 std::string counts(std::span<const JunitCase> cases) {
   const auto failed = std::ranges::count_if(cases, [](const JunitCase& each) { return each.failure.has_value(); });
   double time = 0;
   for (const JunitCase& each : cases) time += each.seconds;
   return attribute("tests", std::to_string(cases.size())) + attribute("failures", std::to_string(failed)) +
-         attribute("errors", "0") + attribute("time", seconds(time));
+         attribute("errors", "0") + attribute("time", formatted("%.3f", time));
 }
 
 std::string testcase(const JunitCase& each, const std::string& name) {
   std::string text = "    <testcase" + attribute("classname", name + '.' + each.subject) + attribute("name", each.name) +
-                     attribute("time", seconds(each.seconds)) + ">\n";
+                     attribute("time", formatted("%.3f", each.seconds)) + ">\n";
   if (each.failure)
     text += "      <failure" + attribute("type", "counterexample") + attribute("message", first_line(*each.failure)) + '>' +
             xml(*each.failure) + "</failure>\n";

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "text/number_text.h"
+
 namespace forceshade::apps {
 namespace {
 
@@ -16,12 +18,6 @@ struct Piece {
   std::string text;
   int rank;  // the piece of the highest rank is left out first
 };
-
-std::string number(const char* format, double value) {
-  char text[400];  // the longest binary64 without an exponent has 309 digits
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::string bar(double share) {
   constexpr std::size_t kWidth = 20;
@@ -44,9 +40,9 @@ int room_for_a_line() {
 }
 
 std::string live_line(const LiveLine& shown, int room) {
-  std::vector<Piece> pieces{{number("%7.1f s", shown.seconds), 3},    {number("%6.0f Hz", shown.rate), 4},
-                            {number("late %5.0f us", shown.late), 5}, {bar(shown.force / shown.full_force), 6},
-                            {number("%6.3f N", shown.force), 0},      {number("%+9.3f mJ", shown.energy), 2}};
+  std::vector<Piece> pieces{{formatted("%7.1f s", shown.seconds), 3},    {formatted("%6.0f Hz", shown.rate), 4},
+                            {formatted("late %5.0f us", shown.late), 5}, {bar(shown.force / shown.full_force), 6},
+                            {formatted("%6.3f N", shown.force), 0},      {formatted("%+9.3f mJ", shown.energy), 2}};
   if (!shown.limits.empty()) pieces.push_back({shown.limits, 1});
   const auto most = static_cast<std::size_t>(std::max(room, 0));
   while (pieces.size() > 1 && joined(pieces).size() > most)

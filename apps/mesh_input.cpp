@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -20,6 +19,7 @@
 #include "files/file_kind.h"
 #include "forceshade/error.h"
 #include "rendering/meshes/lines.h"
+#include "text/letters.h"
 
 namespace forceshade::apps {
 namespace {
@@ -79,8 +79,7 @@ std::string ending_of(std::string_view bytes) {
   if (word == "ply") return ".ply";
   word.erase(word.find_last_not_of("0123456789") + 1);  // OFF4 2 0
   if (word.ends_with("OFF")) return ".off";
-  for (char& letter : word) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return word == "solid" ? ".stl" : ".obj";
+  return small_letters(word) == "solid" ? ".stl" : ".obj";
 }
 
 }  // namespace

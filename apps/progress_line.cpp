@@ -9,6 +9,7 @@
 
 #include "apps/live_line.h"
 #include "apps/tell.h"
+#include "text/number_text.h"
 
 namespace forceshade::apps {
 namespace {
@@ -19,9 +20,7 @@ constexpr std::chrono::minutes kLogged{1};
 // "1:05:09"
 std::string hours(double seconds) {
   const long long whole = std::llround(seconds);
-  char text[32];
-  std::snprintf(text, sizeof text, "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
-  return text;
+  return formatted("%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 }  // namespace
@@ -37,9 +36,7 @@ ProgressLine::~ProgressLine() {
 }
 
 std::string ProgressLine::words(double done, const std::string& details) const {
-  char percent[32];
-  std::snprintf(percent, sizeof percent, "%.1f %%", 100 * done);
-  std::string text = percent;
+  std::string text = formatted("%.1f %%", 100 * done);
   const double seconds = std::chrono::duration<double>(now_() - start_).count(), ahead = done - begun_.value_or(0);
   if (ahead > 0) text += "  " + hours(seconds * (1 - done) / ahead) + " left";
   if (!details.empty()) text += "  " + details;

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <limits>
 
 #include "device/simulated/model.h"
+#include "text/number_text.h"
 
 namespace forceshade::device {
 namespace {
@@ -22,15 +21,6 @@ std::string joined(const std::vector<std::string>& all, const char* between = ",
     line += one;
   }
   return line;
-}
-
-[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...) {
-  char text[400];
-  va_list values;
-  va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
-  va_end(values);
-  return text;
 }
 
 std::string numbers_of(std::uint16_t buttons) {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/frame_times.h"
 
-#include <array>
-#include <cstdio>
+#include "text/number_text.h"
 
 namespace forceshade::device {
 
 std::string words_of(const FrameTimes::Window& seen) {
-  std::array<char, 160> words{};
-  std::snprintf(words.data(), words.size(), "%.1f frames a second, %.2f %% of them late, longest gap %.2f ms", seen.rate,
-                100 * seen.late, 1000 * seen.longest_gap);
-  return words.data();
+  return formatted("%.1f frames a second, %.2f %% of them late, longest gap %.2f ms", seen.rate, 100 * seen.late,
+                   1000 * seen.longest_gap);
 }
 
 const char* grade_of(const FrameTimes::Window& seen) noexcept {

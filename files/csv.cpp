@@ -17,6 +17,7 @@
 
 #include "files/file_kind.h"
 #include "files/printable.h"
+#include "text/letters.h"
 
 namespace forceshade::files {
 namespace {
@@ -101,8 +102,7 @@ std::string separator_of(const std::vector<std::string>& header) {
 std::string plain_name(std::string text) {
   text.erase(text.find_last_not_of(' ') + 1);
   text.erase(0, text.find_first_not_of(' '));
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
+  return small_letters(text);
 }
 
 // 1,5 for 1.5

@@ -2,8 +2,6 @@
 #pragma once
 // The head of an NPY file, the format of numpy.load: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
 
-#include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <istream>
 #include <string>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "forceshade/error.h"
+#include "text/letters.h"
 
 namespace forceshade::files {
 
@@ -32,8 +31,7 @@ NpyHead read_npy_head(std::istream& in);
 // True if the file's name ends as that of an array: .npy, in small or in capital letters.
 inline bool is_named_npy(std::string_view path) {
   constexpr std::string_view kEnding = ".npy";
-  return path.size() >= kEnding.size() && std::ranges::equal(path.substr(path.size() - kEnding.size()), kEnding,
-                                                             [](unsigned char a, char b) { return std::tolower(a) == b; });
+  return path.size() >= kEnding.size() && small_letters(path.substr(path.size() - kEnding.size())) == kEnding;
 }
 
 }  // namespace forceshade::files

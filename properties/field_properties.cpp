@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "properties/binary32.h"
@@ -56,9 +55,8 @@ Violation difference_in_length(const Eigen::Vector3f& position, const Eigen::Vec
   const Real rounding = std::hypot(half_spacing(force.x()), half_spacing(force.y()), half_spacing(force.z())) + exact.rad() +
                         0x1p-60L * (length + std::fabs(static_cast<Real>(force.z())));
   if (std::fabs(length - exact.mid()) <= rounding) return std::nullopt;
-  char numbers[160];
-  std::snprintf(numbers, sizeof numbers, "expected %.17Lg N within %.3Lg N, got %.17Lg N", exact.mid(), rounding, length);
-  return "at " + show(position) + " mm the force's length is not the law's magnitude: " + numbers;
+  return "at " + show(position) + " mm the force's length is not the law's magnitude: " +
+         formatted("expected %.17Lg N within %.3Lg N, got %.17Lg N", exact.mid(), rounding, length);
 }
 
 // On the pieces that work.cpp cuts, a conservative force is linear, or smooth with its nearest singularity, the axis, as far
@@ -161,10 +159,8 @@ Violation continuity(const RenderedLaw& rendered, const LawClaims& claims, const
       std::hypot(half_spacing(at_a.x()), half_spacing(at_a.z())) + std::hypot(half_spacing(at_b.x()), half_spacing(at_b.z()));
   const Real reach = (allowed.reach + rounding) * (1 + kEvaluation) + kEvaluation * change;
   if (std::fabs(change - allowed.jump) <= reach) return std::nullopt;
-  char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "the force changes by %.9Lg N; expected %.9Lg N within %.3Lg N", change, allowed.jump,
-                reach);
-  return "between " + show(a) + " and " + show(b) + " mm " + numbers;
+  return "between " + show(a) + " and " + show(b) + " mm " +
+         formatted("the force changes by %.9Lg N; expected %.9Lg N within %.3Lg N", change, allowed.jump, reach);
 }
 
 Violation unit_normals(const RenderedLaw& rendered, const Eigen::Vector3f& position) {
@@ -197,10 +193,9 @@ Violation passivity(const RenderedLaw& rendered, const LawClaims& claims, const 
   const Work work = work_around(rendered, claims, vertices);
   const double allowed = (claims.is_conservative ? work.placing : work.exact) + work.rounding + work.summing();
   if (work.rendered <= allowed) return std::nullopt;
-  char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ",
-                work.rendered, claims.is_conservative ? 0.0 : work.exact, work.rounding);
-  return "the closed path " + loop_text(vertices) + " mm " + numbers;
+  return "the closed path " + loop_text(vertices) + " mm " +
+         formatted("gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ", work.rendered,
+                   claims.is_conservative ? 0.0 : work.exact, work.rounding);
 }
 
 WitnessLoop witness_loop(const reference::Law& law, float depth) {
@@ -219,10 +214,9 @@ Violation witness_is_reached(const RenderedLaw& rendered, const LawClaims& claim
   const double allowed = work.rounding + work.placing + work.summing() + kVerticalTangent * loop.given_mJ;
   if (std::fabs(work.rendered - loop.given_mJ) <= allowed && loop.given_mJ >= kWitnessShare * loop.bound_mJ[1])
     return std::nullopt;
-  char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "expected %.6g mJ within %.2g mJ, got %.6g mJ; the bound is %.6g mJ", loop.given_mJ,
-                allowed, work.rendered, loop.bound_mJ[1]);
-  return "the loop of depth " + std::to_string(depth) + " mm that should give most: " + numbers;
+  return "the loop of depth " + shortest(depth) + " mm that should give most: " +
+         formatted("expected %.6g mJ within %.2g mJ, got %.6g mJ; the bound is %.6g mJ", loop.given_mJ, allowed, work.rendered,
+                   loop.bound_mJ[1]);
 }
 
 reference::Slice certified_slice(const HeightMap& map) {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "properties/binary32.h"
 #include "reference/estimates.h"
+#include "text/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -78,9 +78,7 @@ Violation continuity(const RenderedHeightMap& rendered, const HeightMapClaims& c
                       rounding(force_a) + rounding(force_b)) *
                      (1 + static_cast<Real>(kRates));
   if (std::fabs(change - jump) <= reach) return std::nullopt;
-  char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "the force changes by %.9Lg N; expected %.9Lg N within %.3Lg N", change, jump, reach);
-  return between(a, b) + numbers;
+  return between(a, b) + formatted("the force changes by %.9Lg N; expected %.9Lg N within %.3Lg N", change, jump, reach);
 }
 
 Violation gradient_across_cells(const RenderedHeightMap& rendered, const HeightMapClaims& claims, const Eigen::Vector3f& a,
@@ -116,9 +114,8 @@ Violation gradient_across_cells(const RenderedHeightMap& rendered, const HeightM
   const double jump = (felt(force_a) - felt(force_b)).norm();
   const double allowed = (rate * apart + error(force_a) + error(force_b)) * (1 + kRates);
   if (jump <= allowed) return std::nullopt;
-  char numbers[160];
-  std::snprintf(numbers, sizeof numbers, "the gradient jumps by %.6g; a continuous one changes by %.3g at most", jump, allowed);
-  return between(a, b) + line + numbers;
+  return between(a, b) + line +
+         formatted("the gradient jumps by %.6g; a continuous one changes by %.3g at most", jump, allowed);
 }
 
 Violation passivity(const RenderedHeightMap& rendered, const HeightMapClaims& claims,
@@ -151,10 +148,9 @@ Violation passivity(const RenderedHeightMap& rendered, const HeightMapClaims& cl
   if (!gives && !gives_though_conservative) return std::nullopt;
   std::string loop;
   for (const Eigen::Vector3f& corner : corners) loop += (loop.empty() ? "" : ", ") + show(corner);
-  char numbers[200];
-  std::snprintf(numbers, sizeof numbers, "gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ",
-                work.rendered, gives ? work.exact : static_cast<double>(quadrature), work.rounding);
-  return "the closed path " + loop + " mm " + numbers;
+  return "the closed path " + loop + " mm " +
+         formatted("gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ", work.rendered,
+                   gives ? work.exact : static_cast<double>(quadrature), work.rounding);
 }
 
 }  // namespace forceshade::properties

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +16,7 @@
 #include "properties/spread.h"
 #include "properties/worst_tick.h"
 #include "rendering/mesh_rendering.h"
+#include "text/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -164,11 +164,10 @@ std::vector<std::string> MeshSubject::parts() const {
   if (mesh_->shading == mesh::Shading::vertex_scheme) {
     double turn = 0;
     for (std::uint32_t i = 0; i < mesh_->mesh().triangles.size(); ++i) turn = std::max(turn, largest_turn(*mesh_, i));
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4f", std::ceil(turn * 1e4) / 1e4);
     words.push_back(std::string("at a rest inside a triangle") +
                     (mesh_->checked.is_regular() ? "" : ", where no other plane's is,") +
-                    std::string(" the shading gives at most ") + text.data() + " mJ more for each mm of path and N of force");
+                    std::string(" the shading gives at most ") + formatted("%.4f", std::ceil(turn * 1e4) / 1e4) +
+                    " mJ more for each mm of path and N of force");
   }
   words.push_back(words_of(worst_tick(*mesh_)));
   for (const std::string& part : forceshade::words_of(mesh_->texture.map)) words.push_back("texture, " + part);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "properties/binary32.h"
+#include "text/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -84,11 +85,8 @@ Violation WorkOfTick::difference_from(const Eigen::Vector3f& force) const {
   for (std::size_t axis = 0; axis < 3; ++axis)
     allowed += half_spacing(force[static_cast<Eigen::Index>(axis)]) * std::fabs(wide(step[axis]));
   if (std::fabs(got - expected_) <= allowed) return std::nullopt;
-  std::array<char, 160> words{};
-  std::snprintf(words.data(), words.size(),
-                "the force does %.9g mJ on the hand; the objects and their motions do %.9g, within %.3g", got, expected_,
-                allowed);
-  return words.data();
+  return formatted("the force does %.9g mJ on the hand; the objects and their motions do %.9g, within %.3g", got, expected_,
+                   allowed);
 }
 
 }  // namespace forceshade::properties

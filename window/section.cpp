@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "text/number_text.h"
 #include "window/composition.h"
 
 namespace forceshade::window {
@@ -124,8 +124,7 @@ class SectionPicture : private Composition {
     double room = right - margin;
     if (scene_.felt) {
       const auto& [x, y, z] = scene_.felt->force;
-      char words[64];
-      std::snprintf(words, sizeof words, "y = %.1f mm   force %.2f N", scene_.felt->tip.y, std::hypot(x, y, z));
+      const std::string words = formatted("y = %.1f mm   force %.2f N", scene_.felt->tip.y, std::hypot(x, y, z));
       add_line(words, right, margin, body_, kInk, Align::right);
       room -= measure_.width(words, body_) + body_;
     }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/simulated/model.h"
 
-#include <cctype>
 #include <numbers>
 #include <string>
+
+#include "text/letters.h"
 
 namespace forceshade::device {
 namespace {
@@ -128,8 +129,7 @@ Model omni() noexcept {
 }
 
 std::optional<Model> model_named(std::string_view drivers_name) {
-  std::string name(drivers_name);
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string name = small_letters(drivers_name);
   const auto has = [&](const char* words) { return name.find(words) != std::string::npos; };
   if (has("touch x")) return std::nullopt;
   if (has("omni") || has("touch")) return omni();

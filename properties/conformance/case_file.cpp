@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "properties/conformance/case_file.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <charconv>
 #include <cstring>
 #include <map>
@@ -16,6 +14,7 @@
 #include "files/npy.h"
 #include "forceshade/error.h"
 #include "properties/conformance/strokes.h"
+#include "text/letters.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -89,10 +88,9 @@ std::optional<Record> record_of(std::string_view list) {
   Record record;
   if (words.size() % 2 != 0) return std::nullopt;
   // Reset is read as reset, as in CSV.
-  const auto is_letter = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
   for (std::size_t i = 0; i < words.size(); i += 2)
     for (const std::string& other : kOthers)
-      if (std::ranges::equal(words[i], other, is_letter)) words[i] = other;
+      if (small_letters(words[i]) == other) words[i] = other;
   for (std::size_t i = 0; i < words.size(); i += 2) {
     const std::string& type = words[i + 1];
     if (type.size() < 3 || type.find_first_not_of("0123456789", 2) != std::string::npos || type.size() > 6) return std::nullopt;

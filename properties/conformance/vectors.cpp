@@ -4,13 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <stdexcept>
 
 #include "properties/conformance/scene.h"
 #include "properties/conformance/strokes.h"
 #include "rendering/breakdown.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -22,11 +22,7 @@ constexpr unsigned kVectorDigits = 40;
 
 Json bits(const Eigen::Vector3f& numbers) {
   Json all = Json::array();
-  for (const float number : numbers) {
-    std::array<char, 9> text{};
-    std::snprintf(text.data(), text.size(), "%08x", std::bit_cast<std::uint32_t>(number));
-    all.push_back(text.data());
-  }
+  for (const float number : numbers) all.push_back(formatted("%08x", std::bit_cast<std::uint32_t>(number)));
   return all;
 }
 

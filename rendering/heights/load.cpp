@@ -46,16 +46,16 @@ std::uint32_t largest_prime_factor(std::uint32_t n) {
 
 // Shorter waves than four samples a spline does not hold, and the transform's time grows with the largest prime factor.
 void take_out_short_waves(Samples& samples, const Source& source) {
-  const float shortest = *source.shortest_wavelength, least = 4 * source.pitch;
-  if (!(shortest >= least && shortest <= kLargest))
-    throw Error(source.file, "is to lose waves shorter than " + std::to_string(shortest) + " mm; expected 4 pitches, " +
-                                 std::to_string(least) + " mm, to 10000 mm");
+  const float length = *source.shortest_wavelength, least = 4 * source.pitch;
+  if (!(length >= least && length <= kLargest))
+    throw Error(source.file, "is to lose waves shorter than " + shortest(length) + " mm; expected 4 pitches, " +
+                                 shortest(least) + " mm, to 10000 mm");
   for (const std::uint32_t count : {samples.columns, samples.rows})
     if (largest_prime_factor(count) > 100)
       throw Error(source.file, std::to_string(count) + " columns or rows cannot be band-limited in reasonable time; cut some " +
                                    "off until no prime factor is over 100");
   limit_band(samples.values, samples.columns, samples.rows, source.edge,
-             static_cast<double>(shortest) / static_cast<double>(source.pitch));
+             static_cast<double>(length) / static_cast<double>(source.pitch));
 }
 
 }  // namespace
@@ -101,8 +101,8 @@ Samples allocate(const Source& source, std::uint64_t columns, std::uint64_t rows
 
 std::shared_ptr<const height::Grid> load(const Source& source) {
   if (!(std::fabs(source.scale) >= kSmallest && std::isfinite(source.scale)))
-    throw Error(source.file, "is to be scaled by " + std::to_string(source.scale) +
-                                 " mm; expected a finite number of at least 2^-30 mm in size");
+    throw Error(source.file,
+                "is to be scaled by " + shortest(source.scale) + " mm; expected a finite number of at least 2^-30 mm in size");
   Samples samples = read(source);
   if (source.shortest_wavelength) take_out_short_waves(samples, source);
   if (source.interpolant == height::Interpolant::cubic_spline) {

@@ -9,6 +9,7 @@
 
 #include "rendering/heights/byte_order.h"
 #include "rendering/heights/samples.h"
+#include "text/number_text.h"
 
 namespace forceshade::heights {
 namespace {
@@ -45,7 +46,7 @@ Samples read_pfm(const Source& source) {
   const auto scale = number_of<double>(in, file, "1 or -1");
   // Its size would be a second scale beside the caller's, and writers do not agree on what it means.
   if (scale != 1 && scale != -1)
-    throw Error(file, "declares a scale of " + std::to_string(scale) + "; expected 1 or -1, whose sign is the order of bytes");
+    throw Error(file, "declares a scale of " + shortest(scale) + "; expected 1 or -1, whose sign is the order of bytes");
   Samples samples = allocate(source, columns, rows, sizeof(float), 1);
   std::vector<float> row(samples.columns);
   const std::uint64_t bytes = samples.values.size() * sizeof(float), held = std::filesystem::file_size(file);

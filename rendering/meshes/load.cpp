@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rendering/meshes/load.h"
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <string>
 
 #include "files/file_kind.h"
 #include "forceshade/meshes.h"
 #include "rendering/meshes/readers.h"
+#include "text/letters.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -38,9 +37,7 @@ std::string other_kind_of(const std::string& beginning) {
 }  // namespace
 
 LoadedMesh load_in_units(const std::filesystem::path& file, const FileUnits& units) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = small_letters(file.extension().string());
   for (const Format& format : kFormats)
     if (format.ending == ending) {
       const std::string beginning = std::filesystem::is_regular_file(file) ? beginning_of(file) : "";

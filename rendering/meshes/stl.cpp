@@ -12,6 +12,7 @@
 #include "rendering/meshes/numbers.h"
 #include "rendering/meshes/readers.h"
 #include "rendering/meshes/weld.h"
+#include "text/letters.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -103,11 +104,6 @@ class StlText {
   }
 
  private:
-  static std::string lower(std::string_view word) {
-    std::string text(word);
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-  }
   // Goes to where the next keyword stands.
   void next(const char* expected) {
     if (layout_ == StlLayout::words && !Words(words_).next().empty()) return;
@@ -121,17 +117,17 @@ class StlText {
     words_ = Words(lines_.line());
     return words_.next();
   }
-  bool is(const char* keyword) const { return lower(Words(words_).next()) == keyword; }
+  bool is(const char* keyword) const { return small_letters(Words(words_).next()) == keyword; }
   void expect_word(const char* expected) {
     const std::string_view found = word();
-    if (lower(found) != expected) throw lines_.unexpected(expected, found);
+    if (small_letters(found) != expected) throw lines_.unexpected(expected, found);
   }
   void expect_no_facet() const {
     if (is("facet")) throw lines_.unexpected("the end of the line", "facet");
   }
   void skip_name() {
     for (Words rest = words_; !Words(words_).next().empty(); rest = words_)
-      if (lower(words_.next()) == "facet" && is("normal")) {
+      if (small_letters(words_.next()) == "facet" && is("normal")) {
         words_ = rest;
         return;
       }
@@ -165,10 +161,7 @@ std::string head_of(const std::filesystem::path& file) {
 bool begins_with_solid(std::string_view head) {
   if (head.starts_with(files::kByteOrderMark)) head.remove_prefix(files::kByteOrderMark.size());
   head.remove_prefix(std::min(head.find_first_not_of(kBlank), head.size()));
-  const std::string_view solid = "solid";
-  return head.size() >= solid.size() && std::equal(solid.begin(), solid.end(), head.begin(), [](char expected, char found) {
-           return expected == std::tolower(static_cast<unsigned char>(found));
-         });
+  return small_letters(head.substr(0, 5)) == "solid";
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ TEST(height_spec, band_limits_a_grid) {
   EXPECT_EQ(words("\"band-limited\"\n"), "line 2: key shortest_wavelength_mm is missing");
   EXPECT_EQ(words("\"cubic-spline\"\nshortest_wavelength_mm = 0.6\n"), "line 8: unknown key shortest_wavelength_mm");
   EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = 0.59\n"),
-            "is to lose waves shorter than 0.590000 mm; expected 4 pitches, 0.600000 mm, to 10000 mm");
+            "is to lose waves shorter than 0.59 mm; expected 4 pitches, 0.6 mm, to 10000 mm");
   EXPECT_EQ(words("\"band-limited\"\nshortest_wavelength_mm = nan\n").substr(0, 33), "is to lose waves shorter than nan");
 }
 

@@ -2,6 +2,11 @@
 """forceshade.conform: renderers in Python, right ones and wrong ones."""
 
 import doctest
+import json
+import os
+import re
+import subprocess
+import sys
 
 import forceshade
 import forceshade._conform
@@ -162,3 +167,38 @@ def test_misuse():
         conformed(wall, subject="wall")
     with pytest.raises(ValueError, match="points is 0"):
         forceshade.conform(wall, WALL, declares=DECLARES, points=0)
+
+
+LOCALE = """LC_CTYPE
+tolower (<U0041>,<U0061>)
+END LC_CTYPE
+LC_NUMERIC
+decimal_point ","
+thousands_sep ""
+grouping -1
+END LC_NUMERIC
+"""
+IN_LOCALE = """
+import json, locale, sys, forceshade
+assert locale.setlocale(locale.LC_ALL, "odd") and locale.localeconv()["decimal_point"] == ","
+open("one.stl", "w").write("SOLID one FACET NORMAL 0 0 1 OUTER LOOP\\nVERTEX 0 0 0\\nVERTEX 9 0 0\\nVERTEX 0 9 0\\n"
+                           "ENDLOOP ENDFACET ENDSOLID")
+mesh = forceshade.Mesh("one.stl", unit="mm", sides="both", shading="vertex")
+class Renderer:
+    def open(self, scene):
+        print(scene["mesh"], flush=True)
+        return lambda positions: positions * 0
+forceshade.conform(Renderer(), mesh, declares=json.loads(sys.argv[1]), points=100)
+print(forceshade.certify(mesh, points=100, cases=20).contents)
+"""
+
+
+def test_numbers_and_letters_are_those_of_no_locale(tmp_path):
+    (tmp_path / "source").write_text(LOCALE)
+    letters = "".join(f"<U{i:04X}> /x{i:02x}\n" for i in range(128))
+    (tmp_path / "letters").write_text(f"<code_set_name> ASCII\nCHARMAP\n{letters}END CHARMAP\n")
+    subprocess.run(["localedef", "-c", "-f", "./letters", "-i", "./source", "./odd"], cwd=tmp_path, capture_output=True)
+    ran = subprocess.run([sys.executable, "-c", IN_LOCALE, json.dumps(MESHES)], cwd=tmp_path, capture_output=True, text=True,
+                         env={**os.environ, "LOCPATH": str(tmp_path)})
+    assert ran.returncode == 0, ran.stderr
+    assert "0x1.2p+3" in ran.stdout and "mJ more" in ran.stdout and not re.search(r"\d,\d", ran.stdout), ran.stdout
