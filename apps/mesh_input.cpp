@@ -5,7 +5,6 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +16,7 @@
 #include "apps/progress_line.h"
 #include "apps/standard_input.h"
 #include "files/file_kind.h"
+#include "files/temporary_folder.h"
 #include "forceshade/error.h"
 #include "rendering/meshes/lines.h"
 #include "text/letters.h"
@@ -37,12 +37,7 @@ std::string bytes_of_standard_input() {
 // A folder that is gone at the end, with one file in it.
 class TemporaryFile {
  public:
-  TemporaryFile() {
-    std::string pattern = (fs::temp_directory_path() / "forceshade-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-      throw Error("standard input: cannot be kept in " + pattern + ": " + std::generic_category().message(errno));
-    folder_ = pattern;
-  }
+  TemporaryFile() = default;
   ~TemporaryFile() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
@@ -53,7 +48,7 @@ class TemporaryFile {
   fs::path named(const std::string& ending) const { return folder_ / ("mesh" + ending); }
 
  private:
-  fs::path folder_;
+  fs::path folder_ = files::new_temporary_folder();
 };
 
 // A binary STL file is as long as its number of triangles says.
@@ -90,7 +85,8 @@ mesh::LoadedMesh load_mesh(const std::string& file, mesh::Unit unit) {
   const TemporaryFile kept;
   const fs::path named = kept.named(ending_of(bytes));
   if (std::ofstream copy(named, std::ios::binary); !(copy << bytes).flush())
-    throw Error("standard input: cannot be kept in " + named.parent_path().string());
+    throw Error("standard input: cannot be kept in " + named.parent_path().string() + ": " +
+                std::generic_category().message(errno));
   try {
     return mesh::load_with_corners(named, unit);
   } catch (const Error& error) {

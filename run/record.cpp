@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "files/output_file.h"
+#include "files/temporary_folder.h"
 #include "forceshade/recording.h"
 #include "run/recorder/loss.h"
 
@@ -20,9 +21,8 @@ namespace fs = std::filesystem;
 
 // A new directory: beside the table, or where temporary files go if that is no file of its own (-, a pipe, /dev/null).
 fs::path new_directory(const std::string& table) {
-  const bool beside = !files::is_written_directly(table);
-  std::string name =
-      beside ? files::with_ending(table, ".partial-XXXXXX") : (fs::temp_directory_path() / "forceshade-XXXXXX").string();
+  if (files::is_written_directly(table)) return files::new_temporary_folder();
+  std::string name = files::with_ending(table, ".partial-XXXXXX");
   if (!::mkdtemp(name.data())) throw files::OutputError(table + ": cannot write: " + std::generic_category().message(errno));
   return name;
 }

@@ -200,6 +200,12 @@ same "forceshade: standard input: cannot read: Is a directory" "$("$forceshade" 
 printf 'import os, subprocess, sys\nr, w = os.pipe()\nos.set_blocking(r, False)\nwork = subprocess.Popen(sys.argv[2:], stdin=r)\ntry:\n  work.wait(0.3)\nexcept subprocess.TimeoutExpired:\n  os.write(w, open(sys.argv[1], "rb").read())\nos.close(w)\nsys.exit(work.wait())\n' > slow.py
 same "$("$forceshade" mesh check one.ply --unit mm)" "$(python3 slow.py one.ply "$forceshade" mesh check - --unit mm 2>&1)"
 
+# A folder for temporary files that is not there.
+for command in "mesh check - --unit mm" "drive --law wall --certificate none --device null --seconds 0.1 --out -"; do
+  expect 2 "forceshade: TMPDIR: expected a folder that can be written to, for temporary files: No such file or directory" -- \
+    env TMPDIR=nowhere "$forceshade" $command
+done
+
 # A fault of a face names its line; a binary file has none.
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n' > flat.obj
 for file in flat.obj -; do
