@@ -88,7 +88,7 @@ def array_of(values: object, name: str) -> npt.NDArray[Any]:
     themselves."""
     array = None if _has_mask(values) else np.asanyarray(values)
     if array is None or _has_mask(array):
-        raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.compressed()")
+        raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.filled(numpy.nan)")
     return np.asarray(array)
 
 
@@ -122,7 +122,8 @@ def as_floats(values: object, name: str, rounding: Rounding) -> Floats:
     if kind not in "iuf":
         types = sorted({type(one).__name__ for one in array.flat})[:3] if kind == "O" else []
         what = "objects of " + ", ".join(types) if types else f"of type {dtype}"
-        raise TypeError(f"{name} are {what}; expected numbers")
+        such_as = f", in an array such as numpy.array({name}, float)" if types and {"float", "int"} >= set(types) else ""
+        raise TypeError(f"{name} are {what}; expected numbers{such_as}")
     if kind == "f" and dtype.itemsize <= 4:
         if dtype == np.float32 and array.flags.aligned and dtype.isnative:
             return array
