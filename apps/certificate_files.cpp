@@ -10,7 +10,7 @@
 #include "files/printable.h"
 #include "forceshade/certificate.h"
 #include "rendering/breakdown.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::apps {
 namespace {

@@ -17,7 +17,7 @@
 #include "apps/subject_option.h"
 #include "apps/tell.h"
 #include "files/printable.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::apps {
 namespace {

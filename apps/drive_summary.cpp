@@ -9,7 +9,7 @@
 #include "run/rule_names.h"
 #include "run/summary.h"
 #include "run/words.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::apps {
 namespace {

@@ -23,6 +23,7 @@
 #include "forceshade/identity.h"
 #include "properties/mesh_energy.h"
 #include "reference/height_energy.h"
+#include "text/formatted.h"
 #include "text/number_text.h"
 
 namespace forceshade::apps {

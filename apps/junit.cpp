@@ -5,7 +5,7 @@
 #include <span>
 
 #include "files/printable.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::apps {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::apps {
 namespace {

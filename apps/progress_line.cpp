@@ -9,7 +9,7 @@
 
 #include "apps/live_line.h"
 #include "apps/tell.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::apps {
 namespace {

@@ -59,7 +59,7 @@ class Lines {
     std::size_t end = 0, looked_at = 0;
     while ((end = read_.find('\n', looked_at)) == std::string::npos) {
       looked_at = read_.size();
-      std::array<char, 65536> more{};
+      std::array<char, 4096> more;
       const ssize_t size = undisturbed([&] { return ::read(in_, more.data(), more.size()); });
       if (size <= 0) return std::nullopt;
       read_.append(more.data(), static_cast<std::size_t>(size));

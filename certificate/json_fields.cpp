@@ -54,7 +54,7 @@ std::string text_of_json_file(const std::string& file, const std::string& expect
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::string text;
-  std::array<char, 1 << 16> block;
+  std::array<char, 1 << 12> block;
   while (text.size() <= kLargestJson && (stream.read(block.data(), block.size()), stream.gcount() > 0))
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
   if (!stream.eof() && !stream) refuse(std::generic_category().message(errno));

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "device/simulated/model.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::device {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "device/frame_times.h"
 
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::device {
 

@@ -133,7 +133,7 @@ void ChildProcess::move(std::int64_t time) {
                              {rest.empty() ? -1 : to_, POLLOUT, 0},
                              {lines_.has_ended_output() ? reports_ : -1, POLLIN, 0}};
   if (::poll(ends.data(), ends.size(), milliseconds_until(time)) < 0) return;  // a signal came
-  std::array<char, 1 << 16> block;
+  std::array<char, 1 << 12> block;
   if (ends[1].revents != 0) {
     if (const ssize_t size = ::read(errors_, block.data(), block.size()); size > 0)
       lines_.complained({block.data(), static_cast<std::size_t>(size)});

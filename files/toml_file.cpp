@@ -135,7 +135,7 @@ std::variant<TomlDocument, TomlFault> parse_toml_file(const std::filesystem::pat
   std::ifstream in(file, std::ios::binary);
   if (!in) return TomlFault{0, "cannot be opened: " + std::generic_category().message(errno)};
   std::string text;
-  std::array<char, 1 << 16> bytes;
+  std::array<char, 1 << 12> bytes;
   do {
     in.read(bytes.data(), bytes.size());
     text.append(bytes.data(), static_cast<std::size_t>(in.gcount()));

@@ -10,6 +10,7 @@
 #include "reference/energy.h"
 #include "reference/estimates.h"
 #include "rendering/breakdown.h"
+#include "text/formatted.h"
 #include "text/number_text.h"
 
 namespace forceshade::properties {

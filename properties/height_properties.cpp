@@ -6,7 +6,7 @@
 
 #include "properties/binary32.h"
 #include "reference/estimates.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::properties {
 namespace {

@@ -16,7 +16,7 @@
 #include "properties/spread.h"
 #include "properties/worst_tick.h"
 #include "rendering/mesh_rendering.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::properties {
 namespace {

@@ -46,7 +46,7 @@ class Scratch {
 
   std::string read() const {
     std::string text;
-    std::array<char, 1 << 16> bytes;
+    std::array<char, 1 << 12> bytes;
     for (;;) {
       const ssize_t got = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(text.size()));
       if (got < 0 && errno != EINTR) fail("cannot read gnuplot's output", errno);

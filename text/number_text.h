@@ -2,31 +2,15 @@
 #pragma once
 // Numbers as text, whatever the locale: the one place that prints them for files and people.
 
-#include <locale.h>
-
 #include <charconv>
-#include <cstdarg>
-#include <cstdio>
+#include <cmath>
 #include <string>
 
 namespace forceshade {
 
-// As printf() writes them in the locale C.
-[[gnu::format(printf, 1, 2)]] inline std::string formatted(const char* format, ...) {
-  static const locale_t c_locale = newlocale(LC_ALL_MASK, "C", nullptr);
-  char text[400];  // a binary64 has up to 309 digits in front of the point
-  va_list values;
-  va_start(values, format);
-  const locale_t callers = uselocale(c_locale);
-  std::vsnprintf(text, sizeof text, format, values);
-  uselocale(callers);
-  va_end(values);
-  return text;
-}
-
 template <class... Format>
 std::string number_text(auto value, Format... format) {
-  char text[400];
+  char text[400];  // a binary64 has up to 309 digits in front of the point
   return {text, std::to_chars(text, text + sizeof text, value, format...).ptr};
 }
 
@@ -45,7 +29,8 @@ inline std::string without_exponent(double value) {
 
 // "0x1.8p+1", "nan", "-inf".
 inline std::string hexfloat(double value) {
-  return formatted("%a", value);
+  if (!std::isfinite(value)) return number_text(value);
+  return (std::signbit(value) ? "-0x" : "0x") + number_text(std::abs(value), std::chars_format::hex);
 }
 
 // "0.0001235" with four digits; also what gnuplot reads.

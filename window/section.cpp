@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "text/number_text.h"
+#include "text/formatted.h"
 #include "window/composition.h"
 
 namespace forceshade::window {

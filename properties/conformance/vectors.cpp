@@ -10,7 +10,7 @@
 #include "properties/conformance/scene.h"
 #include "properties/conformance/strokes.h"
 #include "rendering/breakdown.h"
-#include "text/number_text.h"
+#include "text/formatted.h"
 
 namespace forceshade::conformance {
 namespace {
