@@ -90,7 +90,7 @@ TEST(grid_files, that_say_something_odd_are_refused_in_words) {
       {"npy/left_over.npy", "goes on after its last number"},
       {"pfm/left_over.pfm", "goes on for 3 bytes after its last number"},
       {"pfm/truncated.pfm", "is truncated"},
-      {"pfm/scale.pfm", "declares a scale of -2.500000; expected 1 or -1, whose sign is the order of bytes"},
+      {"pfm/scale.pfm", "declares a scale of -2.5; expected 1 or -1, whose sign is the order of bytes"},
       {"pfm/minus.pfm", "has no PFM header: expected a number of columns, got \"-3\""},
       {"pfm/declares_much.pfm", "declares 32768 x 32768 samples; expected 67108864 in all at most"},
       {"png/4.png", "is not 8 or 16 bit greyscale"},
