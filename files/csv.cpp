@@ -211,7 +211,9 @@ void Reader::expect_no_other_column() const {
 }
 
 void Reader::name_columns(std::string_view words) {
-  const auto says_comma = [&] { return line_ == 1 && (line_text_ == "sep=,\n" || line_text_ == "\"sep=,\"\n"); };
+  const auto says_comma = [&] {
+    return layout_ == Layout::csv && line_ == 1 && (line_text_ == "sep=,\n" || line_text_ == "\"sep=,\"\n");
+  };
   if (!read_row() || (says_comma() && !read_row())) throw error(1, std::string(words) + ", got an empty file");
   header_.assign(fields_.begin(), fields_.begin() + static_cast<std::ptrdiff_t>(field_count_));
   if (layout_ == Layout::csv) return;

@@ -15,6 +15,7 @@
 #include <climits>
 #include <cstdio>
 #include <filesystem>
+#include <locale>
 #include <optional>
 #include <regex>
 #include <streambuf>
@@ -231,6 +232,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), stream_(nullp
   if (descriptor < 0) throw output_failure(path_, "open for writing", errno);
   buffer_ = std::make_unique<Buffer>(path_, descriptor);
   stream_.rdbuf(buffer_.get());
+  stream_.imbue(std::locale::classic());  // a program may have another one, with points between thousands
   stream_.exceptions(std::ios_base::badbit);
 }
 

@@ -8,17 +8,19 @@
 #include <filesystem>
 #include <system_error>
 
-#include "forceshade/error.h"
+#include "files/output_file.h"
 
 namespace forceshade::files {
 
-// Makes a new one where temporary files go. Throws Error, in words that name TMPDIR.
+// Makes a new one where temporary files go. Throws OutputError, in words that name TMPDIR.
 inline std::filesystem::path new_temporary_folder() {
   std::error_code error;
-  std::string name = (std::filesystem::temp_directory_path(error) / "forceshade-XXXXXX").string();
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  std::string name = (folder / "forceshade-XXXXXX").string();
   if (!error && !::mkdtemp(name.data())) error = {errno, std::generic_category()};
-  if (error) throw Error("TMPDIR: expected a folder that can be written to, for temporary files: " + error.message());
-  return name;
+  if (!error) return name;
+  throw OutputError((folder.empty() ? "TMPDIR" : folder.string() + " (TMPDIR)") +
+                    ": expected a folder that can be written to, for temporary files: " + error.message());
 }
 
 }  // namespace forceshade::files

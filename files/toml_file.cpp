@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -162,6 +163,7 @@ std::variant<TomlDocument, TomlFault> parse_toml(const std::string& text, const 
 
 std::string words_of_value(const toml::node& node) {
   std::ostringstream words;
+  words.imbue(std::locale::classic());
   node.visit([&](const auto& value) {
     if constexpr (toml::is_value<decltype(value)>)
       words << value;

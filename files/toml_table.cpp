@@ -2,6 +2,7 @@
 #include "files/toml_table.h"
 
 #include <algorithm>
+#include <locale>
 #include <sstream>
 
 #include "files/printable.h"
@@ -12,6 +13,7 @@ namespace {
 
 std::string range_of(auto least, auto largest) {
   std::ostringstream words;
+  words.imbue(std::locale::classic());
   words << least << " to " << largest;
   return words.str();
 }

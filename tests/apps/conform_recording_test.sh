@@ -166,14 +166,14 @@ expect 2 '--columns: expected one of mm, cm, m, in, because the column px does n
 expect 2 '--columns: the column x_mm ends in mm; expected this unit, got m' -- wall turned.csv --columns m
 # Units that are not read, beside one that is; and units whose letters are not of the same size.
 named() { "$forceshade" conform recording "$clean" "${columns[@]/${1%/*}/${1#*/}}"; }
-for name in fz_gf 'Fz [kN]' fz_G; do
+for name in fz_gf 'Fz [kN]' fz_cN fx_lbs; do
   expect 2 "--columns: expected one of N, mN, because the column $name ends in" -- named "fz=fz/fz=$name"
 done
-for name in px_um 'x (µm)' X_MM; do
+for name in px_um 'x (µm)' x_inches X_MM; do
   expect 2 "--columns: expected one of mm, cm, m, in, because the column $name ends in" -- named "x=px/x=$name"
 done
 expect 2 'no column X_M: ' -- named x=px/x=X_M
-expect 2 "--columns: the column t_ms ends in ms; expected this unit, got s" -- named t=time_s/t=t_ms+t_ns
+expect 2 "--columns: t: expected SECONDS+NANOSECONDS, and t_ms is in ms" -- named t=time_s/t=t_ms+t_ns
 expect 2 'no column t_sec: ' -- named t=time_s/t=t_sec+t_nsecs
 expect 2 '--columns: the column t_msec ends in ms; expected this unit, got s' -- named t=time_s/t=t_msec,s
 # Units in brackets, and times in two columns, as exports of sensors and of ROS have them.

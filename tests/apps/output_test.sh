@@ -93,7 +93,7 @@ for folder in new there; do
   full 2 "$folder/forceshade" man --out $folder
 done
 # A stack of 64 KB is enough.
-(ulimit -s 64; expect 0 "" -- "$forceshade" certify --law wall --points 10 --cases 10 --threads 1 --out little) || exit 1
+(ulimit -s 64; expect 0 "" -- env -i PATH="$PATH" "$forceshade" certify --law wall --points 10 --cases 10 --threads 1 --out little) || exit 1
 full 2 "forceshade: new.csv: disk I/O error" drive --law wall --certificate none --device null --seconds 0.05 --pace none --out new.csv
 same "there/mine" "$(ls -d new* there/* there/.partial* 2> /dev/null)"
 expect 2 "--out: expected a new file or a regular one" -- sh -c "mkdir -p there/certificate.json && exec '$forceshade' certify --law wall \

@@ -88,7 +88,9 @@ def array_of(values: object, name: str) -> npt.NDArray[Any]:
     themselves."""
     array = None if _has_mask(values) else np.asanyarray(values)
     if array is None or _has_mask(array):
-        raise TypeError(f"{name} are a masked array; expected one without a mask, such as {name}.filled(numpy.nan)")
+        is_filled_by_nan = isinstance(values, np.ma.MaskedArray) and values.dtype.kind == "f"
+        advice = f", such as {name}.filled(numpy.nan)" if is_filled_by_nan else ""
+        raise TypeError(f"{name} are a masked array; expected one without a mask{advice}")
     return np.asarray(array)
 
 

@@ -40,6 +40,10 @@ template <class Float>
   requires is_floating_point_v<Float>
 to_chars_result to_chars(char* first, char* last, Float value, chars_format format) {
   char text[512];
+  if (format == chars_format::hex) {  // of what is not negative, without 0x
+    snprintf(text, sizeof text, "%a", static_cast<double>(value));
+    return forceshade_copied(first, last, text + 2);
+  }
   for (int digits = 0; digits < 400; ++digits) {
     snprintf(text, sizeof text, format == chars_format::fixed ? "%.*f" : "%.*e", digits, static_cast<double>(value));
     if (isnan(value) || forceshade_from_text<Float>(text) == value) break;

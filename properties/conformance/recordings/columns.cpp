@@ -10,6 +10,7 @@
 
 #include "files/quantity.h"
 #include "forceshade/error.h"
+#include "text/letters.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -21,8 +22,9 @@ constexpr std::array kTimes{FileUnit{"s", "1"}, FileUnit{"ms", "1e-3"}, FileUnit
 constexpr std::array kLengths{FileUnit{"mm", "1"}, FileUnit{"cm", "10"}, FileUnit{"m", "1000"}, FileUnit{"in", "25.4"}};
 constexpr std::array kForces{FileUnit{"N", "1"}, FileUnit{"mN", "1e-3"}};
 // Endings in small letters that are other units, which are not read.
-constexpr std::string_view kOtherTimes = " min µs μs ", kOtherLengths = " um µm μm nm dm km mil inch ft ",
-                           kOtherForces = " nm kn un µn μn g kg gf kgf lb lbf oz ozf dyn mv ";
+constexpr std::string_view kOtherTimes = " min µs μs h hr hours minutes seconds micros millis nanos ",
+                           kOtherLengths = " um µm μm nm dm km mil mils thou inch inches ft feet ",
+                           kOtherForces = " nm kn un µn μn cn dan g grams kg gf kgf lb lbs lbf oz ozf dyn mv newton newtons ";
 
 const FileUnit* find(std::span<const FileUnit> units, std::string_view name) {
   const auto found = std::ranges::find(units, name, &FileUnit::name);
@@ -40,29 +42,24 @@ std::string_view last_word(std::string_view name) {
   return word;
 }
 
-std::string in_small_letters(std::string_view word) {
-  std::string small(word);
-  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return small;
-}
-
 // Takes the unit of these columns, one of `units`, out of the given ones; or that in which each name ends.
 files::Decimal unit_of(std::span<const std::string> names, std::span<const FileUnit> units, std::string_view others,
                        std::vector<std::string>& given) {
   std::string choices, unread(others);
   for (const FileUnit& unit : units) {
     choices += (choices.empty() ? "" : ", ") + std::string(unit.name);
-    unread += in_small_letters(unit.name) + ' ';
+    unread += small_letters(unit.name) + ' ';
   }
   const auto word = std::ranges::find_if(given, [&](const std::string& name) { return find(units, name) != nullptr; });
   const bool is_given = word != given.end();
   const FileUnit* unit = is_given ? find(units, *word) : nullptr;
   if (is_given) given.erase(word);
   for (const std::string& name : names) {
-    const std::string ending(last_word(name)), small = in_small_letters(ending);
+    const std::string ending(last_word(name)), small = small_letters(ending);
     const FileUnit* const its = find(units, ending);
-    const bool is_other = !ending.empty() && unread.find(' ' + small + ' ') != std::string::npos;
-    if (its == nullptr && is_given && (!is_other || small == in_small_letters(unit->name))) continue;
+    const bool is_name = is_given && ending.size() == 1 && ending != small;  // M of a master, S of a slave
+    const bool is_other = !ending.empty() && !is_name && unread.find(' ' + small + ' ') != std::string::npos;
+    if (its == nullptr && is_given && (!is_other || small == small_letters(unit->name))) continue;
     if (its == nullptr)
       throw Error("--columns: expected one of " + choices + ", because the column " + name +
                   (is_other ? " ends in " + ending : " does not end in its unit"));
@@ -118,6 +115,9 @@ Columns columns_of(const std::string& text) {
     if (plus == 0 || columns.nanoseconds.empty()) throw refused("t: expected SECONDS+NANOSECONDS");
     if (std::ranges::count(columns.names, columns.nanoseconds) > 0)
       throw refused("t: " + columns.nanoseconds + " is named twice");
+    if (find(kTimes, last_word(columns.names[0])) != nullptr && last_word(columns.names[0]) != "s")
+      throw refused("t: expected SECONDS+NANOSECONDS, and " + columns.names[0] + " is in " +
+                    std::string(last_word(columns.names[0])));
   }
   const std::span<const std::string> names(columns.names);
   std::vector<std::string> seconds{"s"}, nanoseconds{"ns"};
