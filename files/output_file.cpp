@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "system/system.h"
+#include "text/letters.h"
 
 namespace forceshade::files {
 namespace {
@@ -257,9 +258,7 @@ void OutputFile::commit() {
 }
 
 std::string folded_name(std::string name) {
-  std::ranges::transform(name, name.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return name;
+  return small_letters(name);
 }
 
 std::string format_ending(const std::string& path) {

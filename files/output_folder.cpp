@@ -32,7 +32,7 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-// The name of the partial folder. Where it has no room for the whole name of PATH, it has a number made of that (FNV-1a).
+// The name of the partial folder. Where the whole stem does not fit, a number made of its last name (FNV-1a) tells it apart.
 std::string locked_name(const std::string& stem) {
   const std::string name = with_ending(stem, ".partial-00000000");
   if (name.starts_with(stem)) return name;

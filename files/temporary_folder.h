@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A folder for files that nobody asked for.
+// Folders for temporary files.
 
 #include <stdlib.h>
 

@@ -115,9 +115,9 @@ Columns columns_of(const std::string& text) {
     if (plus == 0 || columns.nanoseconds.empty()) throw refused("t: expected SECONDS+NANOSECONDS");
     if (std::ranges::count(columns.names, columns.nanoseconds) > 0)
       throw refused("t: " + columns.nanoseconds + " is named twice");
-    if (find(kTimes, last_word(columns.names[0])) != nullptr && last_word(columns.names[0]) != "s")
-      throw refused("t: expected SECONDS+NANOSECONDS, and " + columns.names[0] + " is in " +
-                    std::string(last_word(columns.names[0])));
+    const std::string unit(last_word(columns.names[0]));
+    if (unit != "s" && find(kTimes, unit) != nullptr)
+      throw refused("t: expected SECONDS+NANOSECONDS, and " + columns.names[0] + " is in " + unit);
   }
   const std::span<const std::string> names(columns.names);
   std::vector<std::string> seconds{"s"}, nanoseconds{"ns"};
