@@ -1,11 +1,12 @@
 (* SPDX-License-Identifier: BSD-3-Clause *)
-(* The theorem of each law: the code answers every position as the specification says. spec/Laws.v is the specification, 120 lines
-   without a proof; code/Code.v has the code as people wrote it down. For all parameters of the domain and all bits of x, y and z, NaNs too:
+(* The theorem of each law: the code answers every position as the specification says. spec/Laws.v is the specification, 122 lines
+   without a proof. code/Code.v is the code: what programs recorded from it (code/RecordedLaws.v), and its loops over limbs as people wrote
+   them down. For all parameters of the domain and all bits of x, y and z, NaNs too:
    - where a coordinate is not in range, the answer is invalid and no force;
    - else the status is free or contact as the exact force is, and each component is the exact one rounded once to binary32,
-     at the coordinates as they are read: one below 2^-30 mm is 0.
+     at the coordinates as they are read: one below 2^-30 mm in size is 0.
    is_fused says whether a first stage fuses the multiplications and additions that its code names for it; it is right in both ways.
-   Third stages compute with lists of 64-bit limbs and 64-bit exponents (proofs/limbs/WideNumbers.v). `outside` is what a machine makes of a
+   Third stages compute with lists of 64-bit limbs and 64-bit exponents (limbs/WideNumbers.v). `outside` is what a machine makes of a
    number that does not fit an exponent: the theorems hold for any, since none arises.
    proofs/code.txt has a digest of this file, of Laws.v and of Code.v, so that a statement that is weakened is seen without Coq. *)
 From Coq Require Import ZArith.
@@ -84,9 +85,10 @@ Definition nine_laws := (wall_is_correctly_rounded, cylinder_is_correctly_rounde
 
 (* ---- Batches ---- *)
 
-(* A batch of each law, in columns or in rows, in place or not, of any length, with AVX2, with AVX-512 or with neither: every force is
-   that of the call of one position, invalid positions are counted, and nothing else is written. Walk.v is how arrays are walked, Batch.v
-   the forms that packs evaluate, as a program recorded them, and Lanes.v the watch that leaves a position to the call above. *)
+(* A batch of each law, in columns (y is 0) or in rows, in place or in other arrays, of any length, with AVX2, with AVX-512 or with
+   neither: every force is that of the call of one position, invalid positions are counted, and nothing else is written. Walk.v is how
+   arrays are walked, Batch.v the forms that packs evaluate, as a program recorded them, and Lanes.v the watch that leaves a position to
+   the call above. *)
 
 Theorem wall_batches_agree : forall (is_fused : bool) (R w K : binary32), stiffness K ->
   batches_agree (form_of_wall R w K) (answer (code_of_wall is_fused R w K)).
