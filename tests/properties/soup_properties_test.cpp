@@ -1,33 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Properties of the god-object on drawn sets of triangles (docs/soups.md), whose cases RapidCheck draws and makes simpler: both
-// sides are equal, nothing passes a wall, a rest that is repeated stays, and a hand that trembles does not make it creep. A
+// Properties of the god-object on drawn sets of triangles (docs/soups.md), whose cases RapidCheck draws and makes simpler. A
 // renderer that is wrong in one way is found by the property that is for it.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
-#include <random>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "forceshade/fast.h"
-#include "forceshade/meshes.h"
-#include "forceshade/reference.h"
-#include "properties/binary32.h"
-#include "properties/mesh_properties.h"
 #include "properties/positions.h"
-#include "tests/meshes/passing.h"
-#include "tests/meshes/rendering.h"
-#include "tests/meshes/uncut.h"
+#include "tests/properties/soup_walks.h"
 #include "tests/support/drawn.h"
 #include "tests/support/with_rapidcheck.h"
 
@@ -44,19 +33,18 @@ struct SoupCase {
   std::vector<MeshPosition> path;
   MeshPosition beside{};  // the end of a trembling hand's way from the path's last position
 
-  std::vector<mesh::TrianglePoints> triangles() const {
-    std::vector<mesh::TrianglePoints> all;
-    for (const Part& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
-  }
-  MeshRendering rendering() const {
+  Walk walk() const {
     mesh::TriangleMesh mesh;
-    for (const mesh::TrianglePoints& points : triangles()) {
-      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-      mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
-      mesh.triangles.push_back({first, first + 1, first + 2});
-    }
-    return {std::get<mesh::CheckedMesh>(mesh::check_any(std::move(mesh))), {}, sides, mesh::Shading::none, 0.3F, {}};
+    for (const Part& part : parts)
+      for (const mesh::TrianglePoints& points : part) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), points.begin(), points.end());
+        mesh.triangles.push_back({first, first + 1, first + 2});
+      }
+    return {{std::get<mesh::CheckedMesh>(mesh::check_any(std::move(mesh))), {}, sides, mesh::Shading::none, 0.3F, {}},
+            is_closed,
+            path,
+            beside};
   }
 };
 
@@ -163,114 +151,12 @@ Generator<SoupCase> soup_case() {
           }};
 }
 
-using Open = std::function<std::unique_ptr<fast::TickSession>(const MeshRendering& rendering)>;
-
-std::unique_ptr<fast::TickSession> in_real_time(const MeshRendering& rendering) {
-  return tests::built(fast::GodObject::build(rendering)).open();
-}
-
-// Numbers of the cases that a property is about.
-using Counts = std::map<std::string, std::size_t>;
-
-bool is_alike(const mesh::Tick& a, const mesh::Tick& b) {
-  return a.status == b.status && a.after == b.after && std::equal(a.force.begin(), a.force.end(), b.force.begin(), same_bits);
-}
-
-std::string at(const SoupCase& its, std::size_t tick) {
-  std::string words = "tick " + std::to_string(tick) + " of";
-  for (const auto& [x, y, z] : its.path) words += " (" + show(x) + ", " + show(y) + ", " + show(z) + ')';
-  words += " mm on";
-  for (const mesh::TrianglePoints& triangle : its.triangles())
-    for (const auto& [x, y, z] : triangle) words += " (" + show(x) + ", " + show(y) + ", " + show(z) + ')';
-  return words + ": ";
-}
-
-Violation both_sides_are_equal(const SoupCase& its, const Open& open, Counts& counts) {
-  const MeshRendering rendering = its.rendering();
-  const auto god_object = tests::built(reference::GodObject::build(rendering));
-  const auto session = open(rendering);
-  mesh::GodObject state;
-  for (std::size_t i = 0; i < its.path.size(); ++i) {
-    const mesh::Tick expected = god_object.step(state, its.path[i]), is = session->tick(its.path[i]);
-    if (!is_alike(is, expected) || is.moves != expected.moves) return at(its, i) + "the sides differ";
-    state = expected.after;
-    ++counts[rendering.checked.is_regular() ? "regular" : "irregular"];
-    if (expected.status == Status::contact) ++counts["touching"];
-  }
-  return std::nullopt;
-}
-
-// The turns of a closed surface around a free hand never get more, nor fewer where it blocks both ways. A free hand goes
-// straight through no triangle from a side that blocks.
-Violation nothing_passes(const SoupCase& its, const Open& open, Counts& counts) {
-  const auto session = open(its.rendering());
-  const std::vector<mesh::TrianglePoints> triangles = its.triangles();
-  std::mt19937_64 random(1);
-  std::optional<int> wound;
-  mesh::GodObject before;
-  for (std::size_t i = 0; i < its.path.size(); ++i) {
-    const mesh::Tick tick = session->tick(its.path[i]);
-    if (tick.status == Status::free) {
-      if (before.place == mesh::Place::free && tick.moves == 1) {
-        ++counts["flights"];
-        if (tests::passes(triangles, its.sides, before.position, tick.after.position))
-          return at(its, i) + "a flight passes a wall";
-      }
-      const std::optional<int> winds = its.is_closed ? tests::winding(triangles, tick.after.position, random) : std::nullopt;
-      if (winds && wound) {
-        ++counts["windings"];
-        if (*winds != 0) ++counts["windings inside"];
-        if (*winds > *wound || (*winds < *wound && its.sides == mesh::Sides::both))
-          return at(its, i) + "the hand has passed a wall";
-      }
-      if (winds) wound = winds;
-    }
-    before = tick.after;
-  }
-  return std::nullopt;
-}
-
-Violation rests_are_idempotent(const SoupCase& its, const Open& open, Counts& counts) {
-  const auto session = open(its.rendering());
-  for (std::size_t i = 0; i < its.path.size(); ++i) {
-    const mesh::Tick first = session->tick(its.path[i]);
-    if (first.status != Status::contact) continue;
-    ++counts["rests"];
-    if (!is_alike(session->tick(its.path[i]), first)) return at(its, i) + "a repeated position changes the rest";
-  }
-  return std::nullopt;
-}
-
-// After a few swings between two positions each swing ends where the one before it did.
-Violation rests_do_not_creep(const SoupCase& its, const Open& open, Counts& counts) {
-  constexpr int kSettling = 4, kSwings = 12;
-  const auto session = open(its.rendering());
-  for (const MeshPosition& position : its.path) session->tick(position);
-  mesh::Tick before;
-  for (int swing = 0; swing < kSwings; ++swing) {
-    session->tick(its.beside);
-    const mesh::Tick now = session->tick(its.path.back());
-    if (swing >= kSettling) {
-      if (now.status == Status::contact) ++counts["swings in contact"];
-      if (!is_alike(now, before)) return at(its, its.path.size()) + "swing " + std::to_string(swing) + " ends elsewhere";
-    }
-    before = now;
-  }
-  return std::nullopt;
-}
-
-using SoupProperty = Violation (*)(const SoupCase& its, const Open& open, Counts& counts);
-const std::array<std::pair<const char*, SoupProperty>, 4> kProperties{{{"both sides are equal", both_sides_are_equal},
-                                                                       {"nothing passes", nothing_passes},
-                                                                       {"rests are idempotent", rests_are_idempotent},
-                                                                       {"rests do not creep", rests_do_not_creep}}};
-
 // Those that RapidCheck refutes.
 std::set<std::string> refuted(const Open& open, int cases, Counts& counts, bool is_told = false) {
   std::set<std::string> names;
   for (const auto& [name, property] : kProperties) {
     const PropertyResult result = tests::run_with_rapidcheck(
-        name, cases, 4, [&, check = property](Chooser& choose) { return check(choose(soup_case()), open, counts); });
+        name, cases, 4, [&, check = property](Chooser& choose) { return check(choose(soup_case()).walk(), open, counts); });
     if (is_told) {
       EXPECT_TRUE(result.held) << name << ": " << result.counterexample;
     }
