@@ -1,89 +1,162 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Ticks of both sides on sets of triangles, in every column as texts that can be compared.
+// Ticks of both sides on sets of triangles, in every column as words that can be compared.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
-#include <cctype>
+#include <cmath>
+#include <cstdint>
 #include <memory>
-#include <sstream>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include "fast/soups/session.h"
 #include "reference/soups/god_object.h"
-#include "tests/meshes/soup_words.h"
+#include "tests/meshes/soup_paths.h"
 #include "tests/meshes/uncut.h"
 
 namespace forceshade::tests {
 
-namespace exact = reference::soups;
-
 using Position = std::array<float, 3>;
 
-inline std::string comparable(const exact::Place& place) {
-  std::string text = std::to_string(static_cast<int>(place.kind)) + '/' + std::to_string(static_cast<int>(place.of_foot));
-  for (const std::size_t number : place.numbers) text += ' ' + std::to_string(number);
-  return text;
-}
-// The same of the real-time side, whose list begins with `nowhere`.
-inline std::string comparable(const fast::soups::Place& place) {
-  using fast::soups::PlaceKind;
-  const auto kind = [](PlaceKind its) { return std::to_string(its == PlaceKind::nowhere ? 0 : static_cast<int>(its) - 1); };
-  std::string text = kind(place.kind) + '/' + kind(place.of_foot);
-  const std::string all = words(place);
-  std::istringstream in(all);
-  for (std::string word; in >> word;)
-    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) text += ' ' + word;
-  return text;
-}
+// A tick of either side.
+struct SoupTick {
+  Status status = Status::invalid;
+  std::size_t moves = 0, looks = 0;
+  std::string place;                                // as in the stored paths
+  Position position{};                              // mm: free: where it is; a foot: of which hand
+  std::tuple<std::size_t, bool, std::size_t> cell;  // triangle, seen from behind, piece
+  bool is_slipping = false;
+  Position force{}, shaded{};  // N
 
-inline std::string numbers(const Position& force) {
-  return words(force);
-}
-inline Position rounded(const std::array<reference::meshes::RootSum, 3>& force) {
-  using reference::meshes::nearest_binary32;
-  return {nearest_binary32(force[0]), nearest_binary32(force[1]), nearest_binary32(force[2])};
-}
-
-inline std::string text_of(const exact::Tick& tick, float stiffness, const mesh::CornerNormals& normals) {
-  std::string text = std::to_string(static_cast<int>(tick.status)) + ' ' + std::to_string(tick.moves) + ' ' +
-                     (tick.after.is_slipping ? "slips " : "") + comparable(*tick.after.place) + ' ' +
-                     words(tick.after.place->position);
-  if (!tick.rest) return text;
-  const auto& [triangle, is_behind, piece] = tick.after.cell;
-  return text + " | " + std::to_string(triangle) + (is_behind ? "b" : "f") + std::to_string(piece) + " | " +
-         numbers(rounded(exact::exact_force(*tick.rest, stiffness))) + " | " +
-         numbers(rounded(exact::exact_force(*tick.rest, stiffness, normals)));
-}
-inline std::string text_of(const fast::soups::Tick& tick, const fast::soups::Tick& shaded) {
-  std::string text = std::to_string(static_cast<int>(tick.status)) + ' ' + std::to_string(tick.moves) + ' ' +
-                     (tick.after.is_slipping ? "slips " : "") + comparable(tick.after.place) + ' ' +
-                     words(tick.after.place.position);
-  if (tick.status == Status::free) return text;
-  const auto& cell = tick.after.cell;
-  return text + " | " + std::to_string(cell.triangle) + (cell.is_behind ? "b" : "f") + std::to_string(cell.piece) + " | " +
-         numbers(tick.force) + " | " + numbers(shaded.force);
-}
-
-// The state at the end of a path that both sides go.
-inline fast::soups::State last_state(const mesh::TriangleMesh& mesh, const std::vector<Position>& path,
-                                     const std::vector<mesh::Sides>& sides = {mesh::Sides::both},
-                                     const mesh::CornerNormals& normals = {}) {
-  const exact::Soup exact_soup(mesh, sides);
-  const auto soup = std::make_shared<const fast::soups::Soup>(mesh, sides, std::vector<mesh::Material>{}, normals);
-  fast::soups::Session session(soup, 1, false), shaded(soup, 1, !normals.empty());
-  exact::State state;
-  for (const Position& p : path) {
-    const exact::Tick made = exact::tick(exact_soup, state, p);
-    state = made.after;
-    const fast::soups::Tick its = session.tick(p);
-    EXPECT_EQ(text_of(its, shaded.tick(p)), text_of(made, 1, normals));
+  bool is_free() const { return place == "free"; }
+  // The columns of a stored path behind the position. The cell's triangle goes without saying where it is the lowest one.
+  std::string line(std::size_t lowest = SIZE_MAX) const {
+    if (status == Status::invalid) return "i";
+    std::string text = std::to_string(moves) + (status == Status::unfinished ? "u" : "");
+    if (status == Status::free) return text;
+    const auto& [triangle, is_behind, piece] = cell;
+    text += ',' + place + ',' + (is_behind ? "b" : "f");
+    if (piece > 0 || triangle != lowest) text += ' ' + std::to_string(triangle);
+    if (piece > 0) text += ' ' + std::to_string(piece);
+    if (force == Position{} && shaded == Position{}) return text;
+    return text + ',' + words(force) + (force == shaded ? "" : ',' + words(shaded));
   }
-  return session.state();
+  // Every column.
+  std::string text() const {
+    return line() + (is_slipping ? " slips, " : ", ") + words(position) + ", " + std::to_string(looks) + " looks";
+  }
+};
+
+// The exact side's session.
+class ExactSoup {
+ public:
+  ExactSoup(const mesh::TriangleMesh& mesh, const std::vector<mesh::Sides>& sides, const std::vector<mesh::Material>& materials,
+            mesh::CornerNormals normals, float stiffness)
+      : soup_(mesh, sides, materials), normals_(std::move(normals)), stiffness_(stiffness) {}
+
+  SoupTick tick(const Position& position) {
+    if (!std::ranges::all_of(position, [](float x) { return std::abs(x) <= 1e4F; })) return {};
+    const reference::soups::Tick made = reference::soups::tick(soup_, state_, position);
+    state_ = made.after;
+    const auto rounded = [&](const mesh::CornerNormals& normals) -> Position {
+      if (!made.rest) return {};
+      using reference::meshes::nearest_binary32;
+      const auto [x, y, z] = exact_force(*made.rest, stiffness_, normals);
+      return {nearest_binary32(x), nearest_binary32(y), nearest_binary32(z)};
+    };
+    const auto& place = *state_.place;
+    return {made.status, made.moves,         made.looks,  words(place),     place.position,
+            state_.cell, state_.is_slipping, rounded({}), rounded(normals_)};
+  }
+  // The lowest triangle that holds the state's point, which touches.
+  std::size_t lowest() const {
+    return reference::soups::Star(soup_, point_of(soup_, *state_.place)).triangles().front()->number;
+  }
+
+ private:
+  static std::string words(const reference::soups::Place& place) {
+    static constexpr std::array kNames{"free", "v", "e", "t", "c", "ee", "ef", "fff", "q"};
+    std::string text = kNames[static_cast<std::size_t>(place.kind)];
+    if (place.kind == reference::soups::PlaceKind::foot)
+      text += std::string(" ") + kNames[static_cast<std::size_t>(place.of_foot)];
+    for (const std::size_t number : place.numbers) text += ' ' + std::to_string(number);
+    return text;
+  }
+
+  reference::soups::Soup soup_;
+  mesh::CornerNormals normals_;
+  float stiffness_;
+  reference::soups::State state_;
+};
+
+// The real-time side's sessions without and with shading, which share a state.
+class FastSoup {
+ public:
+  FastSoup(const mesh::TriangleMesh& mesh, const std::vector<mesh::Sides>& sides, const std::vector<mesh::Material>& materials,
+           const mesh::CornerNormals& normals, float stiffness)
+      : soup(std::make_shared<const fast::soups::Soup>(mesh, sides, materials, normals)),
+        plain(soup, stiffness, false),
+        shaded(soup, stiffness, !normals.empty()) {}
+
+  SoupTick tick(const Position& position) {
+    const fast::soups::Tick tick = plain.tick(position), other = shaded.tick(position);
+    EXPECT_TRUE(tick.after == other.after) << words(position);
+    const auto& [place, cell, is_slipping] = tick.after;
+    return {tick.status, tick.moves, plain.looks(), words(place), place.position, {cell.triangle, cell.is_behind, cell.piece},
+            is_slipping, tick.force, other.force};
+  }
+  std::size_t lowest() const {
+    fast::soups::Point x = *point_of(*soup, plain.state().place);
+    x.forget();
+    std::vector<const fast::Face*> all;
+    for (const fast::Face& face : soup->faces()) all.push_back(&face);
+    std::vector<fast::soups::Star::Held> held;
+    find_held(x, all, held);
+    return held.front().face->index();
+  }
+
+  std::shared_ptr<const fast::soups::Soup> soup;
+  fast::soups::Session plain, shaded;
+
+ private:
+  using PlaceKind = fast::soups::PlaceKind;
+  static std::string words(const Position& numbers) { return tests::words(numbers); }
+  static std::string words(const fast::soups::Place& place) {
+    static constexpr std::array kNames{"nowhere", "free", "v", "e", "t", "c", "ee", "ef", "fff", "q"};
+    static constexpr std::array<std::size_t, 10> kNumbers{0, 0, 1, 3, 3, 4, 4, 3, 3, 0};
+    std::string text = kNames[static_cast<std::size_t>(place.kind)];
+    std::size_t count = kNumbers[static_cast<std::size_t>(place.kind)];
+    if (place.kind == PlaceKind::foot) {
+      text += std::string(" ") + kNames[static_cast<std::size_t>(place.of_foot)];
+      count = place.of_foot == PlaceKind::triangle ? 1 : place.of_foot == PlaceKind::edge ? 2 : 3;
+    }
+    for (std::size_t i = 0; i < count; ++i) text += ' ' + std::to_string(place.numbers[i]);
+    return text;
+  }
+};
+
+// The tick at the end of a path that both sides go.
+inline SoupTick last_tick(const mesh::TriangleMesh& mesh, const std::vector<Position>& path,
+                          const std::vector<mesh::Sides>& sides = {mesh::Sides::both},
+                          const mesh::CornerNormals& normals = {}) {
+  ExactSoup exact(mesh, sides, {}, normals, 1);
+  FastSoup fast(mesh, sides, {}, normals, 1);
+  SoupTick last;
+  for (const Position& p : path) {
+    last = fast.tick(p);
+    EXPECT_EQ(last.text(), exact.tick(p).text());
+  }
+  return last;
 }
-inline std::string last_place(const mesh::TriangleMesh& mesh, const std::vector<Position>& path) {
-  return words(last_state(mesh, path).place);
+inline std::string last_place(const mesh::TriangleMesh& mesh, const std::vector<Position>& path,
+                              const std::vector<mesh::Sides>& sides = {mesh::Sides::both},
+                              const mesh::CornerNormals& normals = {}) {
+  return last_tick(mesh, path, sides, normals).place;
 }
 
 }  // namespace forceshade::tests

@@ -14,7 +14,7 @@ namespace forceshade {
 namespace {
 
 using tests::last_place;
-using tests::last_state;
+using tests::last_tick;
 using tests::Position;
 
 // Two valleys lead down from a vertex, with a ridge between them: of their edges, which lead to the hand alike, the one with
@@ -62,9 +62,10 @@ TEST(soup_rules, triangles_may_cross_from_a_common_corner) {
 // front that is; but below it is where the flight came from.
 TEST(soup_rules, a_flight_along_the_surface_ends_on_the_side_that_it_came_from) {
   const mesh::TriangleMesh mesh{{{0, -4, 0}, {8, 0, 0}, {0, 4, 0}, {0, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}};
-  const fast::soups::State state = last_state(mesh, {{-1, 0.5F, 0}, {2, 0.5F, 0}}, {mesh::Sides::both, mesh::Sides::front});
-  EXPECT_EQ(state.cell.triangle, 0U);
-  EXPECT_TRUE(state.cell.is_behind);
+  const auto [triangle, is_behind, piece] =
+      last_tick(mesh, {{-1, 0.5F, 0}, {2, 0.5F, 0}}, {mesh::Sides::both, mesh::Sides::front}).cell;
+  EXPECT_EQ(triangle, 0U);
+  EXPECT_TRUE(is_behind);
 }
 
 // Upright walls let a hand through to the right, above a level triangle and below. A flight that lands at their foot goes on in
@@ -79,9 +80,9 @@ TEST(soup_rules, a_flight_along_the_surface_ends_where_the_surface_leads_on) {
     mesh.triangles.insert(mesh.triangles.end(), level.begin(), level.end());
     std::vector<mesh::Sides> sides(mesh.triangles.size(), mesh::Sides::front);
     sides[2] = mesh::Sides::both;
-    const fast::soups::State state = last_state(mesh, {{-1, 0, 0}, {2, 0, 0}}, sides);
-    EXPECT_EQ(state.cell.triangle, 2U);
-    EXPECT_FALSE(state.cell.is_behind);
+    const auto [triangle, is_behind, piece] = last_tick(mesh, {{-1, 0, 0}, {2, 0, 0}}, sides).cell;
+    EXPECT_EQ(triangle, 2U);
+    EXPECT_FALSE(is_behind);
   }
 }
 
@@ -150,7 +151,7 @@ TEST(soup_rules, a_rest_is_a_foot_where_a_wall_stops_the_way_to_the_grid_or_from
   for (const mesh::Triangle& wall : {mesh::Triangle{3, 4, 5}, {3, 5, 4}}) {
     mesh.triangles.resize(1);
     mesh.triangles.push_back(wall);
-    EXPECT_EQ(tests::words(last_state(mesh, path, {mesh::Sides::both, mesh::Sides::front}).place), "q t 0");
+    EXPECT_EQ(last_place(mesh, path, {mesh::Sides::both, mesh::Sides::front}), "q t 0");
   }
 }
 
@@ -160,9 +161,8 @@ TEST(soup_rules, a_vertex_of_two_parts_is_not_shaded) {
   const mesh::TriangleMesh fan{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {-4, 0, 0}, {0, -4, 0}, {1, 0, 4}, {-1, 0, 4}},
                                {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {0, 5, 6}}};
   const mesh::Normal aslant{0.6F, 0, 0.8F};
-  EXPECT_EQ(tests::words(last_state(fan, {{1, 0.5F, 2}, {0, 0, 0}, {0, 0, -1}}, {mesh::Sides::both},
-                                    mesh::CornerNormals(5, {aslant, aslant, aslant}))
-                             .place),
+  EXPECT_EQ(last_place(fan, {{1, 0.5F, 2}, {0, 0, 0}, {0, 0, -1}}, {mesh::Sides::both},
+                       mesh::CornerNormals(5, {aslant, aslant, aslant})),
             "v 0");
 }
 
