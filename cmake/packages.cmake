@@ -32,7 +32,7 @@ function(forceshade_package component section text)
     set(CPACK_DEBIAN_${key}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
   endif()
 endfunction()
-set(about "forceshade computes the forces of haptic rendering: the force laws of\nMorgenbesser and Srinivasan (1996), height maps and triangle meshes. Each\ncomponent of each force is the exact force rounded to binary32.\n.")
+set(about "forceshade computes the forces of haptic rendering: the force laws of\nMorgenbesser and Srinivasan (RLE Technical Report 606, MIT, 1996), height\nmaps and triangle meshes. Each component of each force is the exact force\nrounded to binary32.\n.")
 forceshade_package(libforceshade0 libs
                    "This package has the shared library of the C interface.")
 # It refuses to certify a libforceshade0 of another build.

@@ -378,7 +378,7 @@ FORCESHADE_API forceshade_result forceshade_damping_advance(const forceshade_dam
                                                             const uint32_t* periods, const forceshade_batch* batch,
                                                             size_t* invalid);
 
-/* ---- A renderer of one's own, which `forceshade conform --command FILE.so` holds against the exact forces ---- */
+/* ---- Your own renderer, which `forceshade conform --command FILE.so` holds against the exact forces ---- */
 
 /* The functions of a shared object that is a renderer (examples/renderers/wall.c); it links nothing of forceshade, and a program
  * that only calls forceshade does not need them. The object is loaded in a process of its own, and its functions are called by

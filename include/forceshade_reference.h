@@ -30,7 +30,7 @@
  * Threads. Definitions do not change: any number of threads may use one, as long as none frees it meanwhile. All functions may
  * be called from any thread at any time; what takes exact numbers is computed by one thread at a time.
  *
- * Real time. No function here belongs into it: all allocate and take locks, and a force takes from a microsecond to a second.
+ * Real time. Call no function of this header in it: all allocate and take locks, and a force takes from a microsecond to a second.
  * The calling thread has to round to nearest and keep subnormals, or gets FORCESHADE_BAD_ARITHMETIC.
  *
  * Not promised: the words of messages and counterexamples, and the time of a call. */

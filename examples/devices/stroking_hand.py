@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""A device of one's own (docs/command-device.md), which needs Python alone: a simulated hand that strokes the surface.
+"""Your own device (docs/command-device.md), which needs Python alone: a simulated hand that strokes the surface.
 
   forceshade drive --device "command:python3 examples/devices/stroking_hand.py" --law wall --certificate none --seconds 5
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Certifies a renderer of one's own against the exact wall, at a million points and with other stiffnesses: certify FILE.
+// Certifies your own renderer against the exact wall, at a million points and with other stiffnesses: certify FILE.
 #include <forceshade/certify.h>
 #include <forceshade/properties.h>
 

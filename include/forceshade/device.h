@@ -13,7 +13,7 @@
 // Errors: a device that cannot be opened throws; one that is open answers with a Fault, whose words live as long as the
 // program.
 //
-// Threads: a device belongs to one thread at a time, but for its attendant's buttons. A driver of one's own derives from
+// Threads: a device belongs to one thread at a time, but for its attendant's buttons. Your own driver derives from
 // Device. Between a direct command and the hand there is neither the supervisor nor the passivity controller:
 // run_servo_loop() of servo_loop.h has both.
 //

@@ -15,7 +15,7 @@
 //
 // A check and a certificate are of a subject: one notion for laws, height maps and whatever else renders a force. It is a
 // rendering, which is all that a device is driven with, the exact definition of its force along a path, and what may be
-// expected of both. A kind of one's own derives from Subject (tests/subjects/sticky_wall.h is an example with memory). Lengths
+// expected of both. Your own kind derives from Subject (tests/subjects/sticky_wall.h is an example with memory). Lengths
 // are in mm, forces in N, energies in mJ.
 //
 // Errors: a property that does not hold is a result; what a renderer throws is a violation. Parameters outside their domain
@@ -222,7 +222,7 @@ using RenderHeightMap = std::function<Renderer(const HeightMap& map, height::Mod
 // Opens a session that should be of a god-object with this stiffness (N/mm).
 using OpenTicks = std::function<std::unique_ptr<fast::TickSession>(float stiffness)>;
 
-// A law as a subject: rendered by the fast path; by one's own function, and with drawn parameters by the fast path; or by one's
+// A law as a subject: rendered by the fast path; by your own function, and with drawn parameters by the fast path; or by your
 // own renderer for any parameters. They throw std::invalid_argument for parameters outside the law's domain.
 std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters);
 std::unique_ptr<Subject> law_subject(LawId law, const Parameters& parameters, ForceAt force_at);
@@ -235,7 +235,7 @@ std::unique_ptr<Subject> height_map_subject(const std::string& name, const Heigh
 std::unique_ptr<Subject> height_map_subject(const std::string& name, const HeightMap& map, height::Mode mode, float stiffness,
                                             RenderHeightMap render);
 
-// A god-object on a mesh as a subject, rendered by the fast path or by one's own sessions. name: of the mesh's file. They throw
+// A god-object on a mesh as a subject, rendered by the fast path or by your own sessions. name: of the mesh's file. They throw
 // std::invalid_argument where a side refuses it.
 std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering);
 std::unique_ptr<Subject> mesh_subject(const std::string& name, const MeshRendering& rendering, OpenTicks open);
@@ -264,7 +264,7 @@ std::vector<PropertyResult> run_properties(const Subject& subject, int cases, st
                                            const PropertyDone& done = nullptr, const OnCase& on_case = nullptr,
                                            const std::atomic<bool>* stop = nullptr);
 
-// One property of one's own. What it throws is a violation, too. The first case that fails is made simpler, one value that it
+// One property of your own. What it throws is a violation, too. The first case that fails is made simpler, one value that it
 // drew after the other, as long as it fails and kSimplerCases have not been tried. Where it holds when it is tried again, the
 // words say so.
 PropertyResult run_property(const std::string& name, int cases, std::uint64_t seed, const Property& property);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One path of the hand through a renderer: what a servo loop drives, and what is compared with the exact definition. A
-// renderer of one's own derives from Session.
+// One path of the hand through a renderer: what a servo loop drives, and what is compared with the exact definition. Your
+// own renderer derives from Session.
 //
 //   class Wall final : public fast::Session {  // at z = 0, of 0.5 N/mm
 //    public:

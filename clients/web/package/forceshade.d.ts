@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The force laws of Morgenbesser and Srinivasan (1996), height maps and triangle meshes, as the C interface of forceshade has them.
-// Every force is the binary32 nearest to the exact one, so that its bits are those of every other machine. Numbers of a position or a
-// parameter are rounded to binary32 when they are taken.
+// The force laws of Morgenbesser and Srinivasan (RLE Technical Report 606, MIT, 1996), height maps and triangle meshes, as the C
+// interface of forceshade has them. Every force is the binary32 nearest to the exact one, so that its bits are those
+// of every other machine. Numbers of a position or a parameter are rounded to binary32 when they are taken.
 
 /** Three numbers: mm of a position, x, y and z. */
 export type Vector = ArrayLike<number>;
