@@ -2,8 +2,6 @@
 #include "apps/options.h"
 
 #include <algorithm>
-#include <charconv>
-#include <system_error>
 #include <utility>
 
 #include "apps/documentation.h"
@@ -31,10 +29,7 @@ std::string words_of(const Range& range) {
 
 template <class T, class Range>
 T parse(const std::string& name, const std::string& text, const Range& range, const char* kind) {
-  T value{};
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc{} && rest == end && value >= range.least && value <= range.most) return value;
+  if (const auto value = number_in<T>(text); value && *value >= range.least && *value <= range.most) return *value;
   throw CLI::ValidationError(name, std::string("expected a ") + kind + " from " + words_of(range) + ", got \"" + text + '"');
 }
 

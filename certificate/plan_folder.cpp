@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -17,6 +16,7 @@
 #include "files/written_once.h"
 #include "forceshade/certificate.h"
 #include "rendering/identity/digest.h"
+#include "text/number_text.h"
 
 namespace forceshade::properties {
 namespace {
@@ -36,12 +36,10 @@ void make_folder(const fs::path& path) {
   if (error && error != std::errc::file_exists) throw files::output_failure(path, "make the folder", error.value());
 }
 
-// The number that a name begins with.
-std::optional<std::uint64_t> number_of(const std::string& name, const std::string& rest) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  if (error != std::errc() || std::string(end, name.data() + name.size()) != rest) return std::nullopt;
-  return number;
+// The number that a name is in front of this ending.
+std::optional<std::uint64_t> number_of(std::string_view name, std::string_view ending) {
+  if (!name.ends_with(ending)) return std::nullopt;
+  return number_in<std::uint64_t>(name.substr(0, name.size() - ending.size()));
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {

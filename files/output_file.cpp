@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <climits>
 #include <cstdio>
 #include <filesystem>
@@ -26,6 +25,7 @@
 
 #include "system/system.h"
 #include "text/letters.h"
+#include "text/number_text.h"
 
 namespace forceshade::files {
 namespace {
@@ -53,11 +53,8 @@ std::optional<OpenDescriptor> open_descriptor(fs::path path) {
     if (error) break;
     if (is_of_proc(folder) && folder.filename() == "fd") {
       OpenDescriptor found{folder / path.filename(), std::nullopt};
-      if (folder == fs::path("/proc") / std::to_string(::getpid()) / "fd") {
-        const std::string digits = path.filename();
-        int number = -1;
-        if (std::from_chars(digits.data(), digits.data() + digits.size(), number).ec == std::errc()) found.number = number;
-      }
+      if (folder == fs::path("/proc") / std::to_string(::getpid()) / "fd")
+        found.number = number_in<int>(path.filename().native());
       return found;
     }
     path = folder / fs::read_symlink(path, error);

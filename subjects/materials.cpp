@@ -2,7 +2,6 @@
 #include "subjects/materials.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "files/printable.h"
@@ -10,6 +9,7 @@
 #include "files/suggestion.h"
 #include "rendering/mesh_rendering.h"
 #include "subjects/tables.h"
+#include "text/number_text.h"
 
 namespace forceshade::subjects {
 namespace {
@@ -19,13 +19,11 @@ constexpr std::size_t kLargestMaterials = 4 << 20;
 // The binary32 number nearest to the text.
 float coefficient_of(const std::string& name, std::string_view word, const std::string& text) {
   word.remove_prefix(std::min(word.find_first_not_of(' '), word.size()));
-  float number = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, number);
-  if (error != std::errc{} || rest != end || !is_friction(number))
+  const auto number = number_in<float>(word);
+  if (!number || !is_friction(*number))
     throw Error(name + ": expected one coefficient of friction, or a static and a dynamic one, each 0, inf or from 2^-10 to " +
                 "1024, got \"" + text + '"');
-  return number + 0.0F;  // -0 is 0
+  return *number + 0.0F;  // -0 is 0
 }
 
 class Reader {
@@ -99,20 +97,14 @@ class Reader {
   // "7" or "0-99", or the number 7.
   void add_faces(const toml::node& node) {
     const std::string text = node.is_array() ? "" : in_.document().words_of_scalars(node);
-    const char* const end = text.data() + text.size();
-    std::uint32_t first = 0, last = 0;
-    auto [at, error] = std::from_chars(text.data(), end, first);
-    last = first;
-    if (error == std::errc{} && at != end && *at == '-') {
-      const auto second = std::from_chars(at + 1, end, last);
-      at = second.ptr;
-      error = second.ec;
-    }
-    if (error != std::errc{} || at != end || first > last || last >= made_.of_triangle.size())
+    const std::size_t dash = text.find('-');
+    const auto first = number_in<std::uint32_t>(text.substr(0, dash));
+    const auto last = dash == text.npos ? first : number_in<std::uint32_t>(text.substr(dash + 1));
+    if (!first || !last || *first > *last || *last >= made_.of_triangle.size())
       in_.fail(node, "faces",
                "a face such as \"7\" or faces such as \"0-99\", from 0 to " + std::to_string(made_.of_triangle.size() - 1),
                node);
-    for (std::uint32_t i = first; i <= last; ++i) assign(i, node, "faces");
+    for (std::uint32_t i = *first; i <= *last; ++i) assign(i, node, "faces");
   }
 
   void assign(std::uint32_t triangle, const toml::node& at, std::string_view key) {

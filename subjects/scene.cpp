@@ -2,7 +2,6 @@
 #include "subjects/scene.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -186,13 +185,10 @@ class SceneReader {
 
   // The binary32 number nearest to the text.
   float component_of(const toml::node& node, const std::string& word) const {
-    float number = 0;
-    const char* const end = word.data() + word.size();
-    const auto [rest, error] = std::from_chars(word.data(), end, number);
-    if (error != std::errc{} || rest != end || !mesh::is_of_rotation(number))
-      throw Error(in_.name_of(node, "rotation") +
-                  ": expected four numbers w, x, y, z, each 0 or of 2^-30 to 2 in size, got \"" + word + '"');
-    return number;
+    const auto number = number_in<float>(word);
+    if (number && mesh::is_of_rotation(*number)) return *number;
+    throw Error(in_.name_of(node, "rotation") + ": expected four numbers w, x, y, z, each 0 or of 2^-30 to 2 in size, got \"" +
+                word + '"');
   }
 
   mesh::Materials materials_of(const toml::table& table, const mesh::LoadedMesh& loaded) const {

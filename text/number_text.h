@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Numbers as text, whatever the locale: the one place that prints them for files and people.
+// Numbers as text, whatever the locale: the one place that prints them for files and people, and reads words that are numbers.
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace forceshade {
 
@@ -36,6 +38,16 @@ inline std::string hexfloat(double value) {
 // "0.0001235" with four digits; also what gnuplot reads.
 inline std::string digits(double value, int count) {
   return number_text(value, std::chars_format::general, count);
+}
+
+// The number that a word is from its first character to its last, as from_chars reads it: without a + and without blanks.
+// Nothing where it is none, or one that the type cannot hold.
+template <class Number>
+std::optional<Number> number_in(std::string_view word) {
+  Number number{};
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, number);
+  return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
 }
 
 }  // namespace forceshade

@@ -2,13 +2,13 @@
 #include "device/dhd/dhd_arm.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "device/dhd/dhd_words.h"
 #include "files/csv.h"
 #include "files/printable.h"
 #include "forceshade/device.h"
+#include "text/number_text.h"
 
 namespace forceshade::device::dhd {
 namespace {
@@ -27,13 +27,6 @@ constexpr const char* kNone =
 // The laws: x right, y away from the user, z up. DHD: x towards the operator, y to the operator's right, z up.
 Eigen::Vector3d in_laws(double x, double y, double z) {
   return {y, -x, z};
-}
-
-std::optional<int> number_in(const std::string& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < 0) return std::nullopt;
-  return number;
 }
 
 DeviceError failed(const Functions& dhd, const char* what) {
@@ -74,8 +67,8 @@ int Arm::open_device(const std::string& which) {
   const std::string what = "opening the device" + (which.empty() ? "" : " \"" + files::printable(which) + '"');
   if (which.empty()) return expect(dhd_.dhdOpenID(0), what.c_str());
   const bool is_index = which.front() == '#';
-  const auto number = number_in(which.substr(is_index ? 1 : 0));
-  if (!number || (is_index && *number >= counts.connected))
+  const auto number = number_in<int>(std::string_view(which).substr(is_index ? 1 : 0));
+  if (!number || *number < 0 || (is_index && *number >= counts.connected))
     throw DeviceError(what + ": expected a serial number, or # and an index below " + std::to_string(counts.connected));
   if (!is_index && *number == static_cast<int>(kFalconsSerial))
     throw DeviceError(what + ": every Falcon has this serial number; name it by its index, as dhd:#0");

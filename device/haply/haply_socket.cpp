@@ -7,9 +7,10 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-#include <charconv>
 #include <optional>
 #include <stdexcept>
+
+#include "text/number_text.h"
 
 namespace forceshade::device::haply {
 namespace {
@@ -69,9 +70,7 @@ Address address_of(const std::string& text) {
   if (colon != std::string::npos) {
     address.host = text.substr(0, colon);
     if (address.host.starts_with('[') && address.host.ends_with(']')) address.host = address.host.substr(1, colon - 2);
-    const char *begin = text.data() + colon + 1, *end = text.data() + text.size();
-    const auto [last, error] = std::from_chars(begin, end, address.port);
-    if (error != std::errc() || last != end) address.port = 0;
+    address.port = number_in<decltype(address.port)>(std::string_view(text).substr(colon + 1)).value_or(0);
   }
   if (address.host.empty() || address.port < 1 || address.port > 65535)
     throw std::invalid_argument("expected HOST:PORT, for instance localhost:10001, got \"" + text + '"');

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstring>
 #include <map>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "forceshade/error.h"
 #include "properties/conformance/strokes.h"
 #include "text/letters.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -33,12 +33,8 @@ void put(Case& its, std::size_t i, float number) {
 }
 
 std::uint32_t periods_in(const files::Reader& rows) {
-  const std::string& text = rows.text(kPeriods);
-  std::uint32_t periods = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), periods);
-  if (read.ec != std::errc() || read.ptr != text.data() + text.size())
-    throw rows.unexpected(kPeriods, "a whole number from 0 to 4294967295");
-  return periods;
+  if (const auto periods = number_in<std::uint32_t>(rows.text(kPeriods))) return *periods;
+  throw rows.unexpected(kPeriods, "a whole number from 0 to 4294967295");
 }
 
 std::uint64_t read_csv(std::istream& in, const std::string& file, const std::function<void(const Case&)>& each) {

@@ -3,7 +3,6 @@
 // the bottom row up (Paul Debevec, 2001). The words of the header may end in CRLF; the numbers fill the rest of the file.
 
 #include <cctype>
-#include <charconv>
 #include <fstream>
 #include <string>
 
@@ -28,11 +27,8 @@ std::string word_of(std::ifstream& in) {
 template <class T>
 T number_of(std::ifstream& in, const std::filesystem::path& file, const char* expected) {
   const std::string word = word_of(in);
-  T number{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (word.empty() || error != std::errc() || end != word.data() + word.size())
-    throw Error(file, "has no PFM header: expected " + std::string(expected) + ", got \"" + word + '"');
-  return number;
+  if (const auto number = number_in<T>(word)) return *number;
+  throw Error(file, "has no PFM header: expected " + std::string(expected) + ", got \"" + word + '"');
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "rendering/meshes/readers.h"
+#include "text/number_text.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -17,10 +17,7 @@ constexpr std::array<std::string_view, 14> kWithoutFaces{
 
 // The place that a number of a face's corner has in its list, which holds `count` so far.
 std::optional<std::uint32_t> place_of(std::string_view number, std::size_t count) {
-  std::int64_t index = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
-  if (number.empty() || error != std::errc{} || end != number.data() + number.size()) return std::nullopt;
-  const auto size = static_cast<std::int64_t>(count);
+  const std::int64_t index = number_in<std::int64_t>(number).value_or(0), size = static_cast<std::int64_t>(count);
   if (index == 0 || index > size || index < -size) return std::nullopt;
   return static_cast<std::uint32_t>(index > 0 ? index - 1 : size + index);
 }

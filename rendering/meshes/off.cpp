@@ -4,6 +4,7 @@
 // colours, N where normals.
 
 #include "rendering/meshes/readers.h"
+#include "text/number_text.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -47,7 +48,7 @@ struct Header {
 };
 
 std::uint64_t number_of(const Lines& lines, std::string_view word, const char* what) {
-  const auto number = whole_number(word);
+  const auto number = number_in<std::uint64_t>(word);
   if (!number) throw lines.unexpected(what, word);
   return *number;
 }
@@ -67,7 +68,7 @@ Header header_of(Text& text, const std::filesystem::path& file) {
   header.has_colours = take("C");
   header.has_normals = take("N");
   // The first number may follow without white space, as in the files of ModelNet.
-  if (!take("OFF") || (!kind.empty() && !whole_number(kind)))
+  if (!take("OFF") || (!kind.empty() && !number_in<std::uint64_t>(kind)))
     throw lines.unexpected("OFF, after none or some of ST, C and N", word);
   std::string_view first = kind;
   if (first.empty()) {
@@ -114,12 +115,12 @@ void read_face(Text& text, const Header& header, Builder& builder, std::vector<C
   const Lines& lines = text.lines();
   const std::uint64_t line = lines.number();
   const std::string_view count = text.next();
-  const auto corner_count = whole_number(count);
+  const auto corner_count = number_in<std::uint64_t>(count);
   if (!corner_count || *corner_count < 3) throw lines.unexpected("a number of corners of 3 or more", count);
   corners.clear();
   for (std::uint64_t k = 0; k < *corner_count; ++k) {
     const std::string_view word = text.next();
-    const auto index = whole_number(word);
+    const auto index = number_in<std::uint64_t>(word);
     if (!index || *index >= header.vertices)
       throw lines.unexpected("the index of a vertex, below " + std::to_string(header.vertices), word);
     const auto vertex = static_cast<std::uint32_t>(*index);

@@ -2,12 +2,11 @@
 // PLY, of Greg Turk: a header as text that lists the elements and the properties of each, then the elements as text, one in a
 // line, or binary in either order of bytes.
 
-#include <charconv>
-
 #include "rendering/meshes/bytes.h"
 #include "rendering/meshes/numbers.h"
 #include "rendering/meshes/ply_header.h"
 #include "rendering/meshes/readers.h"
+#include "text/number_text.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -33,16 +32,14 @@ class TextBody {
   float texture(const Type& type) { return component(type, units_.texture); }
   std::uint64_t whole(const Type&, std::uint64_t most, const std::string& what) {
     const std::string_view word = next();
-    const auto number = whole_number(word);
+    const auto number = number_in<std::uint64_t>(word);
     if (!number || *number > most) throw lines_.unexpected(what + ", " + std::to_string(most) + " at most", word);
     return *number;
   }
   std::int64_t integer(const Type&, const char* what) {
     const std::string_view word = next();
-    std::int64_t number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (word.empty() || error != std::errc{} || end != word.data() + word.size()) throw lines_.unexpected(what, word);
-    return number;
+    if (const auto number = number_in<std::int64_t>(word)) return *number;
+    throw lines_.unexpected(what, word);
   }
   void skip(const Type&, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i)

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rendering/meshes/readers.h"
+#include "text/number_text.h"
 
 namespace forceshade::mesh::ply {
 namespace {
@@ -90,7 +91,7 @@ class HeaderReader {
     Element element;
     element.name = take();
     const std::string_view word = take();
-    const auto count = whole_number(word);
+    const auto count = number_in<std::uint64_t>(word);
     if (!count) throw lines_.unexpected("a number of elements", word);
     element.count = *count;
     expect_room(file_, "line " + std::to_string(lines_.number()) + ": ", element.count, "of element " + in_quotes(element.name),

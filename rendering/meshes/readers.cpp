@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rendering/meshes/readers.h"
 
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 #include "rendering/meshes/numbers.h"
 
@@ -111,13 +109,6 @@ std::string refusal_of_coordinate(const std::string& got, Unit unit) {
 std::string refusal_of_component(const std::string& got, const files::Decimal& unit) {
   if (unit.is_one()) return "expected a number within 10000, got " + got;
   return "expected a point of the texture within 10000 mm, got " + got + " times " + unit.text() + " mm";
-}
-
-std::optional<std::uint64_t> whole_number(std::string_view word) {
-  std::uint64_t number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (word.empty() || error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return number;
 }
 
 void expect_room(const std::filesystem::path& file, const std::string& place, std::uint64_t number, const std::string& things,

@@ -98,8 +98,6 @@ float component_of(const Lines& lines, std::string_view word, const files::Decim
 // The message about a number, `got`, that is no coordinate within 10000 mm, and about one that is no component.
 std::string refusal_of_coordinate(const std::string& got, Unit unit);
 std::string refusal_of_component(const std::string& got, const files::Decimal& unit);
-// Decimal digits alone. Nothing where the word is no number below 2^64.
-std::optional<std::uint64_t> whole_number(std::string_view word);
 
 // Reads a text in the first layout, or, where that fails, in the second. Where both fail, the error is that of the first, in
 // which most files are written.

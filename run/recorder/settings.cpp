@@ -3,12 +3,10 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <system_error>
 #include <type_traits>
 
 #include "device/passivity_controller.h"
@@ -17,6 +15,7 @@
 #include "forceshade/servo_loop.h"
 #include "run/recorder/layout.h"
 #include "text/beginning.h"
+#include "text/number_text.h"
 
 namespace forceshade::recorder {
 namespace {
@@ -79,13 +78,9 @@ class Reader {
   }
   template <class Number>
   Number number(const std::string& key) const {
-    const std::string& words = text(key);
-    Number number{};
-    const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
-    bool is_good = error == std::errc{} && end == words.data() + words.size();
-    if constexpr (std::is_floating_point_v<Number>) is_good = is_good && !std::isnan(number);
-    if (!is_good) refuse(key, "a number");
-    return number;
+    const auto number = number_in<Number>(text(key));
+    if (!number || std::isnan(static_cast<double>(*number))) refuse(key, "a number");
+    return *number;
   }
   bool truth(const std::string& key) const {
     const std::string& words = text(key);

@@ -2,8 +2,7 @@
 #include "properties/conformance/recordings/columns.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "files/quantity.h"
 #include "forceshade/error.h"
 #include "text/letters.h"
+#include "text/number_text.h"
 
 namespace forceshade::conformance {
 namespace {
@@ -150,15 +150,12 @@ Eigen::Matrix3d turn_of_frame(const std::string& text) {
 }
 
 Eigen::Vector3d offset_of(const std::string& text) {
-  Eigen::Vector3d offset;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::string> numbers = files::at_commas(text);
-  bool is_right = numbers.size() == 3;
-  for (std::size_t i = 0; i < numbers.size() && is_right; ++i) {
-    const char* const end = numbers[i].data() + numbers[i].size();
-    const auto [rest, error] = std::from_chars(numbers[i].data(), end, offset[static_cast<Eigen::Index>(i)]);
-    is_right = error == std::errc{} && rest == end && std::isfinite(offset[static_cast<Eigen::Index>(i)]);
-  }
-  if (!is_right) throw Error("--offset: expected three forces in N, such as 0.12,-0.07,0.31, got \"" + text + '"');
+  Eigen::Vector3d offset(kNone, kNone, kNone);
+  for (std::size_t i = 0; i < 3 && numbers.size() == 3; ++i)
+    offset[static_cast<Eigen::Index>(i)] = number_in<double>(numbers[i]).value_or(kNone);
+  if (!offset.allFinite()) throw Error("--offset: expected three forces in N, such as 0.12,-0.07,0.31, got \"" + text + '"');
   return offset;
 }
 

@@ -25,10 +25,8 @@ bool is_short_decimal(const std::string& text) {
   if (text.size() > kMostCharacters || text.find_first_not_of("+-.0123456789eE") != std::string::npos) return false;
   const std::size_t e = text.find_first_of("eE");
   if (e == std::string::npos) return true;
-  int exponent = 0;
-  const char* const begin = text.data() + e + (text[e + 1] == '+' ? 2 : 1);
-  const auto [end, error] = std::from_chars(begin, text.data() + text.size(), exponent);
-  return error == std::errc{} && end == text.data() + text.size() && std::abs(exponent) <= kMostExponent;
+  const auto exponent = number_in<int>(std::string_view(text).substr(e + (text[e + 1] == '+' ? 2 : 1)));
+  return exponent && std::abs(*exponent) <= kMostExponent;
 }
 
 cpp_int ten_to(int power) {
