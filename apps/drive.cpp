@@ -17,6 +17,7 @@
 #include "device/kinds.h"
 #include "device/placement_text.h"
 #include "forceshade/run.h"
+#include "text/joined.h"
 
 namespace forceshade::apps {
 namespace {
@@ -109,9 +110,7 @@ int run(const DriveOptions& options, const SubjectOption& subject) {
 
 // "null, at rest, feels nothing; ..."
 std::string kinds_of_device() {
-  std::string all;
-  for (const device::Kind& kind : device::kinds()) all += (all.empty() ? "" : "; ") + kind.form() + ", " + kind.words();
-  return all;
+  return joined(device::kinds(), "; ", [](const device::Kind& kind) { return kind.form() + ", " + kind.words(); });
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 #include "apps/irregular_mesh.h"
 
 #include <nlohmann/json.hpp>
+#include <ranges>
 
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace forceshade::apps {
@@ -18,10 +20,7 @@ std::string words_of_point(const mesh::Vertex& point) {
 
 template <class Numbers>
 std::string words_of_faces(const Numbers& faces) {
-  std::string words = faces.size() == 1 ? "face " : "faces ";
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    words += (i == 0 ? "" : i + 1 == faces.size() ? " and " : ", ") + std::to_string(faces[i]);
-  return words;
+  return (faces.size() == 1 ? "face " : "faces ") + joined(faces, ", ", in_digits, " and ");
 }
 
 Json json_of_point(const mesh::Vertex& point) {
@@ -38,9 +37,8 @@ std::vector<Row> rows_of(const mesh::Irregularities& found) {
   for (std::size_t i = 0; i < found.kinds.size(); ++i) {
     const auto& [count, places] = found.kinds[i];
     if (count == 0) continue;
-    std::string words = std::to_string(count) + ": ";
-    for (std::size_t k = 0; k < places.size(); ++k)
-      words += (k == 0 ? "" : "; ") + words_of_faces(places[k].triangles) + " near " + words_of_point(places[k].near);
+    const auto place_of = [](const auto& it) { return words_of_faces(it.triangles) + " near " + words_of_point(it.near); };
+    const std::string words = std::to_string(count) + ": " + joined(places, "; ", place_of);
     rows.emplace_back(mesh::kIrregularityNames[i], count > places.size() ? words + "; ..." : words);
   }
   if (!found.is_complete) rows.emplace_back("pairs of faces", "too many are near each other to look at all of them");
@@ -54,14 +52,14 @@ std::vector<Row> rows_of(const mesh::Borders& borders, float nearer_than) {
                                               shortest(static_cast<float>(borders.length)) +
                                               " mm in all, around which a hand can go where nothing else touches them"}};
   if (nearer_than == 0 || borders.edges == 0) return rows;
-  std::string words = std::to_string(borders.cracks.size()) + " pairs of faces have such edges nearer to each other than " +
-                      shortest(nearer_than) + " mm without touching" +
-                      (borders.cracks.empty() ? "" : ", and a hand can pass: ");
-  for (std::size_t i = 0; i < borders.cracks.size() && i < kPlaces; ++i) {
-    const mesh::Crack& crack = borders.cracks[i];
-    words += (i == 0 ? "" : "; ") + words_of_faces(crack.triangles) + ", " + shortest(static_cast<float>(crack.distance)) +
-             " mm apart near " + words_of_point(crack.near);
-  }
+  const auto words_of_crack = [](const mesh::Crack& crack) {
+    return words_of_faces(crack.triangles) + ", " + shortest(static_cast<float>(crack.distance)) + " mm apart near " +
+           words_of_point(crack.near);
+  };
+  const std::string words = std::to_string(borders.cracks.size()) +
+                            " pairs of faces have such edges nearer to each other than " + shortest(nearer_than) +
+                            " mm without touching" + (borders.cracks.empty() ? "" : ", and a hand can pass: ") +
+                            joined(std::views::take(borders.cracks, kPlaces), "; ", words_of_crack);
   rows.emplace_back("cracks", borders.cracks.size() > kPlaces ? words + "; ..." : words);
   return rows;
 }

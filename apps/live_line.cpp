@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "text/formatted.h"
+#include "text/joined.h"
 
 namespace forceshade::apps {
 namespace {
@@ -23,12 +24,6 @@ std::string bar(double share) {
   constexpr std::size_t kWidth = 20;
   const auto filled = static_cast<std::size_t>(std::lround(kWidth * (share > 0 ? std::min(share, 1.0) : 0)));
   return '[' + std::string(filled, '#') + std::string(kWidth - filled, ' ') + ']';
-}
-
-std::string joined(const std::vector<Piece>& pieces) {
-  std::string line;
-  for (const Piece& piece : pieces) line += (line.empty() ? "" : "  ") + piece.text;
-  return line;
 }
 
 }  // namespace
@@ -45,10 +40,10 @@ std::string live_line(const LiveLine& shown, int room) {
                             {formatted("%6.3f N", shown.force), 0},      {formatted("%+9.3f mJ", shown.energy), 2}};
   if (!shown.limits.empty()) pieces.push_back({shown.limits, 1});
   const auto most = static_cast<std::size_t>(std::max(room, 0));
-  while (pieces.size() > 1 && joined(pieces).size() > most)
+  while (pieces.size() > 1 && joined(pieces, "  ", &Piece::text).size() > most)
     pieces.erase(
         std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.rank < b.rank; }));
-  return joined(pieces).substr(0, most);
+  return joined(pieces, "  ", &Piece::text).substr(0, most);
 }
 
 void draw_line(const std::string& text) {

@@ -12,6 +12,7 @@
 #include "apps/tell.h"
 #include "certificate/build.h"
 #include "files/output_folder.h"
+#include "text/joined.h"
 
 namespace forceshade::apps {
 namespace {
@@ -40,9 +41,7 @@ std::string roff(const std::string& text) {
 std::string joined_names(const std::set<CLI::Option*>& options) {
   std::set<std::string> names;  // in the same order every time
   for (const CLI::Option* option : options) names.insert(option->get_name());
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
+  return joined(names, ", ");
 }
 
 bool is_positional(const CLI::Option& option) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
 
 #include "apps/command.h"
@@ -27,6 +28,7 @@
 #include "properties/worst_tick.h"
 #include "rendering/meshes/save.h"
 #include "subjects/scene.h"
+#include "text/joined.h"
 
 namespace forceshade::apps {
 namespace {
@@ -160,9 +162,9 @@ Json json_of(const Counted& counted) {
 // "rubber (8 faces), steel (4 faces)", of many only the first.
 std::string words_of(const Counted& counted) {
   constexpr std::size_t kListed = 20;
-  std::string words;
-  for (std::size_t i = 0; i < counted.size() && i < kListed; ++i)
-    words += (i == 0 ? "" : ", ") + counted[i].first + " (" + std::to_string(counted[i].second) + " faces)";
+  const std::string words = joined(std::views::take(counted, kListed), ", ", [](const Counted::value_type& named) {
+    return named.first + " (" + std::to_string(named.second) + " faces)";
+  });
   return counted.empty() ? "none" : counted.size() > kListed ? words + ", ..." : words;
 }
 

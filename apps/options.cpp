@@ -10,6 +10,7 @@
 #include "files/shell.h"
 #include "files/suggestion.h"
 #include "subjects/file.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace forceshade::apps {
@@ -31,12 +32,6 @@ template <class T, class Range>
 T parse(const std::string& name, const std::string& text, const Range& range, const char* kind) {
   if (const auto value = number_in<T>(text); value && *value >= range.least && *value <= range.most) return *value;
   throw CLI::ValidationError(name, std::string("expected a ") + kind + " from " + words_of(range) + ", got \"" + text + '"');
-}
-
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : between) + word;
-  return all;
 }
 
 CLI::Option* add_parsed(CLI::App& command, const std::string& name, const std::string& help, const std::string& range,

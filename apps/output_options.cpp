@@ -12,6 +12,7 @@
 #include "apps/command.h"
 #include "apps/options.h"
 #include "files/output_file.h"
+#include "text/joined.h"
 
 namespace forceshade::apps {
 namespace {
@@ -41,9 +42,8 @@ std::string refusal(const CLI::App& command, const std::string& path) {
 std::string refusal_of_ending(const std::string& path, const std::vector<std::string>& endings) {
   const std::string ending = files::format_ending(path);
   if (std::ranges::find(kEndings, ending) == kEndings.end() || std::ranges::find(endings, ending) != endings.end()) return "";
-  std::string expected;
-  for (const std::string& its : endings) expected += (expected.empty() ? "" : " or ") + its;
-  return "expected a name that ends in " + expected + ", which is the format of the file that is written, got \"" + path + '"';
+  return "expected a name that ends in " + joined(endings, " or ") +
+         ", which is the format of the file that is written, got \"" + path + '"';
 }
 
 // One name for standard output, so that a command does not write words among what it writes there.

@@ -12,18 +12,12 @@
 #include "forceshade/checks.h"
 #include "forceshade/mesh.h"
 #include "forceshade/meshes.h"
+#include "text/joined.h"
 
 namespace forceshade::apps {
 namespace {
 
 constexpr const char *kRadiusHelp = "R, radius of the bump", *kWidthHelp = "w, width of the bump on the plane";
-
-template <class Words>
-std::string choice(const Words& words) {
-  std::string all;
-  for (const std::string_view word : words) all += (all.empty() ? "" : "|") + std::string(word);
-  return all;
-}
 
 // Calls `read` with a monitor that draws how far the check of the mesh or scene is, if there is one.
 template <class Read>
@@ -60,14 +54,15 @@ SubjectOption::SubjectOption(CLI::App& command, subjects::Laws laws, bool damps)
       add("scene", "FILE", "instead of a law: objects at their places or with a motion, a TOML file (docs/scenes.md)")
           ->excludes(map);
   for (CLI::Option* other : {law, radius, width, mesh}) other->excludes(scene);
-  add("unit", choice(mesh::kUnitNames), "of a mesh's coordinates, which no format says")->needs(mesh);
+  add("unit", joined(mesh::kUnitNames, "|"), "of a mesh's coordinates, which no format says")->needs(mesh);
   // Options of meshes and scenes: expect_consistent() says where one of these is missing.
-  add("sides", choice(mesh::kSidesNames), "of a mesh or scene that block motion; default: front where it is closed, else both");
-  add("shading", choice(subjects::shading_words()),
+  add("sides", joined(mesh::kSidesNames, "|"),
+      "of a mesh or scene that block motion; default: front where it is closed, else both");
+  add("shading", joined(subjects::shading_words(), "|"),
       "of a mesh or scene: vertex, which is the default, turns the force to the interpolated normal, edge as the thesis has "
       "it, texture, of a mesh alone, tilts that normal by a height map, a TOML file");
   add_usual(
-      "contact", choice(mesh::kContactNames),
+      "contact", joined(mesh::kContactNames, "|"),
       "of a mesh or scene: in a contact the god-object goes for the position (direct), or for that as a plane would hold it "
       "which is turned to the interpolated normal (sub-goal); then --shading is none unless given; or it sticks and slips "
       "(friction), which is the default beside coefficients of friction",

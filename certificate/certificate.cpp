@@ -11,6 +11,7 @@
 #include "certificate/findings_json.h"
 #include "rendering/breakdown.h"
 #include "rendering/identity/identity_json.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace forceshade::properties {
@@ -154,10 +155,7 @@ std::vector<std::uint64_t> Certificate::seeds() const {
 }
 
 std::string in_words(const std::vector<std::uint64_t>& seeds) {
-  std::string words;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
-    words += (i == 0 ? "" : i + 1 == seeds.size() ? " and " : ", ") + std::to_string(seeds[i]);
-  return words;
+  return joined(seeds, ", ", in_digits, " and ");
 }
 
 std::string to_json(const Certificate& certificate) {

@@ -13,6 +13,7 @@
 #include "forceshade/certificate.h"
 #include "forceshade/fast.h"
 #include "rendering/breakdown.h"
+#include "text/joined.h"
 
 namespace forceshade::properties {
 namespace {
@@ -29,9 +30,7 @@ void read_flag(Fields& fields, const char* key, bool must_be) {
 
 template <std::size_t kCount>
 std::string one_of(const std::array<std::string_view, kCount>& names) {
-  std::string list;
-  for (const std::string_view name : names) list += (list.empty() ? "one of " : ", ") + std::string(name);
-  return list;
+  return "one of " + joined(names, ", ");
 }
 
 Parameters parameters_from(LawId law, Fields fields) {

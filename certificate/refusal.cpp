@@ -2,8 +2,10 @@
 // The reasons why a certificate does not let a renderer be driven.
 
 #include <algorithm>
+#include <ranges>
 
 #include "forceshade/certificate.h"
+#include "text/joined.h"
 
 namespace forceshade::properties {
 namespace {
@@ -23,8 +25,7 @@ std::optional<std::string> other_build(const Build& certified, const Build& buil
 std::optional<std::string> uncovered_set(const Findings& found, const std::string& name, const Build& build) {
   for (const std::string& set : {std::string("scalar"), build.instruction_set})
     if (!found.covers(set) || !found.spread.covers(set)) {
-      std::string covered;
-      for (const auto& [one, points] : found.points_by_instruction_set) covered += (covered.empty() ? "" : ", ") + one;
+      const std::string covered = joined(std::views::keys(found.points_by_instruction_set), ", ");
       return "the certificate does not cover the instruction set that would run here for " + name + ": expected " + set +
              ", got " + (covered.empty() ? "none" : covered);
     }

@@ -7,6 +7,7 @@
 
 #include "device/simulated/model.h"
 #include "text/formatted.h"
+#include "text/joined.h"
 
 namespace forceshade::device {
 namespace {
@@ -14,20 +15,11 @@ namespace {
 constexpr double kRateTolerance = 0.05;
 constexpr double kLongestGap = 20;  // ms: a servo loop that waits as long is stopped by its watchdog
 
-std::string joined(const std::vector<std::string>& all, const char* between = ", ") {
-  std::string line;
-  for (const std::string& one : all) {
-    if (!line.empty()) line += between;
-    line += one;
-  }
-  return line;
-}
-
 std::string numbers_of(std::uint16_t buttons) {
   std::vector<std::string> numbers;
   for (int k = 0; k < std::numeric_limits<std::uint16_t>::digits; ++k)
     if ((buttons >> k & 1) != 0) numbers.push_back(std::to_string(k));
-  return joined(numbers);
+  return joined(numbers, ", ");
 }
 
 Check check_rate(const Observed& seen, double rate) {
@@ -110,7 +102,7 @@ Check check_name(const DriverFolder& folder, const std::string& name) {
   if (!folder.problem.empty()) return {what, Grade::unknown, folder.problem};
   if (folder.names.empty())
     return {what, Grade::wrong, folder.path.string() + " holds none: set the device up with the vendor's set-up program"};
-  const std::string words = folder.path.string() + " holds " + joined(folder.names);
+  const std::string words = folder.path.string() + " holds " + joined(folder.names, ", ");
   const bool known = std::find(folder.names.begin(), folder.names.end(), name) != folder.names.end();
   if (!name.empty() && !known) return {what, Grade::wrong, words + ", and not \"" + name + '"'};
   return {what, Grade::ok, words};
@@ -152,7 +144,7 @@ Check check_identity(const Capabilities& capabilities) {
                                     {"driver", capabilities.driver},
                                     {"firmware", capabilities.firmware}})
     words.push_back(std::string(what) + ' ' + (value.empty() ? "not given" : std::string(value)));
-  return {"device", capabilities.model.empty() ? Grade::wrong : Grade::ok, joined(words)};
+  return {"device", capabilities.model.empty() ? Grade::wrong : Grade::ok, joined(words, ", ")};
 }
 
 std::vector<Check> check_readings(const Observed& seen, const Capabilities& capabilities, double rate) {

@@ -12,6 +12,7 @@
 #include "device/phantom/phantom.h"
 #include "device/simulated/simulated.h"
 #include "files/suggestion.h"
+#include "text/joined.h"
 
 namespace forceshade::device {
 namespace {
@@ -73,14 +74,13 @@ bool is_untried(const std::string& name) {
 
 std::unique_ptr<Device> open_device(const std::string& name, Attendant& attendant, Forces forces) {
   const std::string first = kind_of(name);
-  std::string known;
   std::vector<std::string> names;
   for (const Kind& kind : kKinds) {
     if (kind.name == first && is_well_formed(kind, name)) return kind.open(rest_of(name), attendant, forces);
-    known += (known.empty() ? "" : &kind == &kKinds.back() ? " or " : ", ") + kind.form();
     names.emplace_back(kind.name);
   }
-  throw Error("unknown device \"" + name + "\": expected " + known + files::suggestion(first, names));
+  throw Error("unknown device \"" + name + "\": expected " + joined(kKinds, ", ", &Kind::form, " or ") +
+              files::suggestion(first, names));
 }
 
 std::unique_ptr<Device> open_device(const std::string& name) {

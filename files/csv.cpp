@@ -17,6 +17,7 @@
 
 #include "files/file_kind.h"
 #include "files/printable.h"
+#include "text/joined.h"
 #include "text/letters.h"
 
 namespace forceshade::files {
@@ -45,15 +46,6 @@ std::string in_quotes(std::string_view text) {
   std::size_t size = 0;
   while (size < text.size() && size < kLongest) size += std::max<std::size_t>(character_size(text.substr(size)), 1);
   return '"' + printable(text.substr(0, size)) + (size < text.size() ? "...\"" : "\"");
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string result;
-  for (const std::string& name : names) {
-    if (!result.empty()) result += ", ";
-    result += name;
-  }
-  return result;
 }
 
 void convert(const char* text, locale_t locale, float& value) {
@@ -174,7 +166,7 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
   csv_set_term_func(parser_.get(), [](unsigned char c) -> int { return c == '\n'; });
 
   name_columns("expected " + std::string(layout == Layout::csv ? "a header row with" : "rows with the") + " columns " +
-               listed(columns_));
+               joined(columns_, ", "));
   const std::size_t required = columns_.size();
   columns_.insert(columns_.end(), optional.begin(), optional.end());
   for (const std::string& column : columns_) {
@@ -190,8 +182,8 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
       throw error(row_line_, "expected commas between the columns, and points in decimals, got " + separator + " in " +
                                  in_quotes(header_.front()));
     if (found == header_.end())
-      throw error(row_line_,
-                  "no column " + column + ": expected columns " + listed(columns_) + ", got " + in_quotes(listed(header_)));
+      throw error(row_line_, "no column " + column + ": expected columns " + joined(columns_, ", ") + ", got " +
+                                 in_quotes(joined(header_, ", ")));
     const auto again = std::ranges::find_if(header_, [&](const std::string& name) {
       return &name != &*found && (name == *found || (is_optional && plain_name(name) == column));
     });
@@ -206,7 +198,7 @@ Reader::Reader(std::istream& in, std::string file, std::vector<std::string> colu
 void Reader::expect_no_other_column() const {
   for (std::size_t i = 0; i < header_.size(); ++i)
     if (std::find(columns_.begin(), columns_.end(), header_[i]) == columns_.end())
-      throw error(row_line_, "column " + std::to_string(i + 1) + ": expected one of " + listed(columns_) + ", got " +
+      throw error(row_line_, "column " + std::to_string(i + 1) + ": expected one of " + joined(columns_, ", ") + ", got " +
                                  in_quotes(header_[i]));
 }
 

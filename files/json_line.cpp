@@ -7,6 +7,7 @@
 
 #include "files/child_process.h"
 #include "files/printable.h"
+#include "text/joined.h"
 
 namespace forceshade::files {
 namespace {
@@ -64,10 +65,7 @@ std::string shown_json(const nlohmann::ordered_json& value) {
 }
 
 std::string one_of(const std::vector<std::string>& words) {
-  std::string list;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    list += (i == 0 ? "\"" : i + 1 < words.size() ? ", \"" : " or \"") + words[i] + '"';
-  return list;
+  return '"' + joined(words, "\", \"", {}, "\" or \"") + '"';
 }
 
 const Json& KeyReader::value(const std::string& key, const std::string& expected) const {

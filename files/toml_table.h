@@ -15,6 +15,7 @@
 
 #include "files/suggestion.h"
 #include "files/toml_file.h"
+#include "text/joined.h"
 
 namespace forceshade::files {
 
@@ -69,14 +70,12 @@ class TomlTable {
     const toml::node* node = find(key, otherwise.has_value());
     if (!node) return *otherwise;
     const auto got = node->value_exact<std::string>();
-    std::string expected;
     std::vector<std::string> names;
     for (const auto& [word, value] : words) {
       if (got == word) return value;
-      expected += (expected.empty() ? "one of " : ", ") + std::string(word);
       names.emplace_back(word);
     }
-    fail(*node, key, expected, suggestion(got.value_or(""), names));
+    fail(*node, key, "one of " + joined(names, ", "), suggestion(got.value_or(""), names));
   }
 
   // A key that was not read is a mistake, most likely a misspelt one.

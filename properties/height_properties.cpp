@@ -7,6 +7,7 @@
 #include "properties/binary32.h"
 #include "reference/estimates.h"
 #include "text/formatted.h"
+#include "text/joined.h"
 
 namespace forceshade::properties {
 namespace {
@@ -146,9 +147,7 @@ Violation passivity(const RenderedHeightMap& rendered, const HeightMapClaims& cl
   const bool gives = work.rendered > work.exact + slack;
   const bool gives_though_conservative = claims.is_conservative && work.rendered > static_cast<double>(quadrature) + slack;
   if (!gives && !gives_though_conservative) return std::nullopt;
-  std::string loop;
-  for (const Eigen::Vector3f& corner : corners) loop += (loop.empty() ? "" : ", ") + show(corner);
-  return "the closed path " + loop + " mm " +
+  return "the closed path " + joined(corners, ", ", [](const Eigen::Vector3f& corner) { return show(corner); }) + " mm " +
          formatted("gives %.9g mJ to the hand; the exact law gives %.9g mJ and rounding may add %.3g mJ", work.rendered,
                    gives ? work.exact : static_cast<double>(quadrature), work.rounding);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "report/html.h"
+#include "text/joined.h"
 
 namespace forceshade::properties {
 namespace {
@@ -13,9 +14,7 @@ std::string yes_or_no(bool yes, const std::string& words = "") {
 }
 
 std::string continuous(const Findings& law) {
-  std::string words;
-  for (const std::string& line : law.jumps) words += (words.empty() ? "jumps on " : ", ") + escaped(line);
-  return words.empty() ? "yes" : "no<small class=\"words\">" + words + "</small>";
+  return law.jumps.empty() ? "yes" : "no<small class=\"words\">jumps on " + joined(law.jumps, ", ", &escaped) + "</small>";
 }
 
 std::string unit_of(const SubjectResult& subject) {

@@ -15,6 +15,7 @@
 #include "report/html.h"
 #include "report/matrix.h"
 #include "report/page_style.h"
+#include "text/joined.h"
 
 namespace forceshade::properties {
 namespace {
@@ -268,8 +269,7 @@ std::string sweeps_table(const Sweeps& sweeps) {
       "scope=\"col\" class=\"number\">inputs</th><th scope=\"col\" class=\"number\">mismatches</th></tr>\n</thead>\n"
       "<tbody>\n";
   for (const SweepTotal& total : totals(sweeps)) {
-    std::string radii;
-    for (const float radius : total.radii) radii += (radii.empty() ? "" : ", ") + shortest(radius);
+    const std::string radii = joined(total.radii, ", ", [](float radius) { return shortest(radius); });
     html += "<tr><th scope=\"row\">" + std::string(name_of(total.law)) + "</th>" +
             cell("swept", kSwept[static_cast<std::size_t>(total.kind)]) + cell("radii, mm", radii.empty() ? "any" : radii) +
             cell("sweeps", grouped(total.sweeps), "number") + cell("inputs", grouped(total.inputs), "number") +
@@ -288,12 +288,9 @@ std::string counterexamples(const Certificate& certificate) {
     html += "<h3>" + escaped(law.name()) + ": " + escaped(what) + "</h3>\n<pre>" + escaped(words) + "</pre>\n";
   };
   for (const SubjectResult& law : certificate.subjects) {
-    std::string mismatches;
-    for (const std::string& words : law.counterexamples) mismatches += (mismatches.empty() ? "" : "\n") + words;
+    const std::string mismatches = joined(law.counterexamples, "\n"), spread = joined(law.spread.counterexamples, "\n");
     if (!mismatches.empty())
       add(law, "first " + grouped(law.counterexamples.size()) + " of " + plural(law.mismatches, "wrong answer"), mismatches);
-    std::string spread;
-    for (const std::string& words : law.spread.counterexamples) spread += (spread.empty() ? "" : "\n") + words;
     if (!spread.empty())
       add(law,
           "with other parameters, first " + grouped(law.spread.counterexamples.size()) + " of " +
@@ -302,8 +299,7 @@ std::string counterexamples(const Certificate& certificate) {
     for (const PropertyResult& property : law.properties)
       if (!property.held) add(law, property.name, property.counterexample);
   }
-  std::string swept;
-  for (const std::string& words : certificate.sweeps.counterexamples) swept += (swept.empty() ? "" : "\n") + words;
+  const std::string swept = joined(certificate.sweeps.counterexamples, "\n");
   if (!swept.empty()) html += "<h3>Exhaustive sweeps</h3>\n<pre>" + escaped(swept) + "</pre>\n";
   return html.empty() ? "" : "<section class=\"counterexamples\">\n<h2>Counterexamples</h2>\n" + html + "</section>\n";
 }

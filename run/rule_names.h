@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "device/supervisor.h"
+#include "text/joined.h"
 
 namespace forceshade::run {
 
@@ -21,9 +22,7 @@ inline std::vector<std::string> rule_names(std::uint16_t rules) {
 }
 
 inline std::string joined_rule_names(std::uint16_t rules) {
-  std::string joined;
-  for (const std::string& name : rule_names(rules)) joined += (joined.empty() ? "" : ", ") + name;
-  return joined;
+  return joined(rule_names(rules), ", ");
 }
 
 }  // namespace forceshade::run

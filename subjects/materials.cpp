@@ -2,6 +2,7 @@
 #include "subjects/materials.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 #include "files/printable.h"
@@ -9,6 +10,7 @@
 #include "files/suggestion.h"
 #include "rendering/mesh_rendering.h"
 #include "subjects/tables.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace forceshade::subjects {
@@ -89,9 +91,7 @@ class Reader {
   static std::string listed(const std::vector<std::string>& known) {
     constexpr std::size_t kListed = 20;
     if (known.empty()) return ", which names none";
-    std::string list;
-    for (std::size_t i = 0; i < known.size() && i < kListed; ++i) list += (i == 0 ? " (" : ", ") + files::printable(known[i]);
-    return list + (known.size() > kListed ? ", ...)" : ")");
+    return " (" + joined(std::views::take(known, kListed), ", ", &files::printable) + (known.size() > kListed ? ", ...)" : ")");
   }
 
   // "7" or "0-99", or the number 7.

@@ -9,6 +9,7 @@
 #include "forceshade/mesh.h"
 #include "forceshade/meshes.h"
 #include "subjects/words.h"
+#include "text/joined.h"
 
 namespace forceshade::subjects {
 namespace {
@@ -32,9 +33,7 @@ std::string refusal_of_law(const std::string& names, Laws laws) {
 
 std::string refusal_of_word(const std::string& got, const std::vector<std::string>& words) {
   if (std::ranges::find(words, got) != words.end()) return "";
-  std::string expected;
-  for (const std::string& word : words) expected += (expected.empty() ? "" : ", ") + word;
-  return "expected one of " + expected + "; got \"" + got + '"' + files::suggestion(got, words);
+  return "expected one of " + joined(words, ", ") + "; got \"" + got + '"' + files::suggestion(got, words);
 }
 
 template <std::size_t N>
@@ -78,9 +77,8 @@ std::string Options::name(std::string_view key) const {
 }
 
 std::string expected_law(Laws laws) {
-  std::string list;
-  for (const LawName& law : kLaws) list += (list.empty() ? "" : ", ") + std::string(law.name);
-  return (laws == Laws::several ? "all, or one or several, with commas between them, of " : "one of ") + list;
+  return (laws == Laws::several ? "all, or one or several, with commas between them, of " : "one of ") +
+         joined(kLaws, ", ", &LawName::name);
 }
 
 std::vector<std::string> shading_words() {
@@ -110,13 +108,8 @@ std::string refusal_of(std::string_view key, const std::string& value, Laws laws
 }
 
 std::string words_of_kinds(std::string_view conjunction, std::string_view before) {
-  std::string words;
-  for (std::size_t i = 0; i < kKinds.size(); ++i)
-    words += (i == 0                   ? ""
-              : i + 1 == kKinds.size() ? ' ' + std::string(conjunction) + ' '
-                                       : ", ") +
-             std::string(before) + std::string(kKinds[i]);
-  return words;
+  const auto word_of = [&](std::string_view kind) { return std::string(before) + std::string(kind); };
+  return joined(kKinds, ", ", word_of, ' ' + std::string(conjunction) + ' ');
 }
 
 void expect_consistent(const Options& options, Laws laws) {

@@ -17,6 +17,7 @@
 #include "rendering/meshes/readers.h"
 #include "subjects/options.h"
 #include "text/beginning.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace forceshade::c {
@@ -26,13 +27,10 @@ namespace {
 template <class Names>
 std::optional<std::size_t> choice(const char* what, const char* word, const Names& names, std::size_t usual) {
   if (word == nullptr) return usual;
-  std::string expected;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == word) return i;
-    expected += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + std::string(names[i]);
-  }
-  fail(FORCESHADE_BAD_VALUE,
-       std::string(what) + ": expected " + expected + ", got \"" + std::string(beginning_of(word, 64)) + '"');
+  fail(FORCESHADE_BAD_VALUE, std::string(what) + ": expected " + joined(names, ", ", {}, " or ") + ", got \"" +
+                                 std::string(beginning_of(word, 64)) + '"');
   return std::nullopt;
 }
 

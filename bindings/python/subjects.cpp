@@ -27,6 +27,7 @@
 #include "subjects/options.h"
 #include "subjects/read.h"
 #include "text/beginning.h"
+#include "text/joined.h"
 #include "text/number_text.h"
 
 namespace forceshade::python {
@@ -44,12 +45,10 @@ Built built(std::variant<Built, ParameterError> made) {
 // The index of a word among the names.
 template <class Names>
 std::size_t choice(const char* what, const std::string& word, const Names& names) {
-  std::string expected;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == word) return i;
-    expected += (i == 0 ? "\"" : i + 1 == names.size() ? " or \"" : ", \"") + std::string(names[i]) + '"';
-  }
-  throw py::value_error(std::string(what) + ": expected " + expected + ", got \"" + std::string(beginning_of(word, 64)) + '"');
+  throw py::value_error(std::string(what) + ": expected \"" + joined(names, "\", \"", {}, "\" or \"") + "\", got \"" +
+                        std::string(beginning_of(word, 64)) + '"');
 }
 
 Description law_of(const std::string& name, float radius, float width, float stiffness) {

@@ -15,6 +15,7 @@
 #include "device/frames/framed_device.h"
 #include "files/csv.h"
 #include "files/printable.h"
+#include "text/joined.h"
 
 namespace forceshade::device::dhd {
 namespace {
@@ -128,10 +129,10 @@ Check check_usb(const std::vector<dhd::UsbDevice>& devices) {
   const char* what = "USB";
   if (devices.empty())
     return {what, Grade::unknown, "no device of Force Dimension (1451) and no Falcon (0403:cb48) is plugged in and has power"};
-  std::string words;
-  for (const dhd::UsbDevice& device : devices)
-    words += (words.empty() ? "" : "; ") + device.id + " at " + device.node +
-             (device.accessible ? " can be read and written" : " cannot be read and written by this user");
+  const std::string words = joined(devices, "; ", [](const dhd::UsbDevice& device) {
+    return device.id + " at " + device.node +
+           (device.accessible ? " can be read and written" : " cannot be read and written by this user");
+  });
   const bool all = std::ranges::all_of(devices, &dhd::UsbDevice::accessible);
   return {what, all ? Grade::ok : Grade::wrong, all ? words : words + ": " + dhd::kUdev};
 }

@@ -9,6 +9,7 @@
 
 #include "files/csv.h"
 #include "files/printable.h"
+#include "text/joined.h"
 
 namespace forceshade::device::haply {
 namespace {
@@ -122,9 +123,7 @@ std::uint16_t buttons_of(const Json& state) {
 
 // The names of the arms, for a choice.
 std::string names_of(const Message& message) {
-  std::string names;
-  for (const Inverse3& arm : message.arms) names += (names.empty() ? "" : ", ") + arm.id;
-  return files::printable(names);
+  return files::printable(joined(message.arms, ", ", &Inverse3::id));
 }
 
 }  // namespace

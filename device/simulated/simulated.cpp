@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "forceshade/device.h"
+#include "text/joined.h"
 
 namespace forceshade::device {
 namespace {
@@ -16,13 +17,10 @@ Eigen::Vector3d metres(const Eigen::Vector3d& millimetres_in_law) noexcept {
 
 // The first one where no name is given. Throws Error.
 Model simulated_model(const std::string& name) {
-  std::string known;
-  for (const auto& make : kModels) {
-    const Model model = make();
-    if (name.empty() || name == model.name) return model;
-    known += (known.empty() ? "" : ", ") + std::string(model.name);
-  }
-  throw Error("unknown model \"" + name + "\" to simulate: expected one of " + known);
+  for (const auto& make : kModels)
+    if (const Model model = make(); name.empty() || name == model.name) return model;
+  throw Error("unknown model \"" + name + "\" to simulate: expected one of " +
+              joined(kModels, ", ", [](const auto& make) { return make().name; }));
 }
 
 // N·s/m at the tip, in the reset pose, in which the Jacobian is diagonal.

@@ -13,6 +13,7 @@
 #include "rendering/meshes/pairs.h"
 #include "rendering/meshes/predicates.h"
 #include "rendering/meshes/readers.h"
+#include "text/joined.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -221,13 +222,7 @@ void check_joints(TriangleMesh& mesh, Collector& found) {
   if (!found.has(Fault::many_at_edge) && !found.has(Fault::same_direction)) check_fans(mesh, opposite, found);
 }
 
-template <class Number>
-std::string listed(const std::vector<Number>& numbers) {
-  std::string text;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == numbers.size() ? " and " : ", ") + std::to_string(numbers[i]);
-  return text;
-}
+constexpr auto listed = [](const auto& numbers) { return joined(numbers, ", ", in_digits, " and "); };
 
 // The place of a finding's triangles in the file: "line 12: " or "lines 12 and 15: ".
 std::string place_of(const Finding& finding, std::span<const std::uint64_t> lines) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <functional>
+#include <ranges>
 #include <span>
 
 #include "forceshade/meshes.h"
@@ -10,6 +11,7 @@
 #include "rendering/meshes/predicates.h"
 #include "rendering/meshes/readers.h"
 #include "rendering/meshes/weld.h"
+#include "text/joined.h"
 
 namespace forceshade::mesh {
 namespace {
@@ -19,9 +21,7 @@ constexpr std::uint32_t kBeyond = 0xFFFFFFFF;  // in place of a vertex that does
 
 // "dropped 3 faces without area: 4, 9, 12", of many only the first.
 std::string sentence(const std::string& words, const std::vector<std::uint32_t>& numbers) {
-  std::string text = words + ": ";
-  for (std::size_t i = 0; i < numbers.size() && i < kNamed; ++i) text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
-  return numbers.size() > kNamed ? text + ", ..." : text;
+  return words + ": " + joined(std::views::take(numbers, kNamed), ", ", in_digits) + (numbers.size() > kNamed ? ", ..." : "");
 }
 
 class Repair {

@@ -9,6 +9,7 @@
 
 #include "files/quantity.h"
 #include "forceshade/error.h"
+#include "text/joined.h"
 #include "text/letters.h"
 #include "text/number_text.h"
 
@@ -45,11 +46,9 @@ std::string_view last_word(std::string_view name) {
 // Takes the unit of these columns, one of `units`, out of the given ones; or that in which each name ends.
 files::Decimal unit_of(std::span<const std::string> names, std::span<const FileUnit> units, std::string_view others,
                        std::vector<std::string>& given) {
-  std::string choices, unread(others);
-  for (const FileUnit& unit : units) {
-    choices += (choices.empty() ? "" : ", ") + std::string(unit.name);
-    unread += small_letters(unit.name) + ' ';
-  }
+  const std::string choices = joined(units, ", ", &FileUnit::name);
+  std::string unread(others);
+  for (const FileUnit& unit : units) unread += small_letters(unit.name) + ' ';
   const auto word = std::ranges::find_if(given, [&](const std::string& name) { return find(units, name) != nullptr; });
   const bool is_given = word != given.end();
   const FileUnit* unit = is_given ? find(units, *word) : nullptr;

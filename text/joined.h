@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Lists of words in a sentence.
+
+#include <functional>
+#include <ranges>
+#include <string>
+#include <string_view>
+
+namespace forceshade {
+
+inline constexpr auto in_digits = [](auto whole) { return std::to_string(whole); };
+
+// The words of a range, or what word_of makes of each of its elements, with `between` between two of them, and none before the
+// first word that is not empty. last: in its place before the last word, where it is given: "1, 2 and 3".
+template <std::ranges::forward_range Range, class WordOf = std::identity>
+std::string joined(Range&& range, std::string_view between, const WordOf& word_of = {}, std::string_view last = {}) {
+  std::string all;
+  auto left = std::ranges::distance(range);
+  for (const auto& each : range) {
+    const bool is_last = --left == 0;
+    if (!all.empty()) all += is_last && !last.empty() ? last : between;
+    all += std::invoke(word_of, each);
+  }
+  return all;
+}
+
+}  // namespace forceshade
