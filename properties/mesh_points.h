@@ -8,20 +8,13 @@
 #include <limits>
 
 #include "forceshade/mesh.h"
+#include "rendering/vectors.h"
 
 namespace forceshade::properties {
 
 using Point = std::array<double, 3>;
 
-inline Point difference(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-inline Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using mesh::cross, mesh::difference, mesh::dot;
 inline double length(const Point& a) {
   return std::sqrt(dot(a, a));
 }

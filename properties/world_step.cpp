@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "properties/binary32.h"
+#include "rendering/vectors.h"
 #include "text/formatted.h"
 
 namespace forceshade::properties {
@@ -13,18 +14,10 @@ namespace {
 
 using Number = boost::multiprecision::cpp_bin_float_50;
 using Vector = std::array<Number, 3>;
+using mesh::cross, mesh::difference, mesh::dot;
 
 Vector vector_of(const Eigen::Vector3f& a) {
   return {Number(a.x()), Number(a.y()), Number(a.z())};
-}
-Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Number dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // v + 2 u x (u x v + w v) / |q|², of the quaternion q = (w, u) or, backwards, (w, -u).

@@ -5,7 +5,7 @@
 
 #include "rendering/meshes/bounded_number.h"
 #include "rendering/meshes/interval.h"
-#include "rendering/meshes/vectors.h"
+#include "rendering/vectors.h"
 
 namespace forceshade::mesh {
 namespace {

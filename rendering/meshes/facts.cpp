@@ -6,14 +6,14 @@
 #include "forceshade/meshes.h"
 #include "rendering/half_edges.h"
 #include "rendering/largest_fan.h"
-#include "rendering/meshes/vectors.h"
+#include "rendering/vectors.h"
 
 namespace forceshade::mesh {
 namespace {
 
 using Vector = std::array<double, 3>;
 
-Vector difference(const Vertex& a, const Vertex& b) {
+Vector wide_difference(const Vertex& a, const Vertex& b) {
   Vector result;
   for (std::size_t i = 0; i < 3; ++i) result[i] = static_cast<double>(a[i]) - static_cast<double>(b[i]);
   return result;
@@ -63,17 +63,18 @@ Facts facts_of(const CheckedMesh& checked) {
     if (opposite[h] != kNoEdge && opposite[h] < h) continue;
     ++facts.edges;
     facts.rim_edges += opposite[h] == kNoEdge ? 1 : 0;
-    const Vector edge = difference(a, b);
+    const Vector edge = wide_difference(a, b);
     const double length = std::sqrt(dot(edge, edge));
     facts.shortest_edge = std::min(facts.shortest_edge, length);
     facts.longest_edge = std::max(facts.longest_edge, length);
   }
   facts.unused_vertices = static_cast<std::uint64_t>(std::count(is_used.begin(), is_used.end(), false));
   for (const auto& [a, b, c] : mesh.triangles) {
-    const Vector u = difference(mesh.vertices[b], mesh.vertices[a]), v = difference(mesh.vertices[c], mesh.vertices[a]);
+    const Vector u = wide_difference(mesh.vertices[b], mesh.vertices[a]),
+                 v = wide_difference(mesh.vertices[c], mesh.vertices[a]);
     const Vector n = cross(u, v);
     facts.area += std::sqrt(dot(n, n)) / 2;
-    facts.volume += dot(n, difference(mesh.vertices[a], facts.low)) / 6;
+    facts.volume += dot(n, wide_difference(mesh.vertices[a], facts.low)) / 6;
   }
   if (!facts.is_closed()) facts.volume = 0;
   return facts;

@@ -16,10 +16,6 @@ Corners corners_of(const TrianglePoints& t) {
   return {side(origin, t[0]), side(origin, t[1]), side(origin, t[2])};
 }
 
-WholeVector difference(const WholeVector& a, const WholeVector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 WholeVector normal_of(const Corners& t) {
   return cross(difference(t[1], t[0]), difference(t[2], t[0]));
 }

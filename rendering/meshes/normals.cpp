@@ -14,8 +14,8 @@
 #include "rendering/meshes/bounded_number.h"
 #include "rendering/meshes/creases.h"
 #include "rendering/meshes/doubtful_normals.h"
-#include "rendering/meshes/vectors.h"
 #include "rendering/meshes/weld.h"
+#include "rendering/vectors.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -10,7 +10,7 @@
 #include "rendering/meshes/creases.h"
 #include "rendering/meshes/interval.h"
 #include "rendering/meshes/readers.h"
-#include "rendering/meshes/vectors.h"
+#include "rendering/vectors.h"
 
 namespace forceshade::mesh {
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "rendering/meshes/interval.h"
-#include "rendering/meshes/vectors.h"
 #include "rendering/meshes/whole_coordinate.h"
+#include "rendering/vectors.h"
 
 namespace forceshade::mesh {
 
