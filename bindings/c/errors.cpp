@@ -27,6 +27,8 @@ forceshade_result fail(forceshade_result result, std::string_view words) noexcep
 forceshade_result fail_with_exception() noexcept {
   try {
     throw;
+  } catch (const Refused& refused) {
+    return refused.result;
   } catch (const LeftOut& error) {
     return fail(FORCESHADE_LEFT_OUT, error.what());
   } catch (const files::OutputError& error) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "forceshade.h"
+#include "forceshade/law.h"
 
 namespace forceshade::c {
 
@@ -17,6 +18,19 @@ forceshade_result fail_with_exception() noexcept;
 
 // The last sentence of this thread.
 const char* last_message() noexcept;
+
+// The result for a parameter outside its domain, or for this thread's arithmetic, after setting the error text.
+inline forceshade_result fail_with(const ParameterError& error) {
+  return fail(error.arithmetic_fault == nullptr ? FORCESHADE_BAD_VALUE : FORCESHADE_BAD_ARITHMETIC, error.message());
+}
+
+// Ends the work that guarded() calls, unless the result of a check is OK.
+struct Refused {
+  forceshade_result result;
+};
+inline void require(forceshade_result result) {
+  if (result != FORCESHADE_OK) throw Refused{result};
+}
 
 // Calls a function that may throw.
 template <class Work>

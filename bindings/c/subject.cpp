@@ -13,10 +13,6 @@ forceshade_result bad_subject() noexcept {
   return fail(FORCESHADE_BAD_HANDLE, "invalid subject handle: it was never made, or has been freed");
 }
 
-forceshade_result fail_with(const ParameterError& error) {
-  return fail(error.arithmetic_fault == nullptr ? FORCESHADE_BAD_VALUE : FORCESHADE_BAD_ARITHMETIC, error.message());
-}
-
 forceshade_result add_subject(const Description& description, forceshade_subject* made) {
   auto built = build(description);
   if (const auto* error = std::get_if<ParameterError>(&built)) return fail_with(*error);

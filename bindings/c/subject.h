@@ -16,9 +16,6 @@ inline const Subject* subject_of(forceshade_subject handle) noexcept {
 }
 forceshade_result bad_subject() noexcept;
 
-// The result for a subject that could not be built, after setting the error text.
-forceshade_result fail_with(const ParameterError& error);
-
 // The handle of what is described, or the error.
 forceshade_result add_subject(const Description& description, forceshade_subject* made);
 

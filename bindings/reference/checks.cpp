@@ -23,38 +23,23 @@ namespace {
 
 constexpr std::uint64_t kMostPoints = 1'000'000'000'000, kMostCases = 1'000'000'000, kMostThreads = 1024;
 
-// Checks that this library's own copy of the renderer, which it certifies, and that of the library that programs call were
-// compiled of the same objects.
-forceshade_result check_library() {
+// The definition, where this library's own copy of the renderer, which it certifies, and that of the library that programs call
+// were compiled of the same objects.
+const Defined& checkable(forceshade_reference handle) {
+  const Defined& its = defined(handle);
   const std::string own = fast::library_digest(), loaded = forceshade_library_digest();
-  if (own == loaded) return FORCESHADE_OK;
-  return c::fail(FORCESHADE_FAILED,
-                 "libforceshade.so.0, which is loaded, is of another build than libforceshade-reference.so.0, and nothing that "
-                 "this one finds would hold of it: expected digest " +
-                     own + ", got " + loaded);
+  if (own == loaded) return its;
+  throw c::Refused{
+      c::fail(FORCESHADE_FAILED,
+              "libforceshade.so.0, which is loaded, is of another build than libforceshade-reference.so.0, and nothing that "
+              "this one finds would hold of it: expected digest " +
+                  own + ", got " + loaded)};
 }
 
-// The definition where the handle is one, this thread's arithmetic is in order, and the loaded library is that of this build.
-const Defined* checkable(forceshade_reference handle, forceshade_result& wrong) {
-  const Defined* const its = defined(handle);
-  wrong = its == nullptr ? FORCESHADE_BAD_HANDLE : check_arithmetic();
-  if (wrong == FORCESHADE_OK) wrong = check_library();
-  return wrong == FORCESHADE_OK ? its : nullptr;
-}
-
-forceshade_result check_at_most(const char* name, std::uint64_t value, std::uint64_t most) {
-  if (value <= most) return FORCESHADE_OK;
-  return c::fail(FORCESHADE_BAD_VALUE, std::string(name) + " is " + std::to_string(value) + "; expected 1 to " +
-                                           std::to_string(most) + ", or 0 for what is usual");
-}
-
-forceshade_result check(const forceshade_reference_plan& plan) {
-  if (plan.size < sizeof plan)
-    return c::fail(FORCESHADE_BAD_SIZE, "plan->size is " + std::to_string(plan.size) +
-                                            "; expected sizeof(forceshade_reference_plan), " + std::to_string(sizeof plan));
-  if (const auto wrong = check_at_most("plan->points", plan.points, kMostPoints); wrong != FORCESHADE_OK) return wrong;
-  if (const auto wrong = check_at_most("plan->cases", plan.cases, kMostCases); wrong != FORCESHADE_OK) return wrong;
-  return check_at_most("plan->threads", plan.threads, kMostThreads);
+void expect_at_most(const char* name, std::uint64_t value, std::uint64_t most) {
+  if (value > most)
+    c::require(c::fail(FORCESHADE_BAD_VALUE, std::string(name) + " is " + std::to_string(value) + "; expected 1 to " +
+                                                 std::to_string(most) + ", or 0 for what is usual"));
 }
 
 int cases_of(std::uint64_t cases) {
@@ -92,17 +77,15 @@ using namespace forceshade::exact;
 forceshade_result forceshade_reference_properties(forceshade_reference reference, uint64_t cases, uint64_t seed,
                                                   forceshade_reference_property callback, void* user) {
   return c::guarded([&]() -> forceshade_result {
-    forceshade_result wrong = FORCESHADE_OK;
-    const Defined* const its = checkable(reference, wrong);
-    if (its == nullptr) return wrong;
+    const Defined& its = checkable(reference);
     if (callback == nullptr) return c::fail(FORCESHADE_NULL_POINTER, "callback is NULL");
-    if (wrong = check_at_most("cases", cases, kMostCases); wrong != FORCESHADE_OK) return wrong;
+    expect_at_most("cases", cases, kMostCases);
     std::atomic<bool> stop = false;
     const auto done = [&](const properties::PropertyResult& result) {
       if (stop) return;  // the results from then on are void
       stop = callback(user, result.name.c_str(), result.held ? 1 : 0, result.cases, result.counterexample.c_str()) != 0;
     };
-    properties::run_properties(*properties::subject_of(its->description), cases_of(cases), seed, done, nullptr, &stop);
+    properties::run_properties(*properties::subject_of(its.description), cases_of(cases), seed, done, nullptr, &stop);
     return FORCESHADE_OK;
   });
 }
@@ -111,11 +94,14 @@ forceshade_result forceshade_reference_certify(forceshade_reference reference, c
                                                const char* file, forceshade_reference_progress progress, void* user,
                                                int32_t* standing) {
   return c::guarded([&]() -> forceshade_result {
-    forceshade_result wrong = FORCESHADE_OK;
-    const Defined* const its = checkable(reference, wrong);
-    if (its == nullptr) return wrong;
+    const Defined& its = checkable(reference);
     if (plan == nullptr || file == nullptr) return c::fail(FORCESHADE_NULL_POINTER, "plan or file is NULL");
-    if (wrong = check(*plan); wrong != FORCESHADE_OK) return wrong;
+    if (plan->size < sizeof *plan)
+      return c::fail(FORCESHADE_BAD_SIZE, "plan->size is " + std::to_string(plan->size) +
+                                              "; expected sizeof(forceshade_reference_plan), " + std::to_string(sizeof *plan));
+    expect_at_most("plan->points", plan->points, kMostPoints);
+    expect_at_most("plan->cases", plan->cases, kMostCases);
+    expect_at_most("plan->threads", plan->threads, kMostThreads);
     if (files::is_standard_output(file))
       return c::fail(FORCESHADE_BAD_VALUE, "file: expected the name of a file, got " + std::string(beginning_of(file, 64)));
     files::OutputFile out(file);  // so that a missing folder is reported before the work
@@ -123,7 +109,7 @@ forceshade_result forceshade_reference_certify(forceshade_reference reference, c
     const auto tell = [&](std::string_view, double done) {
       if (progress != nullptr && !stop) stop = progress(user, done) != 0;
     };
-    const std::optional<properties::Certificate> certificate = properties::certify(options_of(*its, *plan), tell, stop);
+    const std::optional<properties::Certificate> certificate = properties::certify(options_of(its, *plan), tell, stop);
     if (!certificate) return c::fail(FORCESHADE_FAILED, "it was stopped before its end, and no certificate is written");
     out.stream() << properties::to_json(*certificate);
     out.commit();

@@ -16,7 +16,7 @@ namespace {
 
 forceshade_result add(Description description, forceshade_reference* made) {
   auto built = Definition::build(description);
-  if (const auto* error = std::get_if<ParameterError>(&built)) return refuse(*error);
+  if (const auto* error = std::get_if<ParameterError>(&built)) return c::fail_with(*error);
   const std::uint64_t handle =
       definitions.table.add(std::make_unique<Defined>(Defined{std::move(description), std::get<Definition>(std::move(built))}));
   if (handle == 0) return c::fail(FORCESHADE_NO_MEMORY, "there are too many definitions; expected some to be freed");
@@ -24,28 +24,24 @@ forceshade_result add(Description description, forceshade_reference* made) {
   return FORCESHADE_OK;
 }
 
-void no_definition() noexcept {
-  c::fail(FORCESHADE_BAD_HANDLE, "invalid definition handle: it was never made, or has been freed");
+void expect_definition(const Defined* found) {
+  if (found == nullptr)
+    c::require(c::fail(FORCESHADE_BAD_HANDLE, "invalid definition handle: it was never made, or has been freed"));
 }
 
 }  // namespace
 
 constinit c::Lasting<Defined> definitions;
 
-const Defined* defined(forceshade_reference handle) noexcept {
+const Defined& defined(forceshade_reference handle) {
   const Defined* const found = definitions.table.find(handle.handle);
-  if (found == nullptr) no_definition();
-  return found;
+  expect_definition(found);
+  expect_arithmetic();
+  return *found;
 }
 
-forceshade_result check_arithmetic() noexcept {
-  const char* const fault = fast::arithmetic_fault();
-  if (fault == nullptr) return FORCESHADE_OK;
-  return c::guarded([&] { return refuse({"arithmetic", "", 0, 0, 0, fault}); });
-}
-
-forceshade_result refuse(const ParameterError& error) {
-  return c::fail(error.arithmetic_fault == nullptr ? FORCESHADE_BAD_VALUE : FORCESHADE_BAD_ARITHMETIC, error.message());
+void expect_arithmetic() {
+  if (const char* const fault = fast::arithmetic_fault()) c::require(c::fail_with({"arithmetic", "", 0, 0, 0, fault}));
 }
 
 }  // namespace forceshade::exact
@@ -59,7 +55,7 @@ const char* forceshade_reference_message(void) {
 forceshade_result forceshade_reference_read(const char* file, forceshade_reference* made) {
   return c::guarded([&]() -> forceshade_result {
     if (file == nullptr || made == nullptr) return c::fail(FORCESHADE_NULL_POINTER, "file or made is NULL");
-    if (const forceshade_result fault = exact::check_arithmetic(); fault != FORCESHADE_OK) return fault;
+    exact::expect_arithmetic();
     return exact::add(subjects::read_file(file), made);
   });
 }
@@ -68,15 +64,14 @@ forceshade_result forceshade_reference_parse(const char* text, size_t length, co
   return c::guarded([&]() -> forceshade_result {
     if (text == nullptr || file == nullptr || made == nullptr)
       return c::fail(FORCESHADE_NULL_POINTER, "text, file or made is NULL");
-    if (const forceshade_result fault = exact::check_arithmetic(); fault != FORCESHADE_OK) return fault;
+    exact::expect_arithmetic();
     return exact::add(subjects::read_text(std::string(text, length), file), made);
   });
 }
 
 forceshade_result forceshade_reference_free(forceshade_reference reference) {
   return c::guarded([&]() -> forceshade_result {
-    if (exact::definitions.table.take(reference.handle) != nullptr) return FORCESHADE_OK;
-    exact::no_definition();
-    return FORCESHADE_BAD_HANDLE;
+    exact::expect_definition(exact::definitions.table.take(reference.handle).get());
+    return FORCESHADE_OK;
   });
 }

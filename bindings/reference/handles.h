@@ -16,13 +16,9 @@ struct Defined {
 
 extern constinit c::Lasting<Defined> definitions;
 
-// Null for an invalid handle, after setting the error text for BAD_HANDLE.
-const Defined* defined(forceshade_reference handle) noexcept;
-
-// Returns OK, or an error code after setting the error text, if the calling thread's arithmetic is at fault.
-forceshade_result check_arithmetic() noexcept;
-
-// The result for a parameter outside its domain, with its sentence.
-forceshade_result refuse(const ParameterError& error);
+// These are called by what c::guarded() calls, which they end for an invalid handle, and for a thread whose arithmetic is at
+// fault.
+const Defined& defined(forceshade_reference handle);
+void expect_arithmetic();
 
 }  // namespace forceshade::exact
