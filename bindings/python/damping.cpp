@@ -16,11 +16,9 @@ namespace forceshade::python {
 namespace {
 
 template <class Side>
-Side built(const DampingNumbers& its) {
+Side made_of(const DampingNumbers& its) {
   expect_arithmetic();
-  auto made = Side::build({its[0], its[1], its[2], its[3], its[4], its[5]});
-  if (const auto* error = std::get_if<ParameterError>(&made)) throw py::value_error(error->message());
-  return std::get<Side>(made);
+  return built(Side::build({its[0], its[1], its[2], its[3], its[4], its[5]}));
 }
 
 // DAMPING_STATE of the package.
@@ -49,7 +47,7 @@ NumbersOfState* states_in(const py::buffer_info& states, std::size_t count) {
 
 std::size_t damp_path(const DampingNumbers& numbers, const py::buffer& state, const std::optional<py::buffer>& periods,
                       const py::buffer& positions, const py::buffer& forces, const std::optional<py::buffer>& statuses) {
-  auto damping = built<fast::Damping>(numbers);
+  auto damping = made_of<fast::Damping>(numbers);
   const py::buffer_info its = state.request(true);
   NumbersOfState& kept = *states_in(its, 1);
   damping.resume(c::damping_state_of(kept));
@@ -63,7 +61,7 @@ std::size_t damp_path(const DampingNumbers& numbers, const py::buffer& state, co
 std::size_t damp_paths(const DampingNumbers& numbers, const py::buffer& states, const std::optional<py::buffer>& periods,
                        const py::buffer& positions, const py::buffer& forces, const std::optional<py::buffer>& statuses,
                        std::size_t threads) {
-  const auto damping = built<fast::Damping>(numbers);
+  const auto damping = made_of<fast::Damping>(numbers);
   const Batches batches(positions, forces, statuses, threads);
   const py::buffer_info its = states.request(true);
   NumbersOfState* next = states_in(its, batches.size());
@@ -77,7 +75,7 @@ std::size_t damp_paths(const DampingNumbers& numbers, const py::buffer& states, 
 // By the definition, from the beginning of a path.
 std::size_t damp_exactly(const DampingNumbers& numbers, const std::optional<py::buffer>& periods, const py::buffer& positions,
                          const py::buffer& forces, const std::optional<py::buffer>& statuses) {
-  auto damping = built<reference::Damping>(numbers);
+  auto damping = made_of<reference::Damping>(numbers);
   const auto tick = [&](std::size_t, const Eigen::Vector3f& position, std::uint32_t since, const fast::Evaluation& spring) {
     reference::Rounded exact;
     exact.force = spring.force;
@@ -93,7 +91,7 @@ std::size_t damp_exactly(const DampingNumbers& numbers, const std::optional<py::
 }  // namespace
 
 fast::Damping damping_of(const DampingNumbers& numbers) {
-  return built<fast::Damping>(numbers);
+  return made_of<fast::Damping>(numbers);
 }
 
 std::optional<fast::Damping> damping_of(const std::optional<DampingNumbers>& numbers) {

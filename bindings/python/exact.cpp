@@ -17,12 +17,6 @@
 namespace forceshade::python {
 namespace {
 
-template <class Built>
-Built expect(std::variant<Built, ParameterError> made) {
-  if (const auto* error = std::get_if<ParameterError>(&made)) throw py::value_error(error->message());
-  return std::get<Built>(std::move(made));
-}
-
 using Position = std::array<float, 3>;
 
 Eigen::Vector3f vector_of(const Position& position) {
@@ -31,7 +25,7 @@ Eigen::Vector3f vector_of(const Position& position) {
 
 class Reference {
  public:
-  explicit Reference(const Subject& subject) : definition_(expect(exact::Definition::build(subject.description))) {}
+  explicit Reference(const Subject& subject) : definition_(built(exact::Definition::build(subject.description))) {}
 
   // The status and the three components.
   std::pair<int, std::array<std::string, 3>> decimals(const Position& position, unsigned digits) const {
@@ -64,7 +58,7 @@ float height_at(const Subject& subject, float x, float y) {
 }
 
 std::array<std::string, 5> geometry(float radius, float width, unsigned digits) {
-  const reference::DecimalGeometry its = expect(exact::geometry(radius, width, digits));
+  const reference::DecimalGeometry its = built(exact::geometry(radius, width, digits));
   return {its.d, its.h, its.w_prime, its.h_prime, its.theta};
 }
 

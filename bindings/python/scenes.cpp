@@ -36,9 +36,7 @@ std::unique_ptr<Scene> scene_of(const std::vector<std::shared_ptr<Subject>>& obj
   expect_arithmetic();
   std::vector<std::unique_ptr<fast::Session>> sessions;
   for (const auto& object : objects) sessions.push_back(object->renderer.open());
-  auto built = fast::SceneSession::build(std::move(sessions));
-  if (const auto* error = std::get_if<ParameterError>(&built)) throw py::value_error(error->message());
-  return std::make_unique<Scene>(std::get<fast::SceneSession>(std::move(built)), damping);
+  return std::make_unique<Scene>(built(fast::SceneSession::build(std::move(sessions))), damping);
 }
 
 // position: three numbers; poses: seven for each object, its translation and its quaternion; the package has looked.

@@ -4,10 +4,12 @@
 
 #include <pybind11/pybind11.h>
 
-#include <string>
+#include <utility>
+#include <variant>
 
 #include "bindings/c/described.h"
 #include "forceshade/description.h"
+#include "forceshade/error.h"
 
 namespace forceshade::python {
 
@@ -17,6 +19,16 @@ struct Subject : c::Subject {
 
   Description description;  // of which the exact side is built, too
 };
+
+// The result of a build(). Throws Error for the fault of this thread's arithmetic, and py::value_error for a parameter.
+template <class Built>
+Built built(std::variant<Built, ParameterError> made) {
+  if (const auto* error = std::get_if<ParameterError>(&made)) {
+    if (error->arithmetic_fault != nullptr) throw Error(error->message());
+    throw pybind11::value_error(error->message());
+  }
+  return std::get<Built>(std::move(made));
+}
 
 // Throws Error: what this thread's arithmetic does otherwise than the proofs need. A library that switches on flush to zero,
 // as some that are compiled with -ffast-math do when they are imported, is the usual cause.

@@ -33,15 +33,6 @@
 namespace forceshade::python {
 namespace {
 
-template <class Built>
-Built built(std::variant<Built, ParameterError> made) {
-  if (const auto* error = std::get_if<ParameterError>(&made)) {
-    if (error->arithmetic_fault != nullptr) throw Error(error->message());
-    throw py::value_error(error->message());
-  }
-  return std::get<Built>(std::move(made));
-}
-
 // The index of a word among the names.
 template <class Names>
 std::size_t choice(const char* what, const std::string& word, const Names& names) {
