@@ -11,7 +11,8 @@
 #include <system_error>
 #include <utility>
 
-#include "device/dhd/dhd_link.h"
+#include "device/dhd/dhd_arm.h"
+#include "device/dhd/timed_calls.h"
 #include "device/frames/framed_device.h"
 #include "files/csv.h"
 #include "files/printable.h"
@@ -22,6 +23,9 @@ namespace {
 
 constexpr float kResolution = 0.05F;  // mm: assumed, no document of the library has one
 constexpr std::chrono::milliseconds kToCount{5000};
+constexpr std::chrono::milliseconds kToEnd{500};  // for zero force, dhdStop, its tenth of a second and dhdClose
+// While the forces are not on, nothing pushes; and the frame that switches them on may take its time.
+constexpr std::chrono::milliseconds kWithoutForce{1000};
 
 constexpr const char* kToCalibrate =
     "put the calibration pole of its end-effector into the pit of the base, or move a Falcon's grip out and in, as its manual "
@@ -32,6 +36,60 @@ constexpr const char* kForces =
 constexpr const char* kUdev =
     R"(write SUBSYSTEM=="usb", ATTR{idVendor}=="1451", MODE="0666" (a Falcon: ATTR{idVendor}=="0403", )"
     R"(ATTR{idProduct}=="cb48") into a file of /etc/udev/rules.d, and plug the device in again)";
+
+std::string counted_words(std::size_t frames, const char* of) {
+  return frames == 0 ? "" : std::to_string(frames) + " frames had " + of;
+}
+
+// The link of a device of DHD: its arm, whose calls are waited for no longer than a frame may take.
+class Link final : public FrameLink {
+ public:
+  // Opens the device: `which` as in Arm::open(). Throws DeviceError.
+  Link(const Functions& functions, const std::string& which, const FramedOptions& options)
+      : frame_(std::make_shared<Frame>(functions, options.force)),
+        answer_(options.answer),
+        end_(std::max(kToEnd, options.end)) {
+    if (!calls_.run([frame = frame_, which] { frame->identity = frame->arm.open(which); }, options.open))
+      throw DeviceError("the vendor's library has not answered for " + std::to_string(options.open.count()) +
+                        " ms while the device was opened: check its cable and power");
+  }
+
+  const Identity& identity() const noexcept { return frame_->identity; }
+
+  FrameState exchange(const Eigen::Vector3d& force) override {
+    const std::chrono::milliseconds longest = frame_->state.forces_on ? answer_ : std::max(answer_, kWithoutForce);
+    const std::int64_t until = system::now() + system::in_ns(longest);
+    if (!calls_.run_until(until, [frame = frame_, force, until] { frame->state = frame->arm.exchange(force, until); }))
+      throw DeviceError("the vendor's library has not answered for " + std::to_string(longest.count()) +
+                        " ms: check the device's cable and power; if it still pushes, switch it off");
+    return frame_->state;
+  }
+
+  void close() noexcept override {
+    try {
+      calls_.run([frame = frame_] { frame->arm.close(); }, end_);
+    } catch (const std::exception&) {  // of a lack of memory
+    }
+  }
+
+  std::string remark() const override {
+    const std::string saturated = counted_words(frame_->arm.saturated(), "saturated motors, which shortened their force");
+    const std::string guarded = counted_words(frame_->arm.guarded(), "the position of the one before (time guard)");
+    return saturated + (saturated.empty() || guarded.empty() ? "" : "; ") + guarded;
+  }
+
+ private:
+  // The data that a call that does not return may still refer to.
+  struct Frame {
+    Frame(const Functions& functions, bool may_force) : arm(functions, may_force) {}
+    Arm arm;
+    Identity identity{};
+    FrameState state{.calibrated = false, .forces_on = false};
+  };
+  std::shared_ptr<Frame> frame_;
+  std::chrono::milliseconds answer_, end_;
+  TimedCalls calls_;
+};
 
 FramedDescription description_of(const Identity& its, const Functions& functions) {
   const Model& model = its.model;
