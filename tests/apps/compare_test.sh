@@ -45,9 +45,6 @@ expect 0 "0 wrong of 200" -- "$vectors/check.py" made/wall.json
 
 # Damping: the positions have periods, and forces that a program in fractions wrote beside them are judged with it.
 damped=(--law wall --stiffness 0.5 --damping 0.002)
-expect 2 "--rate: expected the periods in a second with damping" -- "$forceshade" conform positions "${damped[@]}" --out damped.json
-expect 2 "--rate: expected the periods in a second with damping" -- "$forceshade" conform judge mine.csv "${damped[@]}"
-expect 2 "--damping: share is" -- "$forceshade" conform positions "${damped[@]}" --damping-filter 100s --rate 100000 --out damped.json
 damped+=(--damping-filter 0.25 --rate 1000)
 expect 0 "" -- "$forceshade" conform positions "${damped[@]}" --points 5000 --out damped.csv
 expect 0 "" -- "$forceshade" conform positions "${damped[@]}" --points 5000 --out damped.npy
@@ -89,22 +86,7 @@ expect 1 "FAILED: " -- judged damped_mine.csv --law wall --stiffness 0.5
 expect 1 "FAILED: " -- judged no_periods.csv "${damped[@]}"
 expect 1 "114 wrong of 200" -- "$vectors/check.py" made/bump-2p.json
 expect 0 '"id":5000' -- bash -c "'$forceshade' conform positions --law wall --points 5000 --out vectors.json && cat vectors.json"
-expect 2 "--out: expected a name that ends in .csv or .npy or .json" -- "$forceshade" conform positions --law wall --out vectors.xml
-expect 2 "--points: expected at most 1000000 with their forces, got 1000001" -- \
-  "$forceshade" conform positions --law wall --points 1000001 --out more.json
 
 # Tables that cannot be judged.
-for tolerance in 4 "4 mN" "1.5 ulp" "-1 N" nan; do
-  expect 2 "--tolerance: expected a number with ulp (a whole one), N or %" -- judge mine.csv --tolerance "$tolerance"
-done
-expect 2 "asked.csv:1: no column fx_N" -- judge asked.csv
 expect 2 "asked.npy: has no field fx_N" -- judge asked.npy
-: > empty.csv
-expect 2 "empty.csv:1: expected a header row" -- judge empty.csv
-head -1 mine.csv > none.csv
-expect 2 "none.csv: expected positions with forces, got none" -- judge none.csv
-expect 2 "cannot open" -- judge nowhere.csv
-expect 2 "conform judge: expected forces, got none" -- "$forceshade" conform judge "${bump[@]}"
-expect 2 "expected two files" -- judge mine.csv --json a --junit a
-expect 2 "--points" -- "$forceshade" conform positions "${bump[@]}" --points 0
 same "" "$(ls | grep partial || true)"

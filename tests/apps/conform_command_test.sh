@@ -82,7 +82,6 @@ try "        elif \"positions\" in asked:" "        elif \"positions\" in asked:
 try "print(json.dumps(answer)" "print(json.dumps(answer)[:16384]" "expected a JSON object in one line"
 
 # Words that cannot be tried.
-expect 2 "--command" -- "$forceshade" conform --law wall
 expect 2 "--tolerance: expected" -- conform --command true --tolerance 4
 expect 2 "--answer-timeout" -- conform --command true --answer-timeout 0
 expect 2 "expected two files" -- conform --command true --json a --junit a

@@ -8,13 +8,8 @@ recording() { "$forceshade" recording "$@"; }
 # certify and drive: certified, other parameters, other law, no certificate, a certificate of another build.
 expect 0 "certified: 1250000 points" -- "$forceshade" certify --law bump-1p-shaded --out here
 [ -s here/certificate.json ] && [ -s here/certificate.html ] || { echo "FAILED: certify wrote nothing"; exit 1; }
-expect 2 "expected a directory" -- "$forceshade" certify --law wall --points 1 --out in.csv/no
 plan() { "$forceshade" certify plan --exhaustive "$@"; }
-for option in --points --cases --seed; do expect 2 "$option: expected without --exhaustive, got both" -- plan $option 3 --out no; done
-expect 2 "--points: expected after 'certify merge'" -- "$forceshade" certify --points 3 merge in.csv --out no
 expect 2 "too many inputs to sweep" -- plan --height-map hill.toml --out new/no
-expect 2 "--exhaustive: expected a kind of sweep that the law has" -- plan lines --law wall --out new/no
-expect 2 '--exhaustive: expected one of directions, heights, lines; got "waves"' -- plan waves --law wall --out new/no
 same "" "$(ls -d no new 2> /dev/null)"
 # Without gnuplot the page has no pictures, and the certificate is whole.
 expect 0 "certificate.html has no pictures: gnuplot was not found" -- env PATH=/nonexistent "$forceshade" certify --law wall \
@@ -41,9 +36,6 @@ printf 't_s,x_mm,y_mm,z_mm\n5,0,0,-1\n5.01,1,0,-1\n5.02,2,0,-1\n' > slow.csv
 expect 0 "ticks             21 (end of data)" -- \
   "$forceshade" drive --law wall --certificate none --pace none --device replay:slow.csv --out slow_run.csv
 same "5.005,0.5,0,-1" "$(sed -n 7p slow_run.csv | cut -d, -f3-6)"
-printf '5.02,3,0,-1\n' >> slow.csv
-expect 2 'slow.csv:5: column 1 (t_s): expected a time after 5.02, got "5.02"' -- \
-  "$forceshade" drive --law wall --certificate none --pace none --device replay:slow.csv
 mkfifo pipe.csv
 expect 2 "pipe.csv: cannot open: it is a named pipe; expected a file" -- \
   "$forceshade" drive --law wall --certificate none --device replay:pipe.csv
@@ -61,7 +53,6 @@ expect 1 "refused to drive: own.json: the certificate is of a program's own rend
 expect 2 "certify merge: expected the folder of one plan, got here/certificate.json; points of several" -- \
   "$forceshade" certify merge here/certificate.json --out both
 expect 2 "expected a forceshade certificate" -- drive --law wall --certificate in.csv
-expect 2 "replay" -- "$forceshade" drive --law wall --certificate none --device teapot:x
 expect 0 "(time up)" -- "$forceshade" drive --law wall --certificate none --device simulated --seconds 0.1 --pace none
 expect 0 "(end of data)" -- "$forceshade" drive --law wall --certificate none --device simulated:omni:hand.csv --pace none
 expect 0 "(time up)" -- "$forceshade" drive --law wall --certificate none --device null --seconds 0.1 --pace none
@@ -105,7 +96,6 @@ expect 0 "invalid positions 1 (zero force)" -- \
   "$forceshade" drive --law wall --certificate none --pace none --rate 100 --device replay:lost.csv
 expect 3 "the simulated arm's position is no longer finite" -- \
   "$forceshade" drive --law wall --certificate none --pace none --device simulated:omni:lost.csv
-expect 2 'unknown model "teapot"' -- "$forceshade" drive --law wall --certificate none --device simulated:teapot
 # A PHANToM: no driver library, one found by its name, one named, and a licence that is missing.
 phantom() { env LD_LIBRARY_PATH= FORCESHADE_HD_LIBRARY= "$@" "$forceshade" drive --law wall --certificate none --device phantom --seconds 0.1; }
 expect 3 "libHD.so.3.0: cannot open shared object file" -- phantom

@@ -2,19 +2,7 @@
 # messages_test.sh FORCESHADE: what is said to somebody who typed something else than what was meant.
 . "$(dirname "$0")/expect.sh"
 
-# An option before the command, and the words that other programs understand.
-expect 2 'expected a command before the option "--law", one of: laws' -- "$forceshade" --law wall force
-expect 2 'unknown command "forse"' -- "$forceshade" forse
 same "forceshade: expected a command: laws" "$("$forceshade" 2>&1 | cut -d, -f1 | head -1)"
-expect 2 "forceshade: mesh: expected a command: check" -- "$forceshade" mesh
-expect 2 'the nearest is force' -- "$forceshade" forse
-expect 2 'got "chek"; the nearest is check' -- "$forceshade" mesh chek a.off --unit mm
-for flag in --help -h; do expect 2 'got "chek"; the nearest is check' -- "$forceshade" mesh chek $flag; done
-expect 2 'got "chek"; the nearest is check' -- "$forceshade" help mesh chek
-expect 2 "forceshade: mesh check: expected --unit, got none" -- "$forceshade" mesh check -
-expect 2 'forceshade: mesh check: unknown option "--unti"; the nearest is --unit' -- "$forceshade" mesh check - --unti mm
-expect 2 'unknown device "simulatd"' -- "$forceshade" drive --law wall --certificate none --device simulatd
-expect 2 'the nearest is simulated' -- "$forceshade" drive --law wall --certificate none --device simulatd
 for version in --version -v version; do expect 0 "library digest" -- "$forceshade" $version; done
 for help in --help -h help; do expect 0 "Usage: forceshade COMMAND" -- "$forceshade" $help; done
 same "$("$forceshade" force --help)" "$("$forceshade" help force)"
@@ -37,24 +25,6 @@ for title in "Subject:" "Placement:" "Evidence:" "Device and loop:" "Output:"; d
   expect 0 "$title" -- "$forceshade" help drive
 done
 
-# The word that was meant.
-printf 'render = "height-map"\n[[part]]\nshape = "con"\n' > map.toml
-expect 2 "got 'con'; the nearest is cone" -- "$forceshade" force --height-map map.toml
-echo 'lwa = "wall"' > lwa.toml
-echo 'heightmap = "map.toml"' > heightmap.toml
-echo 'law = "bump_2p"' > law.toml
-expect 2 'unknown key lwa; expected keys of a subject; the nearest is law' -- "$forceshade" properties --subject lwa.toml
-expect 2 'unknown key heightmap; expected keys of a subject; the nearest is height-map' -- \
-  "$forceshade" force --subject heightmap.toml
-for command in force properties certify drive; do
-  expect 2 'law.toml: line 1: law: expected' -- "$forceshade" $command --subject law.toml
-  expect 2 'got "bump_2p"; the nearest is bump-2p' -- "$forceshade" $command --subject law.toml
-done
-printf 'render = "height-map"\n[[part]]\nshape = "gaussian"\ncenter_x_mm = 3\nsigma_mm = 5\nheight_mm = 1\n' > map.toml
-expect 2 'map.toml: line 4: unknown key center_x_mm; the nearest is x_mm' -- "$forceshade" force --height-map map.toml
-printf 'render = "height-map"\n[[parts]]\nshape = "plane"\n' > map.toml
-expect 2 'expected render, [[part]] and [[surface]], got parts; the nearest is part' -- "$forceshade" force --height-map map.toml
-
 # A name that means another format than what is written.
 for ending in npy csv fsr html png; do
   expect 2 "--json: expected a name that ends in .json, which is the format of the file that is written, got \"x.$ending\"" -- \
@@ -64,8 +34,6 @@ for ending in npy csv fsr html png; do
       "$forceshade" $command --law wall --junit x.$ending
   done
 done
-expect 2 'ends in .csv or .npy, which is the format of the file that is written, got "x.JSON"' -- \
-  "$forceshade" force --law wall --out x.JSON
 expect 0 "" -- "$forceshade" laws --json x.txt
 same "" "$(find . -name 'x.*' ! -name x.txt)"
 
@@ -109,69 +77,7 @@ for command in "force --law wall" "conform judge - --law wall" "mesh check - --u
   exec 9>&-
 done
 
-# A file of another kind.
-expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --height-map "$examples/leather.png"
-expect 2 "leather.png: expected a CSV file, got a PNG picture" -- "$forceshade" force "$examples/leather.png" --law wall
-expect 2 "leather.png: expected a TOML file, got a PNG picture" -- "$forceshade" force --subject "$examples/leather.png"
-printf '{"law": "wall"}\n' > object.json
-printf '[{"law": "wall"},\n {"law": "wall"}]\n' > list.json
-printf 'x_mm,y_mm,z_mm\n1,0,-1\n' > positions.csv
-printf 'law = "wall"\n' > wall.toml
-: > empty.txt
-for file in object.json list.json; do
-  for command in "force --height-map" "force --subject"; do
-    expect 2 "$file: expected a TOML file, got a JSON file" -- "$forceshade" $command $file
-  done
-done
-expect 2 "positions.csv: expected a TOML file, got a CSV file" -- "$forceshade" force --height-map positions.csv
-printf 'version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 12345\n' > lfs.csv
-expect 2 "lfs.csv: expected a CSV file, got a pointer of Git LFS" -- "$forceshade" force lfs.csv --law wall
-expect 2 "object.json: expected a CSV file, got a JSON file" -- "$forceshade" force object.json --law wall
-for command in "recording check" "recording export"; do
-  for file in "positions.csv a CSV file" "object.json a JSON file" "wall.toml a TOML file" "empty.txt an empty file" \
-    "$examples/leather.png a PNG picture"; do
-    expect 2 "${file%% *}: expected a recording (.fsr), got ${file#* }" -- "$forceshade" $command "${file%% *}"
-  done
-done
-expect 2 "expected JSON, got a CSV file" -- "$forceshade" drive --law wall --certificate positions.csv --device null
-
-# TOML that cannot be read: in our words, with what stands there.
-toml() { printf "$2\n" > broken.toml; expect 2 "broken.toml: line $1: expected $3" -- "$forceshade" force --height-map broken.toml; }
-toml 2 'render = "height-map"\n[[part]' "the name of a table in brackets, alone on its line, such as [[part]] (expected ']', got the end of the line)"
-toml 1 'render = height-map' "a text in quotes, a number, true, false, a list or a table (could not determine value type)"
-toml 1 'render = ' "KEY = VALUE on a line (expected value, got the end of the line)"
-toml 1 'render "height-map"' "KEY = VALUE on a line (expected '=', got '\"')"
-toml 1 'render = "height-map' "a text in quotes, which ends on its line ("
-toml 1 'render = ["a", "b"' "a list in brackets, with commas between its elements (got the end of the file)"
-toml 2 'render = "height-map"\nrender = "height-map"' "each key and table once (cannot redefine existing string 'render')"
-toml 1 'render = \xff' "UTF-8 ("
-
-head -c 100 /dev/zero > zeros.bin
-expect 2 "zeros.bin: expected a CSV file, got a binary file" -- "$forceshade" force zeros.bin --law wall
-printf '{\n "a": [1,2,}' > broken.json
-expect 2 'line 2, column 12: expected JSON, got "}"' -- "$forceshade" drive --law wall --certificate broken.json --device null
-printf '{"a"' > broken.json
-expect 2 'line 1, column 5: expected JSON, got the end of the text' -- \
-  "$forceshade" drive --law wall --certificate broken.json --device null
-printf '{"a": 1e999}' > broken.json
-expect 2 "expected numbers that binary64 can hold" -- "$forceshade" drive --law wall --certificate broken.json --device null
-
-# CSV as some programs of other countries write it.
-printf 'x_mm;y_mm;z_mm\n1,5;0;-1\n' > semicolons.csv
-expect 2 "semicolons.csv:1: expected commas between the columns, and points in decimals, got semicolons" -- \
-  "$forceshade" force semicolons.csv --law wall
-tr ';' '\t' < semicolons.csv > tabs.csv
-expect 2 "tabs.csv:1: expected commas between the columns, and points in decimals, got tabs" -- \
-  "$forceshade" force tabs.csv --law wall
-tr ';' ',' < semicolons.csv | sed 's/^1,5,0,-1/1,5,0,0,-1,0/' > commas.csv
-expect 2 "a decimal is written with a point, not a comma" -- "$forceshade" force commas.csv --law wall
-printf 'x_mm,y_mm,z_mm\n"1,5",0,-1\n' > quoted.csv
-expect 2 'quoted.csv:2: column 1 (x_mm): expected a number with a decimal point, got "1,5"' -- \
-  "$forceshade" force quoted.csv --law wall
-
 # A radius that does not fit the width that nobody chose.
-expect 2 "the width is that of the thesis unless --width is given beside --radius" -- \
-  "$forceshade" force --law bump-2p --radius 5mm
 for command in laws "force --law bump-2p"; do
   output=$("$forceshade" $command --radius 5mm --width 11mm 2>&1 < /dev/null)
   case "$output" in *"--width is 11 mm"*) ;; *) echo "FAILED: $command: $output"; exit 1 ;; esac
@@ -194,7 +100,6 @@ for file in ball.off ball.obj one.stl one.ply remark.off word.off blank.stl; do
 done
 same "forceshade: standard input: line 1: expected a coordinate, got the end of the line" \
   "$(echo 'v 1 2' | "$forceshade" mesh check - --unit mm 2>&1)"
-expect 2 "standard input: is empty; expected at least one face" -- "$forceshade" mesh check - --unit mm
 same "forceshade: standard input: cannot read: Is a directory" "$("$forceshade" mesh check - --unit mm < . 2>&1)"
 # From a pipe that is not ready yet and that another program made non-blocking.
 printf 'import os, subprocess, sys\nr, w = os.pipe()\nos.set_blocking(r, False)\nwork = subprocess.Popen(sys.argv[2:], stdin=r)\ntry:\n  work.wait(0.3)\nexcept subprocess.TimeoutExpired:\n  os.write(w, open(sys.argv[1], "rb").read())\nos.close(w)\nsys.exit(work.wait())\n' > slow.py

@@ -43,8 +43,6 @@ same "$("$forceshade" force stroke.csv $mesh)" "$("$forceshade" force stroke.csv
 printf '[[material]]\nname = "hard"\nstiffness = "2N/mm"\nfaces = ["0-11"]\n' > hard.toml
 printf 'mesh = "cube.off"\nunit = "mm"\nshading = "none"\nmaterials = "hard.toml"\n' > hard_cube.toml
 same "7,10,19,0,0,2,contact" "$("$forceshade" force stroke.csv --subject hard_cube.toml | tail -n 1)"
-printf 'friction = [0.2, 0.3]\nmesh = "cube.off"\nunit = "mm"\n' > falling.toml
-expect 2 "falling.toml: line 1: friction: expected a dynamic" -- "$forceshade" force stroke.csv --subject falling.toml
 printf 'v 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl rubber\ng tyre\nf 1 2 3\n' > named.obj
 "$forceshade" mesh check named.obj --unit mm > named.txt
 grep -q "^materials  *rubber (1 faces)$" named.txt && grep -q "^groups  *tyre (1 faces)$" named.txt || { cat named.txt; exit 1; }
@@ -58,20 +56,9 @@ grep -q "ticks: 2 free, 3 touching" drawn/cube-mesh.svg || { echo "FAILED: the p
 grep -q "azimuth -40°, elevation 28.6478" drawn/cube-mesh.svg || { echo "FAILED: the picture does not say from where it is seen"; exit 1; }
 printf 'x_mm,y_mm,z_mm,Reset\n0,0,11,1\n0,0,9,0\n' > begun.csv
 expect 0 "drawn/cube-mesh.png" -- "$forceshade" plot begun.csv $mesh --out drawn --overwrite
-printf '0,0,11,1\n' >> begun.csv
-expect 2 "begun.csv:4: column 4 (reset): expected 0, because a picture has one path, got \"1\"" -- \
-  "$forceshade" plot begun.csv $mesh --out drawn --overwrite
 expect 2 "plot: expected one of force" -- "$forceshade" plot path.csv --law wall --out drawn
-expect 2 "--view: expected --mesh or --scene beside it" -- "$forceshade" plot --law wall --view 3,0 --out drawn
-expect 2 "--view: expected an angle from -90 to 90 degrees" -- "$forceshade" plot $mesh --view 0,91 --out drawn
 
 # Files that are missing, wrong, or no mesh.
-expect 2 "--unit is required beside --mesh: expected mm, cm, m or in" -- "$forceshade" force path.csv --mesh cube.off
-expect 2 "expected --law, --height-map, --mesh or --scene, got none" -- "$forceshade" force path.csv 
-expect 2 "--sides: expected one of front, both" -- "$forceshade" force path.csv $mesh --sides back
-expect 2 "--crease" -- "$forceshade" force path.csv $mesh --crease 200
-expect 2 "--mesh" -- "$forceshade" force path.csv --law wall $mesh
-expect 2 "--unit" -- "$forceshade" force path.csv --law wall --unit mm
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n3 0 1 2\n3 0 1 1\n' > flat.off
 expect 2 "flat.off: cannot be rendered:
 line 8: face 1 has vertex 1 twice
@@ -82,7 +69,6 @@ expect 2 "none.off" -- "$forceshade" certify --mesh none.off --unit mm --out non
 
 # properties, certify, drive, recording.
 expect 0 "cube.off        states        held    50 cases" -- "$forceshade" properties $mesh --cases 50
-expect 1 "refused to drive: no certificate" -- "$forceshade" drive $mesh --device simulated --seconds 0.1
 # One triangle is certified in a third of the cube's time.
 printf 'OFF\n3 1 0\n-20 -20 0\n20 -20 0\n0 20 0\n3 0 1 2\n' > one.off
 one="--mesh one.off --unit mm" certificate="--certificate certificate/certificate.json"
@@ -107,7 +93,6 @@ expect 2 "expected wall" -- "$forceshade" recording check run.fsr --law wall
 leading="$mesh --contact sub-goal"
 same "$("$forceshade" force path.csv $leading --shading none)" "$("$forceshade" force path.csv $leading)"
 same "$("$forceshade" force path.csv $leading)" "$("$forceshade" force path.csv $leading --digits binary32)"
-expect 2 "--contact: " -- "$forceshade" force path.csv $mesh --contact subgoal
 
 # Faces that cross. A floor and a wall through it: the god-object stops before the wall and goes along it.
 printf 'OFF\n8 4 0\n-20 -20 0\n20 -20 0\n20 20 0\n-20 20 0\n0 -19 -7\n0 19 -7\n0 19 9\n0 -19 9\n3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n' > plates.off
@@ -145,12 +130,8 @@ for side in "" "--digits binary32"; do
   same "1,2,-0.5,-0.15,0,0.2,contact" "$("$forceshade" force above.csv $textured --stiffness 0.5 $side | tail -n 1)"
 done
 expect 0 "wall.obj        states        held    20 cases" -- "$forceshade" properties $textured --cases 20
-expect 2 "--texture-scale is required beside --shading texture:FILE" -- "$forceshade" force --mesh wall.obj --unit mm \
-  --shading texture:ramp.toml above.csv
 expect 2 "wall.off: has no texture coordinates" -- "$forceshade" force --mesh wall.off --unit mm --shading texture:ramp.toml \
   --texture-scale 1 above.csv
-expect 2 "--shading: expected one of vertex, edge, none, texture:FILE; got \"texture\"" -- "$forceshade" force $mesh \
-  --shading texture above.csv
 printf '[[surface]]\nshape = "plane"\nslope_x = 0.5\n' | cat ramp.toml - > deep.toml
 expect 2 "deep.toml: has a surface to measure the depth from; expected none" -- "$forceshade" force above.csv --mesh wall.obj \
   --unit mm --shading texture:deep.toml --texture-scale 1

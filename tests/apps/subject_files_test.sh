@@ -45,22 +45,6 @@ same "$("$forceshade" properties --law wall --cases 20; "$forceshade" properties
 printf 'law = ["wall", "bump-2p"]\n' > two.toml
 same "$("$forceshade" properties --law wall,bump-2p --cases 20)" "$("$forceshade" properties --subject two.toml --cases 20)"
 
-# A fault is reported with the file and its line.
-refused() {
-  local text=$1 words=$2
-  printf "$text" > refused.toml
-  expect 2 "refused.toml: $words" -- "$forceshade" force --subject refused.toml
-}
-refused 'law = "wall"\nstifness = 1\n' "line 2: unknown key stifness; expected keys of a subject; the nearest is stiffness"
-refused 'law = "wal"\n' 'line 1: law: expected one of'
-refused 'law = "bump-2p"\n\nradius = "5 feet"\n' "line 3: radius: "
-refused 'law = "bump-2p"\nwidth = 100\n' "line 2: width is 100 mm; expected 0.001 to 30.48 mm"
-refused 'law = "wall"\nstiffness = [true]\n' "line 2: stiffness: expected a text in quotes, a number or a list of these"
-refused 'law = "wall"\nunit = "mm"\n' "line 2: unit: expected --mesh beside it"
-refused 'mesh = "ball.off"\nself-intersecting = 1\n' "line 2: self-intersecting: expected true or false, got 1"
-refused 'stiffness = 1\n' "has none of the keys law, height-map, mesh and scene; expected one of them"
-refused '' "has none of the keys law, height-map, mesh and scene; expected one of them"
-refused 'law = \n' "line 1: "
 # Damping: drive has it, and its recording; other commands leave it out and say so.
 printf 'law = "wall"\nstiffness = 1\n\n[damping]\ndamping = 0.002\nmost = 3\ndrag = "1Ns/m"\nfull_at = 0.5\ntime = "2ms"\n' > oil.toml
 grep -v '^most\|^drag\|^full' oil.toml > thin.toml
@@ -106,7 +90,6 @@ end
 expect 1 "N, expected" -- check oil.fsr --law wall --stiffness 1
 expect 0 "damping: takes energy at its own velocity; held from tick to tick it gives at most 0.0006667 N s/mm" -- \
   "$forceshade" energy --law wall --depth 1 --damping 0.002 --damping-filter 0.5
-expect 2 "oil.toml: line 9: time: expected a share such as 0.5" -- "$forceshade" energy --subject oil.toml --depth 1
 # A scene has it, too, and one in which something moves.
 printf '[damping]\ndrag = 0.001\n[[object]]\nname = "ball"\nmesh = "ball.off"\nunit = "mm"\n' > scene.toml
 expect 0 "drag of 0.001 N s/mm" -- drive --scene scene.toml
@@ -115,8 +98,4 @@ printf 'time_s,x_mm,y_mm,z_mm\n0,0,0,-25\n1,0,0,-18\n' > rising.csv
 printf 'motion = "rising.csv"\n' >> scene.toml
 expect 0 "drag of 0.001 N s/mm" -- drive --scene scene.toml --rate 1000 --out moving.fsr
 expect 0 ", 0 differ" -- check moving.fsr --scene scene.toml
-expect 2 "--subject: expected once, got several times" -- "$forceshade" force --subject two.toml --subject two.toml
-expect 2 "inputs/law.toml: line 1: law: expected once, got several times" -- \
-  "$forceshade" force --law wall --subject inputs/law.toml
-expect 2 'unknown option "--subject"' -- "$forceshade" laws --subject inputs/law.toml
 echo "$checks checks"
