@@ -131,39 +131,5 @@ TEST(god_object, in_a_session_meets_an_edge_that_it_is_read_as_being_on) {
   reached.expect_all({"free", "touching", "at edge"});
 }
 
-// A long strip of narrow cells, so that one jump along it takes more moves than a tick has.
-TEST(god_object, goes_on_where_it_has_used_up_its_moves_as_the_reference_does) {
-  mesh::TriangleMesh strip;
-  constexpr std::uint32_t kColumns = 400;
-  for (std::uint32_t i = 0; i <= kColumns; ++i)
-    for (const float y : {-8.0F, 8.0F}) strip.vertices.push_back({0.25F * static_cast<float>(i), y, 0.0F});
-  for (std::uint32_t i = 0; i < kColumns; ++i) {
-    strip.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 1});
-    strip.triangles.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
-  }
-  MeshRendering rendering = tests::unshaded(strip, mesh::Sides::both);
-  rendering.stiffness = kStiffness;
-  tests::BothSides both(rendering);
-  const auto driven = tests::built(GodObject::build(rendering)).open();
-  int unfinished = 0;
-  for (const std::array<float, 3>& p : {std::array{1.0F, 0.1F, 1.0F},
-                                        {1.0F, 0.1F, -0.7F},
-                                        {99.1F, 0.3F, -0.7F},
-                                        {99.1F, 0.3F, -0.7F},
-                                        {99.1F, 0.3F, -0.7F},
-                                        {99.1F, 0.3F, -0.7F},
-                                        {99.1F, 0.3F, -0.7F}}) {
-    const mesh::Tick found = both.step(p);
-    const Evaluation evaluation = driven->step({p[0], p[1], p[2]});
-    EXPECT_EQ(evaluation.status, found.status) << "what a supervisor is given";
-    if (found.status == Status::unfinished) {
-      ++unfinished;
-      EXPECT_EQ(found.moves, 256);
-    }
-  }
-  EXPECT_EQ(unfinished, 3);
-  EXPECT_EQ(both.state().place, mesh::Place::triangle);
-}
-
 }  // namespace
 }  // namespace forceshade::fast

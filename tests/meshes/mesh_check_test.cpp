@@ -5,10 +5,7 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
-#include <map>
 #include <random>
 
 #include "forceshade/meshes.h"
@@ -155,40 +152,6 @@ TEST(mesh_check, finds_the_same_with_several_threads) {
   EXPECT_GT(a.counts[static_cast<std::size_t>(Fault::meeting)], 50U);
   EXPECT_EQ(words(joined(icosphere(30, 10), icosphere(30, 10), {20.001F, 0, 0})), "");
   EXPECT_EQ(words(joined(icosphere(30, 10), icosphere(30, 5), {0, 0, 0})), "");
-}
-
-// The meshes of the independent program, where its folder is given: every NAME.off is one, and of refused/NAME.off each is not,
-// for the reason that its name says.
-TEST(mesh_check, decides_as_an_independent_program) {
-  const char* const folder = std::getenv("FORCESHADE_GOD_OBJECT_PATHS");
-  if (folder == nullptr) GTEST_SKIP() << "FORCESHADE_GOD_OBJECT_PATHS names no folder";
-  const std::map<std::string, Fault> reasons{{"no_area", Fault::no_area},
-                                             {"vertex_twice", Fault::vertex_twice},
-                                             {"three_at_an_edge", Fault::many_at_edge},
-                                             {"same_direction", Fault::same_direction},
-                                             {"two_fans", Fault::several_fans},
-                                             {"touching_vertices", Fault::meeting},
-                                             {"folded", Fault::meeting},
-                                             {"both_ways", Fault::same_vertices},
-                                             {"crossing", Fault::meeting},
-                                             {"vertex_in_edge", Fault::meeting},
-                                             {"moebius", Fault::same_direction},
-                                             {"coincide_after_reading", Fault::no_area}};
-  int held = 0, refused = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".off") continue;
-    EXPECT_EQ(words(load(entry.path(), Unit::mm)), "") << entry.path();
-    ++held;
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(folder) / "refused")) {
-    const auto checked = check(load(entry.path(), Unit::mm));
-    ASSERT_TRUE(std::holds_alternative<Findings>(checked)) << entry.path();
-    EXPECT_EQ(std::get<Findings>(checked).listed[0].fault, reasons.at(entry.path().stem())) << entry.path();
-    ++refused;
-  }
-  std::printf("%d meshes, %d refused\n", held, refused);
-  EXPECT_GT(held, 0);
-  EXPECT_EQ(refused, static_cast<int>(reasons.size()));
 }
 
 // A fan of triangles, of which every two have boxes that meet.
