@@ -78,7 +78,7 @@ def test_materials_limit_damping():
         forceshade.Mesh(*TETRAHEDRON, materials=([{"damping": 20}], [0] * 4))
     for number, kind, words in ((1e39, ValueError, "is 1e+39; expected a number that binary32 holds"),
                                 (True, TypeError, ": expected a number, got True"),
-                                (np.complex64(1), TypeError, ": expected a number, got (1+0j)")):  # fmt: skip
+                                (np.complex64(1), TypeError, f": expected a number, got {np.complex64(1)!r}")):  # fmt: skip
         with pytest.raises(kind, match=re.escape("materials[0]: drag" + (words if words[0] == ":" else " " + words))):
             forceshade.Mesh(*TETRAHEDRON, materials=([{"drag": number}], [0] * 4))
     above = Fraction(1) + Fraction(1, 2**24) + Fraction(1, 2**70)
