@@ -15,6 +15,7 @@
 #include "apps/troubleshooting.h"
 #include "device/check.h"
 #include "device/kinds.h"
+#include "device/machine.h"
 #include "files/csv.h"
 #include "files/printable.h"
 #include "forceshade/checks.h"
@@ -84,6 +85,7 @@ void check_open(const DeviceCheckOptions& options, device::Attendant& prepares, 
   seen = device::observe_without_force(*opened, rate, options.seconds, interrupted());
   if (interrupted()) throw Interrupted("the check was not finished");
   checks.add(check_readings(seen, capabilities, rate));
+  checks.add(device::machine_checks(device::this_machine(), seen, rate));
 }
 
 nlohmann::ordered_json json_of(const DeviceCheckOptions& options, const Checks& checks, const device::Observed& seen) {
@@ -109,11 +111,12 @@ int run(const DeviceCheckOptions& options) {
   device::Observed seen;
   checks.add(device::checks_before_opening(options.device));
   check_open(options, *prepares, checks, seen);
-  const std::size_t wrong = checks.count(Grade::wrong), unknown = checks.count(Grade::unknown);
+  const std::size_t wrong = checks.count(Grade::wrong), lacking = checks.count(Grade::lacking),
+                    unknown = checks.count(Grade::unknown);
   write_json(options.json, json_of(options, checks, seen));
   if (options.json != "-")
-    std::printf("%s: %zu of %zu checks wrong, %zu could not be made\n", wrong == 0 ? "held" : "FAILED", wrong,
-                checks.all().size(), unknown);
+    std::printf("%s: %zu of %zu checks wrong, %zu lacking, %zu could not be made\n", wrong == 0 ? "held" : "FAILED", wrong,
+                checks.all().size(), lacking, unknown);
   return wrong == 0 ? kHeld : kDeviceFault;
 }
 
@@ -121,8 +124,9 @@ int run(const DeviceCheckOptions& options) {
 
 void add_device_check(CLI::App& device, int& result) {
   const auto options = std::make_shared<DeviceCheckOptions>();
-  CLI::App* command = device.add_subcommand(
-      "check", "Driver, permissions, calibration, update rate, encoders, kinematics, buttons, noise; no force is switched on");
+  CLI::App* command = device.add_subcommand("check",
+                                            "Driver, permissions, calibration, update rate, encoders, kinematics, buttons, "
+                                            "noise, real-time settings; no force is switched on");
   command->add_option("device", options->device, "as for drive --device; default: phantom")->type_name("DEVICE");
   add_number(*command, "--seconds", "time for which the device is read; default: 5", {0.1, 600},
              [options](double seconds) { options->seconds = seconds; });

@@ -91,6 +91,7 @@ Check check_noise(const Observed& seen) {
 std::string_view name_of(Grade grade) noexcept {
   switch (grade) {
     case Grade::ok: return "ok";
+    case Grade::lacking: return "lacking";
     case Grade::wrong: return "wrong";
     case Grade::unknown: break;
   }

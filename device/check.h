@@ -13,9 +13,10 @@
 
 namespace forceshade::device {
 
-enum class Grade { ok, wrong, unknown };
+// Lacking: a setting of the machine that would help, and that a run does without.
+enum class Grade { ok, lacking, wrong, unknown };
 
-std::string_view name_of(Grade grade) noexcept;  // "ok", "wrong", "cannot be checked"
+std::string_view name_of(Grade grade) noexcept;  // "ok", "lacking", "wrong", "cannot be checked"
 
 struct Check {
   std::string name;

@@ -19,7 +19,7 @@ struct Watch {
   double rate, seconds;
   const std::atomic<bool>& stop;
 
-  std::optional<Fault> read_all(std::vector<Reading>& readings, State& state) const {
+  std::optional<Fault> read_all(std::vector<Reading>& readings, Observed& seen) const {
     const std::int64_t begin = system::now();
     const double period = 1e9 / rate;
     const auto most = static_cast<std::size_t>(std::lround(seconds * rate));
@@ -27,12 +27,15 @@ struct Watch {
     // A device whose frames do not come must not be waited for as often as there should be frames.
     const std::int64_t latest = begin + std::llround((2 * seconds + 1) * 1e9);
     for (std::size_t k = 0; k <= most && !stop && system::now() < latest; ++k) {
-      if (paces)
+      if (paces) {
         device.wait_for_frame(system::now() + system::in_ns(kLongestFrame));
-      else
-        system::sleep_until(begin + std::llround(static_cast<double>(k) * period));
+      } else {
+        const std::int64_t due = begin + std::llround(static_cast<double>(k) * period);
+        system::sleep_until(due);
+        seen.latest_waking = std::max(seen.latest_waking.value_or(0), 1e-6 * static_cast<double>(system::now() - due));
+      }
       const ReadResult read = device.read();
-      state = device.state();
+      seen.state = device.state();
       if (const Fault* fault = std::get_if<Fault>(&read)) return *fault;
       const Reading* reading = std::get_if<Reading>(&read);
       if (!reading) return std::nullopt;
@@ -125,9 +128,10 @@ Observed observe_without_force(Device& device, double rate, double seconds, cons
   if (seen.fault) return seen;
   // So that a gap is the device's, as far as the system grants it.
   const system::RealTime real_time(std::nullopt);
+  seen.granted = real_time.granted();
   std::vector<Reading> readings;
   readings.reserve(static_cast<std::size_t>(std::lround(seconds * rate)) + 1);
-  seen.fault = Watch{device, rate, seconds, stop}.read_all(readings, seen.state);
+  seen.fault = Watch{device, rate, seconds, stop}.read_all(readings, seen);
   if (const auto refused = device.command(Eigen::Vector3f::Zero()); refused && !seen.fault) seen.fault = refused;
   seen.readings = readings.size();
   if (readings.empty()) return seen;

@@ -10,13 +10,16 @@
 #include <optional>
 
 #include "forceshade/device.h"
+#include "system/system.h"
 
 namespace forceshade::device {
 
 // Statistics of the readings that differ in the device's time: one that is read twice counts once.
 struct Observed {
   std::optional<Fault> fault;  // ended it early
-  State state = {};            // with the last reading
+  system::RealTime::Granted granted;
+  std::optional<double> latest_waking;  // ms after the time that was asked for; of a device that does not pace the loop
+  State state = {};                     // with the last reading
   std::size_t readings = 0;
   double seconds = 0;  // between the first and the last
   double rate = 0;     // Hz; 0 with fewer than two readings

@@ -8,7 +8,9 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
+#include "device/machine.h"
 #include "tests/support/temporary_directory.h"
 
 namespace forceshade::device {
@@ -121,6 +123,46 @@ TEST(check, of_what_a_device_says_of_itself_says_what_it_does_not_say) {
   expect(check_identity({.model = "Touch", .serial = "0050C", .driver = "2023.11.15"}), Grade::ok,
          {"model Touch", "serial number 0050C", "driver 2023.11.15", "firmware not given"});
   expect(check_identity({.model = ""}), Grade::wrong, {"model not given"});
+}
+
+TEST(machine, is_read_from_the_files_of_the_system) {
+  const TemporaryDirectory here;
+  EXPECT_FALSE(this_machine(here.path()).real_time_kernel);
+  EXPECT_TRUE(this_machine(here.path()).governors.empty());
+  const std::string processors = here.file("sys/devices/system/cpu");
+  for (const auto& [processor, governor] :
+       {std::pair{"cpu0", "powersave\n"}, {"cpu1", "performance\n"}, {"cpu10", "powersave\n"}}) {
+    fs::create_directories(fs::path(processors) / processor / "cpufreq");
+    std::ofstream(fs::path(processors) / processor / "cpufreq/scaling_governor") << governor;
+  }
+  fs::create_directories(here.file("sys/kernel"));
+  here.write("sys/kernel/realtime", "1\n");
+  const Machine machine = this_machine(here.path());
+  EXPECT_TRUE(machine.real_time_kernel);
+  EXPECT_EQ(machine.governors, (std::vector<std::string>{"performance", "powersave"}));
+  here.write("sys/kernel/realtime", "0\n");
+  EXPECT_FALSE(this_machine(here.path()).real_time_kernel);
+}
+
+TEST(machine, is_told_what_to_type_for_each_setting_that_is_lacking) {
+  const auto checks = [](const Machine& machine, bool scheduling, bool memory, std::optional<double> latest = {}) {
+    Observed seen;
+    seen.granted = {.scheduling = scheduling, .memory_locked = memory, .cpu = {}};
+    seen.latest_waking = latest;
+    return machine_checks(machine, seen, 1000);
+  };
+  for (const Check& check : checks({true, 90, {"performance"}}, true, true, 0.999)) expect(check, Grade::ok, {});
+  const std::vector<Check> lacking = checks({false, 79, {"performance", "powersave"}}, false, false, 1.0);
+  ASSERT_EQ(lacking.size(), 5U);
+  expect(lacking[0], Grade::lacking, {"1.000 ms late; expected less than its period, 1 ms"});
+  expect(lacking[1], Grade::lacking, {"sudo apt-get install linux-image-rt-amd64"});
+  expect(lacking[2], Grade::lacking, {"ulimit -r is 79 and not 80", "- rtprio 90", "/etc/security/limits.d/realtime.conf"});
+  expect(lacking[3], Grade::lacking, {"not locked", "- memlock unlimited"});
+  expect(lacking[4], Grade::lacking, {"performance, powersave: sudo cpupower frequency-set --governor performance"});
+  const std::vector<Check> unknown = checks({true, 80, {}}, false, true);
+  expect(unknown[0], Grade::unknown, {"the device's frames"});
+  expect(unknown[2], Grade::lacking, {"--cap-add SYS_NICE", "cpu.rt_runtime_us"});
+  expect(unknown[4], Grade::unknown, {"virtual machines"});
 }
 
 }  // namespace
