@@ -2,7 +2,6 @@
 #include "apps/irregular_mesh.h"
 
 #include <nlohmann/json.hpp>
-#include <ranges>
 
 #include "text/joined.h"
 #include "text/number_text.h"
@@ -59,7 +58,7 @@ std::vector<Row> rows_of(const mesh::Borders& borders, float nearer_than) {
   const std::string words = std::to_string(borders.cracks.size()) +
                             " pairs of faces have such edges nearer to each other than " + shortest(nearer_than) +
                             " mm without touching" + (borders.cracks.empty() ? "" : ", and a hand can pass: ") +
-                            joined(std::views::take(borders.cracks, kPlaces), "; ", words_of_crack);
+                            joined(first_of(kPlaces, borders.cracks), "; ", words_of_crack);
   rows.emplace_back("cracks", borders.cracks.size() > kPlaces ? words + "; ..." : words);
   return rows;
 }

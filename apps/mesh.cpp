@@ -8,7 +8,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 
 #include "apps/command.h"
@@ -162,7 +161,7 @@ Json json_of(const Counted& counted) {
 // "rubber (8 faces), steel (4 faces)", of many only the first.
 std::string words_of(const Counted& counted) {
   constexpr std::size_t kListed = 20;
-  const std::string words = joined(std::views::take(counted, kListed), ", ", [](const Counted::value_type& named) {
+  const std::string words = joined(first_of(kListed, counted), ", ", [](const Counted::value_type& named) {
     return named.first + " (" + std::to_string(named.second) + " faces)";
   });
   return counted.empty() ? "none" : counted.size() > kListed ? words + ", ..." : words;

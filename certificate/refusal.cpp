@@ -2,7 +2,6 @@
 // The reasons why a certificate does not let a renderer be driven.
 
 #include <algorithm>
-#include <ranges>
 
 #include "forceshade/certificate.h"
 #include "text/joined.h"
@@ -25,7 +24,7 @@ std::optional<std::string> other_build(const Build& certified, const Build& buil
 std::optional<std::string> uncovered_set(const Findings& found, const std::string& name, const Build& build) {
   for (const std::string& set : {std::string("scalar"), build.instruction_set})
     if (!found.covers(set) || !found.spread.covers(set)) {
-      const std::string covered = joined(std::views::keys(found.points_by_instruction_set), ", ");
+      const std::string covered = joined(found.points_by_instruction_set, ", ", [](const auto& set) { return set.first; });
       return "the certificate does not cover the instruction set that would run here for " + name + ": expected " + set +
              ", got " + (covered.empty() ? "none" : covered);
     }

@@ -2,7 +2,6 @@
 #include "subjects/materials.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 #include "files/printable.h"
@@ -91,7 +90,7 @@ class Reader {
   static std::string listed(const std::vector<std::string>& known) {
     constexpr std::size_t kListed = 20;
     if (known.empty()) return ", which names none";
-    return " (" + joined(std::views::take(known, kListed), ", ", &files::printable) + (known.size() > kListed ? ", ...)" : ")");
+    return " (" + joined(first_of(kListed, known), ", ", &files::printable) + (known.size() > kListed ? ", ...)" : ")");
   }
 
   // "7" or "0-99", or the number 7.

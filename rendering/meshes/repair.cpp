@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <functional>
-#include <ranges>
 #include <span>
 
 #include "forceshade/meshes.h"
@@ -21,7 +20,7 @@ constexpr std::uint32_t kBeyond = 0xFFFFFFFF;  // in place of a vertex that does
 
 // "dropped 3 faces without area: 4, 9, 12", of many only the first.
 std::string sentence(const std::string& words, const std::vector<std::uint32_t>& numbers) {
-  return words + ": " + joined(std::views::take(numbers, kNamed), ", ", in_digits) + (numbers.size() > kNamed ? ", ..." : "");
+  return words + ": " + joined(first_of(kNamed, numbers), ", ", in_digits) + (numbers.size() > kNamed ? ", ..." : "");
 }
 
 class Repair {
