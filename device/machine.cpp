@@ -54,7 +54,8 @@ Check check_governor(const std::vector<std::string>& governors) {
 }  // namespace
 
 Machine this_machine(const std::filesystem::path& root) {
-  Machine machine{.real_time_kernel = first_word_of(root / "sys/kernel/realtime") == "1"};
+  Machine machine;
+  machine.real_time_kernel = first_word_of(root / "sys/kernel/realtime") == "1";
   rlimit limit{};
   if (::getrlimit(RLIMIT_RTPRIO, &limit) == 0) machine.priority_limit = limit.rlim_cur;
   std::set<std::string> governors;
