@@ -62,12 +62,13 @@ class Row : public testing::Test {
       end = line_.find(" | ", begin);
       parts.push_back(line_.substr(begin, end - begin));
     }
-    ASSERT_GE(parts.size(), 3U) << line_;
-    while (parts[2].starts_with("< ")) {
+    while (parts.size() > 2 && parts[2].starts_with("< ")) {
       const std::size_t name_ends = parts[2].find(' ', 2);
       here_.write(parts[2].substr(2, name_ends - 2), unescaped(parts[2].substr(name_ends + 1)));
       parts.erase(parts.begin() + 2);
     }
+    ASSERT_GE(parts.size(), 3U) << line_;
+    const std::ptrdiff_t before = here_.entries();
     const CommandRun run = run_command(here_, words_of(parts[1]));
     EXPECT_EQ(std::to_string(run.code), parts[0]) << line_ << '\n' << run.err;
     EXPECT_EQ(run.out, "") << line_;
@@ -78,6 +79,7 @@ class Row : public testing::Test {
                                                                                                              << run.err;
     }
     expect_readable(run.err, line_);
+    EXPECT_EQ(here_.entries(), before + 2) << line_;  // its output, its errors and no file of its own
   }
 
   std::string line_;

@@ -48,7 +48,8 @@ struct SoupTick {
   }
   // Every column.
   std::string text() const {
-    return line() + (is_slipping ? " slips, " : ", ") + words(position) + ", " + std::to_string(looks) + " looks";
+    return line() + (is_slipping ? " slips, " : ", ") + place + ", " + words(position) + ", " + words(force) + ", " +
+           words(shaded) + ", " + std::to_string(looks) + " looks";
   }
 };
 
