@@ -41,7 +41,7 @@ inline std::string digits(double value, int count) {
 }
 
 // The number that a word is from its first character to its last, as from_chars reads it: without a + and without blanks.
-// Nothing where it is none, or one that the type cannot hold.
+// Returns nothing for another word, and for a number that the type cannot hold.
 template <class Number>
 std::optional<Number> number_in(std::string_view word) {
   Number number{};
