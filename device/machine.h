@@ -24,7 +24,7 @@ struct Machine {
 Machine this_machine(const std::filesystem::path& root = "/");
 
 // Waking, kernel, scheduling, locked memory and governor. `seen` has how late a loop at `rate` (Hz) woke, and what it was
-// granted that asked for real time. Nothing is wrong by these: a loop that is never late needs none.
+// granted that asked for real time. No check is graded wrong, since a loop that is never late needs none of these settings.
 std::vector<Check> machine_checks(const Machine& machine, const Observed& seen, double rate);
 
 }  // namespace forceshade::device

@@ -18,7 +18,7 @@ namespace forceshade::device {
 struct Observed {
   std::optional<Fault> fault;  // ended it early
   system::RealTime::Granted granted;
-  std::optional<double> latest_waking;  // ms after the time that was asked for; of a device that does not pace the loop
+  std::optional<double> latest_waking;  // ms after the time that was asked for; empty where frames wake the loop
   State state = {};                     // with the last reading
   std::size_t readings = 0;
   double seconds = 0;  // between the first and the last
